@@ -18,6 +18,7 @@ module lightning {
     // Compile-time annotations only; not needed at run time.
     requires static io.soabase.recordbuilder.core;
     requires static java.compiler;
+    requires static org.jspecify;
 
     // The engine as a library: docs/library.md.
     exports lightning.base.math;

@@ -1,5 +1,7 @@
 package lightning.bench;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import lightning.bench.result.MeasurementFailure;
 import lightning.format.pov.PovRayRunner;
@@ -18,7 +20,8 @@ record ColdStartBench(BenchSettings settings, ResultCollector ledger) {
         return new BenchPart(title, (settings.processes() + 1) * processMs * (PovRayRunner.find().isPresent() ? 2 : 1), progress -> {
             try {
                 var meter = new ColdStartMeter(settings.threads(), settings.processes(), Double.POSITIVE_INFINITY);
-                collector.setColdStart(meter.measure(scene.file(), scene.scene(), size, scene.options(), PovSampling.NONE, progress));
+                collector.setColdStart(
+                        meter.measure(requireNonNull(scene.file()), scene.scene(), size, scene.options(), PovSampling.NONE, progress));
             } catch (IOException e) {
                 ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, title, e.getMessage()));
             }

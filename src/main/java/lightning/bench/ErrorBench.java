@@ -1,5 +1,7 @@
 package lightning.bench;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -120,7 +122,7 @@ record ErrorBench(BenchSettings settings) {
                 times.add(trace.ms());
                 totalMs += trace.ms();
             }
-            points.add(new ErrorPoint(task.getKey(), TimeSamples.of(new Timing(times)), DisplayError.of(film, reference)));
+            points.add(new ErrorPoint(task.getKey(), TimeSamples.of(new Timing(times)), DisplayError.of(requireNonNull(film), reference)));
             progress.report(points.size(), tasks.size());
         }
         return points;

@@ -1,5 +1,7 @@
 package lightning.bench;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -146,7 +148,7 @@ final class IndirectBench {
         }
         ledger.indirect().add(new IndirectCost(named.name(), size.width(), size.height(), scene.lights().size(),
                 scene.picture().indirect().orElseThrow().label(), TimeSamples.of(with.first()), TimeSamples.of(without.first()),
-                TimeSamples.of(with.fullTrace()), (with.bytes() - without.bytes()) / (double) size.pixels(), with.points(),
+                TimeSamples.of(requireNonNull(with.fullTrace())), (with.bytes() - without.bytes()) / (double) size.pixels(), with.points(),
                 with.surfels(), edits));
     }
 

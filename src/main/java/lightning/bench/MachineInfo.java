@@ -13,6 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import jdk.incubator.vector.FloatVector;
+import lightning.base.file.ParentFolder;
 import lightning.bench.result.MachineSpec;
 
 /** Information about the current machine and build. */
@@ -79,7 +80,7 @@ final class MachineInfo {
      * Returns the nearest parent folder with this program's Maven project and a Git folder. Other repositories do not identify the build.
      */
     private static Optional<Path> repository(Path program) {
-        for (Path folder = program.toAbsolutePath().getParent(); folder != null; folder = folder.getParent()) {
+        for (Path folder = ParentFolder.of(program); folder != null; folder = folder.getParent()) {
             if (Files.exists(folder.resolve(".git"))) {
                 return Files.isRegularFile(folder.resolve("src/main/java/lightning/Main.java")) ? Optional.of(folder) : Optional.empty();
             }

@@ -17,6 +17,7 @@ import lightning.bench.result.TimeSamples;
 import lightning.render.measure.Timing;
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.scene.node.Mesh;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Benchmark of ray throughput on generated meshes of up to ten million triangles, in turns with Embree if installed: same mesh, same rays,
@@ -47,7 +48,7 @@ record MeshBench(BenchSettings settings, ResultCollector ledger) {
         });
     }
 
-    private MeshPoint measure(int triangles, PictureSize size, Embree embree, Progress progress) throws IOException {
+    private MeshPoint measure(int triangles, PictureSize size, @Nullable Embree embree, Progress progress) throws IOException {
         Mesh mesh = BumpySphere.of(triangles);
         List<Double> ourMs = new ArrayList<>();
         List<Double> rivalMs = new ArrayList<>();
@@ -81,7 +82,7 @@ record MeshBench(BenchSettings settings, ResultCollector ledger) {
         return (System.nanoTime() - start) / 1e6;
     }
 
-    private List<RayThroughput> rays(MeshSolid solid, PictureSize size, Embree embree, Progress progress) throws IOException {
+    private List<RayThroughput> rays(MeshSolid solid, PictureSize size, @Nullable Embree embree, Progress progress) throws IOException {
         RaySetGenerator sets = new RaySetGenerator(solid, size.width(), size.height());
         List<RayThroughput> throughputs = new ArrayList<>();
         for (RaySet.Kind kind : RaySet.Kind.values()) {
@@ -91,7 +92,7 @@ record MeshBench(BenchSettings settings, ResultCollector ledger) {
         return throughputs;
     }
 
-    private RayThroughput throughput(RaySet set, LaneMeshTracer tracer, Embree embree, Progress progress) throws IOException {
+    private RayThroughput throughput(RaySet set, LaneMeshTracer tracer, @Nullable Embree embree, Progress progress) throws IOException {
         List<Double> ourMs = new ArrayList<>();
         List<Double> rivalMs = new ArrayList<>();
         if (embree != null) {

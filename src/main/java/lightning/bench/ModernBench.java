@@ -1,5 +1,7 @@
 package lightning.bench;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -84,7 +86,7 @@ final class ModernBench {
     private void measureCold(ModernSampling sampling, Progress progress) throws IOException, InterruptedException {
         var meter = new ColdStartMeter(settings.threads(), Math.min(settings.processes(), PROCESSES), COLD_MS);
         collector.setCold(sampling, coldSize(),
-                meter.measure(scene.file(), sampling.of(scene.scene()), coldSize(),
+                meter.measure(requireNonNull(scene.file()), sampling.of(scene.scene()), coldSize(),
                         Stream.concat(scene.options().stream(), sampling.renderOptions().stream()).toList(), sampling.povRay(), progress));
     }
 }

@@ -11,6 +11,7 @@ import lightning.bench.result.ModernEdit;
 import lightning.bench.result.ModernPicture;
 import lightning.bench.result.ModernSampling;
 import lightning.bench.result.ModernScene;
+import org.jspecify.annotations.Nullable;
 
 /** Collector of one modern scene's results so far. */
 final class ModernCollector {
@@ -22,10 +23,10 @@ final class ModernCollector {
     /** Results of one kind of anti-aliasing so far. */
     private static final class PictureCollector {
         private PictureSize editSize = new PictureSize(0, 0);
-        private FirstPassResult firstPass;
+        private @Nullable FirstPassResult firstPass;
         private List<ModernEdit> edits = List.of();
         private PictureSize coldSize = new PictureSize(0, 0);
-        private ColdStart cold;
+        private @Nullable ColdStart cold;
     }
 
     ModernCollector(String scene, List<String> losses) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Scene to measure.
@@ -13,13 +14,13 @@ import lightning.scene.Scene;
  * @param file    source file for cold-start processes; null if none, which skips them
  * @param options options by which {@code lightning render} shows this scene from its file
  */
-public record NamedScene(String name, Scene scene, Path file, List<String> options) {
+public record NamedScene(String name, Scene scene, @Nullable Path file, List<String> options) {
     public NamedScene {
         options = List.copyOf(options);
     }
 
     /** Creates a scene as in its file. */
-    public NamedScene(String name, Scene scene, Path file) {
+    public NamedScene(String name, Scene scene, @Nullable Path file) {
         this(name, scene, file, List.of());
     }
 

@@ -7,6 +7,7 @@ import lightning.format.image.ImageFile;
 import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import org.jspecify.annotations.Nullable;
 
 /** Writer of a run's images, downscaled for a web page. */
 final class PictureWriter {
@@ -27,6 +28,7 @@ final class PictureWriter {
     }
 
     /** Writes the difference of two images; returns its name, relative to the results, or null if they are equal. */
+    @Nullable
     String writeDifference(String name, Film film, Film reference) throws IOException {
         return film.hasSameBits(reference) ? null : write(name, FilmDownscaler.maximum(DifferenceImage.of(film, reference), MAX_WIDTH));
     }

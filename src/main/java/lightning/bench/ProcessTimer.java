@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import lightning.bench.result.TimeSamples;
 import lightning.render.measure.Timing;
+import org.jspecify.annotations.Nullable;
 
 /** Timer of whole processes that run one after the other. */
 final class ProcessTimer {
@@ -34,6 +35,7 @@ final class ProcessTimer {
     }
 
     /** Returns the processor times; null if the system does not report them. */
+    @Nullable
     TimeSamples processorTime() {
         return processorMs.size() < wallMs.size() ? null : TimeSamples.of(new Timing(processorMs));
     }

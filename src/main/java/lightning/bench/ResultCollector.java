@@ -20,6 +20,7 @@ import lightning.bench.result.MeshPoint;
 import lightning.bench.result.PeerResult;
 import lightning.bench.result.SceneResult;
 import lightning.render.measure.AccuracySetting;
+import org.jspecify.annotations.Nullable;
 
 /** Collector of a run's results so far. */
 final class ResultCollector {
@@ -29,10 +30,10 @@ final class ResultCollector {
         private final PictureSize size;
         private final List<EditResult> edits = new ArrayList<>();
         private List<EffectResult> effects = List.of();
-        private FirstPassCost firstPass;
-        private String pictureBefore;
-        private PeerResult peer;
-        private ColdStart coldStart;
+        private @Nullable FirstPassCost firstPass;
+        private @Nullable String pictureBefore;
+        private @Nullable PeerResult peer;
+        private @Nullable ColdStart coldStart;
 
         private SceneCollector(NamedScene scene, PictureSize size) {
             this.scene = scene;

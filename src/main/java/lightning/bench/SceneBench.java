@@ -1,5 +1,7 @@
 package lightning.bench;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -26,6 +28,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import lightning.scene.paper.PaperCase;
 import lightning.scene.paper.PaperCases;
+import org.jspecify.annotations.Nullable;
 
 /** Benchmark of one scene at one size: its first pass, and all accuracy settings for each edit and value. */
 final class SceneBench implements AutoCloseable {
@@ -41,12 +44,11 @@ final class SceneBench implements AutoCloseable {
     private final Scene scene;
     private final double bytesPerMs;
     /** Image writer; null if no images are written. */
-    private final PictureWriter pictures;
-    private AccuracySweepMeter meter;
+    private final @Nullable PictureWriter pictures;
+    private @Nullable AccuracySweepMeter meter;
 
     SceneBench(BenchSettings settings, ResultCollector ledger, ResultCollector.SceneCollector collector, NamedScene namedScene,
-            PictureSize size, double bytesPerMs,
-            PictureWriter pictures) {
+            PictureSize size, double bytesPerMs, @Nullable PictureWriter pictures) {
         this.settings = settings;
         this.ledger = ledger;
         this.collector = collector;
@@ -131,7 +133,7 @@ final class SceneBench implements AutoCloseable {
     }
 
     /** @param namePrefix prefix of the image names; null if none are written */
-    private List<SweepPointResult> results(AccuracySweep sweep, String namePrefix) throws IOException {
+    private List<SweepPointResult> results(AccuracySweep sweep, @Nullable String namePrefix) throws IOException {
         SweepPoint full = sweep.point(AccuracySetting.FULL_TRACE);
         double fullMs = full.time().median();
         String reference = namePrefix == null || pictures == null ? null : pictures.writePicture(namePrefix + "-full", full.film());
@@ -142,7 +144,8 @@ final class SceneBench implements AutoCloseable {
             String pictureName = namePrefix + "-" + point.setting().name().toLowerCase(Locale.ROOT).replace('_', '-');
             results.add(new SweepPointResult(point.setting(), TimeSamples.of(point.time()), saving(point, full), point.error(), work,
                     reference == null ? null : pictureFile(pictureName, point.film(), full.film(), reference),
-                    reference == null ? null : pictures.writeDifference(pictureName + "-difference", point.film(), full.film())));
+                    reference == null || pictures == null ? null
+                            : pictures.writeDifference(pictureName + "-difference", point.film(), full.film())));
         }
         return results;
     }
@@ -156,7 +159,7 @@ final class SceneBench implements AutoCloseable {
 
     /** Returns the file of an image; images equal to the reference share its file. */
     private String pictureFile(String pictureName, Film film, Film full, String reference) throws IOException {
-        return film.hasSameBits(full) ? reference : pictures.writePicture(pictureName, film);
+        return film.hasSameBits(full) ? reference : requireNonNull(pictures).writePicture(pictureName, film);
     }
 
     @Override

@@ -12,7 +12,9 @@
  *
  * <p>Times are milliseconds and keep every raw sample. Compared tasks are measured in turns.
  */
+@NullMarked
 package lightning.bench;
 
 import lightning.bench.result.EditResult;
 import lightning.bench.result.SceneResult;
+import org.jspecify.annotations.NullMarked;

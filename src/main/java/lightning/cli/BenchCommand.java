@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
+import lightning.base.file.ParentFolder;
 import lightning.base.text.Quote;
 import lightning.bench.BenchSettings;
 import lightning.bench.Harness;
@@ -28,6 +29,7 @@ import lightning.cli.output.ExitCode;
 import lightning.cli.output.ProgressBar;
 import lightning.cli.report.BenchReport;
 import lightning.scene.paper.PaperCases;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -78,10 +80,10 @@ final class BenchCommand implements Callable<Integer> {
     private List<Path> scenes = List.of();
     @Option(names = {"-o", "--output"}, paramLabel = "DIR",
             description = "Output folder, created if missing (default with --report: the results' folder).")
-    private Path folder;
+    private @Nullable Path folder;
     @Option(names = "--report", paramLabel = "RESULTS.json",
             description = "Write the report of existing results; measure nothing.")
-    private Path storedResults;
+    private @Nullable Path storedResults;
     @Option(names = "--edits", description = "Measure edits and scaling only: no effects, cold starts or large scenes.")
     private boolean editsOnly;
     @Option(names = "--quick",
@@ -113,17 +115,17 @@ final class BenchCommand implements Callable<Integer> {
     @Option(names = "--baseline", paramLabel = "OLD.json",
             description = "Compare with earlier results: print what is slower (disjoint quartiles and more than 10 %%, also relative to "
                     + "the full trace) or less accurate.")
-    private Path baseline;
+    private @Nullable Path baseline;
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "Random seed (default: 1).")
     private long seed;
     @Mixin
     private ThreadsOption threads;
-    private PaperFigures.Subject figure;
-    private Integer values;
-    private Integer repetitions;
-    private Integer processes;
+    private PaperFigures.@Nullable Subject figure;
+    private @Nullable Integer values;
+    private @Nullable Integer repetitions;
+    private @Nullable Integer processes;
     /** Measurements that are worse than the baseline; null without one. */
-    private List<String> worse;
+    private @Nullable List<String> worse;
 
     @Option(names = "--processes", paramLabel = "N",
             description = "Cold starts per image (default: 10; 0 with --quick).")
@@ -164,7 +166,7 @@ final class BenchCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         if (storedResults != null) {
-            return report();
+            return report(storedResults);
         }
         if (folder == null) {
             throw new ParameterException(command.commandLine(), "Missing required option: '--output=DIR'");
@@ -177,7 +179,7 @@ final class BenchCommand implements Callable<Integer> {
             throw new BadInputException("no scene to measure");
         }
         Files.createDirectories(folder);
-        BenchResults results = measure(benchScenes);
+        BenchResults results = measure(benchScenes, folder);
         console.print("%s: report.html, results.json, results.csv and images", folder);
         int exit = exitCode(results, baselineResults, !benchScenes.problems().isEmpty());
         console.report().setResult(new BenchReport(folder.toString(), folder.resolve(HtmlReport.FILE).toString(),
@@ -187,18 +189,18 @@ final class BenchCommand implements Callable<Integer> {
     }
 
     /** Writes the report of stored results again. */
-    private int report() throws IOException {
+    private int report(Path stored) throws IOException {
         if (!scenes.isEmpty()) {
-            throw new ParameterException(command.commandLine(), "--report reads " + storedResults + " and measures no scene");
+            throw new ParameterException(command.commandLine(), "--report reads " + stored + " and measures no scene");
         }
-        BenchResults results = ResultsFile.readJson(storedResults);
-        Path resultsFolder = storedResults.toAbsolutePath().getParent();
+        BenchResults results = ResultsFile.readJson(stored);
+        Path resultsFolder = ParentFolder.of(stored);
         Path targetFolder = folder == null ? resultsFolder : folder;
         Files.createDirectories(targetFolder);
         HtmlReport.write(results, resultsFolder, targetFolder);
         console.print("%s", targetFolder.resolve(HtmlReport.FILE));
         console.report().setResult(new BenchReport(targetFolder.toString(), targetFolder.resolve(HtmlReport.FILE).toString(),
-                storedResults.toString(), null, null, null));
+                stored.toString(), null, null, null));
         return ExitCode.OK;
     }
 
@@ -240,12 +242,12 @@ final class BenchCommand implements Callable<Integer> {
         return repetitions == null ? settings : settings.withRepetitions(repetitions);
     }
 
-    private BenchResults measure(BenchScenes benchScenes) throws IOException, InterruptedException {
+    private BenchResults measure(BenchScenes benchScenes, Path target) throws IOException, InterruptedException {
         BenchTable table = new BenchTable(console);
-        BenchOutput files = new BenchOutput(folder, reporter);
+        BenchOutput files = new BenchOutput(target, reporter);
         try (ProgressBar bar = new ProgressBar(console, "bench")) {
             List<String> arguments = new ArrayList<>(command.commandLine().getParseResult().originalArgs());
-            Harness harness = new Harness(settings(), benchScenes.scenes(), benchScenes.problems(), folder, arguments, bar);
+            Harness harness = new Harness(settings(), benchScenes.scenes(), benchScenes.problems(), target, arguments, bar);
             int count = benchScenes.scenes().size();
             console.print("%d scene%s; this will take about %s", count, count == 1 ? "" : "s", duration(harness.predictedSeconds()));
             try {
@@ -270,7 +272,7 @@ final class BenchCommand implements Callable<Integer> {
         return seconds < 2 * MINUTE ? Console.text("%.0f s", Math.ceil(seconds)) : Console.text("%.0f min", Math.ceil(seconds / MINUTE));
     }
 
-    private int exitCode(BenchResults results, BenchResults baselineResults, boolean hasUnreadable) throws BadInputException {
+    private int exitCode(BenchResults results, @Nullable BenchResults baselineResults, boolean hasUnreadable) throws BadInputException {
         long failures = results.problems().stream().filter(problem -> problem.kind() == MeasurementFailure.Kind.BROKEN).count();
         if (baselineResults != null) {
             BaselineComparison compared = BaselineComparison.compare(baselineResults, results);

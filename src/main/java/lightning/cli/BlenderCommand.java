@@ -17,6 +17,7 @@ import lightning.base.file.RegularFile;
 import lightning.cli.output.BadInputException;
 import lightning.cli.output.Console;
 import lightning.cli.output.ExitCode;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -47,7 +48,7 @@ final class BlenderCommand implements Callable<Integer> {
 
     @Option(names = "--install", paramLabel = "DIR", arity = "0..1", fallbackValue = "",
             description = "Install into a folder of extensions (default: that of the newest Blender that has one).")
-    private String folder;
+    private @Nullable String folder;
 
     BlenderCommand(Console console) {
         this(console, System.getenv(), Path.of(System.getenv().getOrDefault("HOME", System.getProperty("user.home"))));

@@ -17,6 +17,7 @@ import lightning.render.image.Film;
 import lightning.render.image.Flip;
 import lightning.render.image.ViewTransform;
 import lightning.scene.asset.EnvironmentMap;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -44,7 +45,7 @@ final class CompareCommand implements Callable<Integer> {
     private Path second;
     @Option(names = {"-o", "--output"}, paramLabel = "FILE",
             description = "Write a difference image: black where all bits agree, brighter for larger differences.")
-    private Path output;
+    private @Nullable Path output;
 
     CompareCommand(Console console) {
         this.console = console;

@@ -6,6 +6,7 @@ import lightning.base.text.Quote;
 import lightning.cli.output.BadInputException;
 import lightning.format.MeshFormat;
 import lightning.format.jen.JenFile;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
@@ -23,7 +24,7 @@ final class EditCommand implements Callable<Integer> {
     private CommandSpec command;
     @Parameters(index = "0", arity = "0..1", paramLabel = "file",
             description = "Scene or model file (default: a copy of scenes/stage.jen).")
-    private Path file;
+    private @Nullable Path file;
 
     @Override
     public Integer call() throws BadInputException {

@@ -1,5 +1,7 @@
 package lightning.cli;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -10,6 +12,7 @@ import lightning.format.jen.PropertyEdit;
 import lightning.scene.Scene;
 import lightning.scene.paper.PaperCase;
 import lightning.scene.paper.PaperCases;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
 /** One edit option of the command line; exactly one of the fields is set. */
@@ -20,18 +23,18 @@ final class EditStep {
                         + "world.ambience=0.1, picture.depth=5.",
                 "Quote names that are not a single word: '\"key light\".intensity=2'.",
                 "Materials: \"material:gold.reflective=0.5 0.4 0.1\", material:gold.shininess=30, material:floor.texture=none."})
-    private String set;
+    private @Nullable String set;
 
     @Option(names = "--add", required = true, paramLabel = "LIGHT",
             description = "Add a light, such as \"fill point intensity=0.5 at=0 3 2\".")
-    private String add;
+    private @Nullable String add;
 
     @Option(names = "--delete", required = true, paramLabel = "LIGHT", description = "Delete a light.")
-    private String delete;
+    private @Nullable String delete;
 
     @Option(names = "--case", required = true, paramLabel = "NAME",
             description = "Apply one of the paper's edits by its name in 'lightning tour', such as color or angle-larger.")
-    private String paperCase;
+    private @Nullable String paperCase;
 
     @Option(names = "--then", required = true, description = "Start a new group of edits.")
     private boolean then;
@@ -63,7 +66,7 @@ final class EditStep {
         try {
             return List.of(set != null ? PropertyEdit.apply(scene, set, folder)
                     : add != null ? PropertyEdit.add(scene, add)
-                    : PropertyEdit.delete(scene, delete));
+                    : PropertyEdit.delete(scene, requireNonNull(delete)));
         } catch (IllegalArgumentException e) {
             String step = set != null ? "--set " + set : add != null ? "--add " + add : "--delete " + delete;
             throw new BadInputException(Quote.shorten(step) + ": " + e.getMessage());
@@ -88,7 +91,7 @@ final class EditStep {
                 return edit.scenes().subList(1, edit.scenes().size());
             }
         }
-        throw new BadInputException("--case " + Quote.shorten(paperCase) + ": expected one of "
+        throw new BadInputException("--case " + Quote.shorten(requireNonNull(paperCase)) + ": expected one of "
                 + String.join(", ", cases.stream().map(PaperCase::name).toList()) + ", the cases of this scene");
     }
 }

@@ -23,6 +23,7 @@ import lightning.scene.Scene;
 import lightning.scene.effects.SceneEffects;
 import lightning.scene.paper.PaperCase;
 import lightning.scene.paper.PaperCases;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -51,7 +52,7 @@ final class EffectsCommand implements Callable<Integer> {
     private ThreadsOption threads;
     @Option(names = "--case", paramLabel = "NAME",
             description = "Edit to measure, by its name in 'lightning tour' (default: position, or direction if no light has a position).")
-    private String caseName;
+    private @Nullable String caseName;
     @Mixin
     private RepetitionsOption repetitions;
 

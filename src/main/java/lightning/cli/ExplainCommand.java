@@ -1,5 +1,7 @@
 package lightning.cli;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
@@ -31,6 +33,7 @@ import lightning.scene.Scene;
 import lightning.scene.light.Contribution;
 import lightning.scene.material.Material;
 import lightning.scene.node.Shape;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
@@ -94,7 +97,7 @@ final class ExplainCommand implements Callable<Integer> {
     }
 
     /** Returns the indirect light of the whole picture, which each pixel needs; null if the scene has none. */
-    private static IndirectLight traceIndirect(Scene scene, Geometry geometry) {
+    private static @Nullable IndirectLight traceIndirect(Scene scene, Geometry geometry) {
         if (scene.picture().indirect().isEmpty()) {
             return null;
         }
@@ -104,7 +107,7 @@ final class ExplainCommand implements Callable<Integer> {
         }
     }
 
-    private void printPaths(IndirectLight indirect) {
+    private void printPaths(@Nullable IndirectLight indirect) {
         if (indirect != null) {
             GatherStructure paths = indirect.structure();
             console.print("indirect light of the picture: %s, %s, %s, %s", Console.count(paths.pointCount(), "gather point"),
@@ -156,7 +159,7 @@ final class ExplainCommand implements Callable<Integer> {
             console.print("%snothing: the background, %s", indent, formatRgb(report.color()));
             return;
         }
-        SurfacePoint at = report.hit();
+        SurfacePoint at = requireNonNull(report.hit());
         var geometry = explainer.geometry();
         Shape shape = geometry.shape(at.primitive());
         Material material = geometry.material(at.primitive());
@@ -194,11 +197,13 @@ final class ExplainCommand implements Callable<Integer> {
         console.print("%s  sum          is   %s", indent, formatRgb(report.color()));
         if (mirrored != null && parts.shouldFollow(mirrored, report.color(), share)) {
             console.print("%s  reflected ray hits", indent);
-            print(explainer, report.reflected(), indent + "    ", PointContributions.rayShare(mirrored, report.color(), share));
+            print(explainer, requireNonNull(report.reflected()), indent + "    ",
+                    PointContributions.rayShare(mirrored, report.color(), share));
         }
         if (refracted != null && parts.shouldFollow(refracted, report.color(), share)) {
             console.print("%s  refracted ray hits", indent);
-            print(explainer, report.refracted(), indent + "    ", PointContributions.rayShare(refracted, report.color(), share));
+            print(explainer, requireNonNull(report.refracted()), indent + "    ",
+                    PointContributions.rayShare(refracted, report.color(), share));
         }
     }
 
@@ -222,7 +227,7 @@ final class ExplainCommand implements Callable<Integer> {
         return Console.text("%.6g %.6g %.6g", n.x(), n.y(), n.z());
     }
 
-    private void printPart(String name, float[] added, double total, String indent) {
+    private void printPart(String name, float @Nullable [] added, double total, String indent) {
         if (added != null) {
             console.print("%s  %-12s adds %s %s", indent, name, formatRgb(added), formatShare(added, total));
         }

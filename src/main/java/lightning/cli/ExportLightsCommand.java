@@ -15,6 +15,7 @@ import lightning.format.exchange.LightExport;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.jen.JenDocument;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -43,13 +44,13 @@ final class ExportLightsCommand implements Callable<Integer> {
     @Mixin
     private SceneFile input;
     @Option(names = "--into", paramLabel = "FILE", description = "The .gltf or .glb file to copy.")
-    private Path template;
+    private @Nullable Path template;
     @Option(names = {"-o", "--output"}, paramLabel = "FILE", required = true, description = "Output file.")
     private Path output;
     @Option(names = "--light-units", paramLabel = "UNITS",
             description = "Light units of the output: candela (and lux), unitless or watts (default: the units chosen at import, "
                     + "else candela).")
-    private LightUnits units;
+    private @Nullable LightUnits units;
 
     ExportLightsCommand(Console console) {
         this.console = console;

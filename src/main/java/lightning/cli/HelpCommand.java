@@ -13,6 +13,7 @@ import lightning.cli.output.BadInputException;
 import lightning.cli.output.Console;
 import lightning.cli.output.ExitCode;
 import lightning.format.jen.asset.NameSuggestion;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -32,10 +33,10 @@ final class HelpCommand implements Callable<Integer> {
     @Parameters(paramLabel = "COMMAND", arity = "0..*", description = "Command (default: the program).")
     private List<String> words = List.of();
     @Option(names = "--man", paramLabel = "FOLDER", description = "Write manual pages to a folder, created if missing.")
-    private Path manual;
+    private @Nullable Path manual;
     @Option(names = "--completion", paramLabel = "FOLDER", hidden = true,
             description = "Write the script for bash, under the program's name, to a folder.")
-    private Path completion;
+    private @Nullable Path completion;
 
     HelpCommand(Console console) {
         this.console = console;
@@ -46,7 +47,7 @@ final class HelpCommand implements Callable<Integer> {
         CommandLine commands = Lightning.createCommands(console);
         if (manual != null) {
             Files.createDirectories(manual);
-            writeManual(commands);
+            writeManual(manual, commands);
         }
         if (completion != null) {
             Files.createDirectories(completion);
@@ -68,11 +69,11 @@ final class HelpCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    private void writeManual(CommandLine command) throws IOException {
+    private void writeManual(Path to, CommandLine command) throws IOException {
         var page = new ManualPage(command);
-        write(manual.resolve(page.fileName()), page.text());
+        write(to.resolve(page.fileName()), page.text());
         for (CommandLine next : command.getSubcommands().values()) {
-            writeManual(next);
+            writeManual(to, next);
         }
     }
 

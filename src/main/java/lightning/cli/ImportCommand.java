@@ -23,6 +23,7 @@ import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
 import lightning.format.jen.JenFile;
 import lightning.render.image.ViewTransform;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -57,7 +58,7 @@ final class ImportCommand implements Callable<Integer> {
     @Option(names = "--light-units", paramLabel = "UNITS",
             description = "Units of a glTF file's lights: candela (and lux, as the format defines), unitless (watts per steradian and "
                     + "per square meter) or watts, as chosen in its exporter (default: candela).")
-    private LightUnits units;
+    private @Nullable LightUnits units;
     @Option(names = "--light-pictures",
             description = "Also write a small preview for each light unit next to the scene, such as scene.candela.png.")
     private boolean writesUnitPictures;

@@ -1,5 +1,7 @@
 package lightning.cli;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
@@ -125,7 +127,7 @@ public final class Lightning {
     private static CommandLine createCommands(Console console, Set<String> names) {
         CommandLine commands = new CommandLine(new RootCommand(console));
         for (String name : names) {
-            commands.addSubcommand(COMMANDS.get(name).apply(console));
+            commands.addSubcommand(requireNonNull(COMMANDS.get(name)).apply(console));
         }
         NumberConverters.register(commands);
         separateSections(commands);
@@ -182,7 +184,7 @@ public final class Lightning {
         String hint = e instanceof UnmatchedArgumentException unmatched ? suggestion(command, unmatched.getUnmatched())
                 : Stream.of(args).filter(arg -> isUnknownOption(command, arg)).findFirst()
                         .map(arg -> "; unknown option '" + optionName(arg) + "'" + suggestion(command, List.of(arg))).orElse("");
-        console.error(name + ": " + Quote.shortenWords(e.getMessage(), words) + hint);
+        console.error(name + ": " + Quote.shortenWords(String.valueOf(e.getMessage()), words) + hint);
         console.hint("Try '" + name + " --help'.");
         return ExitCode.BAD_INPUT;
     }

@@ -19,6 +19,7 @@ import lightning.shot.cluster.NodeConfig;
 import lightning.shot.cluster.RenderNode;
 import lightning.shot.cluster.SelfSignedCertificate;
 import lightning.shot.cluster.TlsNetwork;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -61,12 +62,12 @@ final class NodeCommand implements Callable<Integer> {
     private int port;
     @Option(names = "--memory", paramLabel = "GB",
             description = "Memory for frames in GB (default: half of Java's memory). Further frames go to disk, then to other nodes.")
-    private Double memory;
+    private @Nullable Double memory;
     @Option(names = "--folder", paramLabel = "FOLDER",
             description = "Folder for received files and for frames that exceed the memory (default: the program's data folder).")
-    private Path folder;
+    private @Nullable Path folder;
     @Option(names = "--make-certificate", paramLabel = "FILE", description = "Create a key and certificate file, then exit.")
-    private Path certificateOutput;
+    private @Nullable Path certificateOutput;
 
     NodeCommand(Console console) {
         this.console = console;

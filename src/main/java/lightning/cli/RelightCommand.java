@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
+import lightning.base.file.ParentFolder;
 import lightning.base.work.WorkerPool;
 import lightning.cli.option.LayerOptions;
 import lightning.cli.option.PictureOptions;
@@ -34,6 +35,7 @@ import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -88,7 +90,7 @@ final class RelightCommand implements Callable<Integer> {
     private boolean skipsSavings;
     @Option(names = "--save", paramLabel = "edited.jen",
             description = "Write the edited scene; keeps comments, order and unedited text.")
-    private Path saveFile;
+    private @Nullable Path saveFile;
 
     private final List<RelightReport.Step> reports = new ArrayList<>();
 
@@ -116,7 +118,7 @@ final class RelightCommand implements Callable<Integer> {
             mattes.get().check(last, inputs);
         }
         if (saveFile != null) {
-            InputFiles.referencedBy(edited.getLast(), input.path().toAbsolutePath().getParent()).check(saveFile);
+            InputFiles.referencedBy(edited.getLast(), ParentFolder.of(input.path())).check(saveFile);
         }
         Scene before = picture.apply(document.scene());
         RenderOptions options = updates.apply(RenderOptions.DEFAULT.withThreads(threads.count()))
@@ -194,7 +196,7 @@ final class RelightCommand implements Callable<Integer> {
         Scene current = scene;
         for (List<EditStep> group : EditStep.splitGroups(steps)) {
             for (EditStep step : group) {
-                List<Scene> next = step.apply(current, input.path().toAbsolutePath().getParent());
+                List<Scene> next = step.apply(current, ParentFolder.of(input.path()));
                 scenes.addAll(next.subList(0, next.size() - 1));
                 current = next.getLast();
             }

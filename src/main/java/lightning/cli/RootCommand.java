@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import lightning.base.text.ReleaseInfo;
 import lightning.cli.output.Console;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.CommandSpec;
@@ -32,7 +33,7 @@ final class RootCommand implements Callable<Integer> {
     @Spec
     private CommandSpec command;
     @Parameters(index = "0", arity = "0..1", paramLabel = "scene.jen", description = "Scene to open.")
-    private Path scene;
+    private @Nullable Path scene;
     @Option(names = {"-h", "--help"}, usageHelp = true, scope = ScopeType.INHERIT, description = "Show this help.")
     private boolean help;
     @Option(names = {"-V", "--version"}, versionHelp = true, scope = ScopeType.INHERIT, description = "Show the version.")

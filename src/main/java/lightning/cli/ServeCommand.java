@@ -13,6 +13,7 @@ import lightning.cli.output.ExitCode;
 import lightning.serve.Server;
 import lightning.serve.ServerOptions;
 import lightning.serve.SocketListener;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -44,10 +45,10 @@ final class ServeCommand implements Callable<Integer> {
     @Mixin
     private ThreadsOption threads;
     @Option(names = "--socket", paramLabel = "PATH", description = "Unix domain socket to create (default: standard input and output).")
-    private Path socket;
+    private @Nullable Path socket;
     @Option(names = "--memory", paramLabel = "GB",
             description = "Memory for the caches of all scenes in GB (default: 0.8 of Java's memory).")
-    private Double memory;
+    private @Nullable Double memory;
 
     ServeCommand(Console console) {
         this.console = console;

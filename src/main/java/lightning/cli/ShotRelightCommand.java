@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Stream;
+import lightning.base.file.ParentFolder;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.cli.option.ClusterOption;
@@ -49,6 +50,7 @@ import lightning.shot.ShotRevision;
 import lightning.shot.ShotTooLargeException;
 import lightning.shot.cluster.NodeConfig;
 import lightning.shot.movie.FrameFiles;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -95,7 +97,7 @@ final class ShotRelightCommand implements Callable<Integer> {
     private FramesOption frames;
     @Option(names = "--memory", paramLabel = "GB",
             description = "Memory for cached frames in GB (default: all of Java's memory).")
-    private Double memory;
+    private @Nullable Double memory;
     @Option(names = "--disk", paramLabel = "FOLDER",
             description = "Folder for frames that exceed the memory (default: the system's temporary folder).")
     private Path disk = Path.of(System.getProperty("java.io.tmpdir"));
@@ -136,7 +138,7 @@ final class ShotRelightCommand implements Callable<Integer> {
             }
         }
         if (config.isPresent()) {
-            new ClusterRelight(console, output, config.get(), input.path().toAbsolutePath().getParent(), threads.count())
+            new ClusterRelight(console, output, config.get(), ParentFolder.of(input.path()), threads.count())
                     .run(original, revisions, groups, shot.range());
         } else {
             relight(original, revisions, groups, shot.range(), room.orElseThrow());
@@ -279,7 +281,7 @@ final class ShotRelightCommand implements Callable<Integer> {
         Shot shot = keys;
         for (List<EditStep> group : EditStep.splitGroups(steps)) {
             for (EditStep step : group) {
-                List<Scene> next = step.apply(current, input.path().toAbsolutePath().getParent());
+                List<Scene> next = step.apply(current, ParentFolder.of(input.path()));
                 for (int i = 0; i < next.size(); i++) {
                     rejectKeyed(shot, current, next.get(i));
                     shot = new TrackRetargeting(current, next.get(i)).retarget(shot);

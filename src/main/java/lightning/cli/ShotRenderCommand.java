@@ -38,6 +38,7 @@ import lightning.shot.movie.FrameFiles;
 import lightning.shot.movie.FrameSequenceRenderer;
 import lightning.shot.movie.MovieFormat;
 import lightning.shot.movie.MovieWriter;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -138,7 +139,7 @@ final class ShotRenderCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    private void report(ShotFrames shot, String file, int skipped) {
+    private void report(ShotFrames shot, @Nullable String file, int skipped) {
         console.report().setResult(new ShotRenderReport(file, shot.shot().rate(), skipped, counts[0], milliseconds[0], counts[1],
                 milliseconds[1], reports));
     }

@@ -35,6 +35,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import lightning.scene.paper.PaperCase;
 import lightning.scene.paper.PaperCases;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -67,7 +68,7 @@ final class TourCommand implements Callable<Integer> {
     private final Console console;
 
     @Parameters(index = "0", arity = "0..1", paramLabel = "scene.jen", description = "Scene file (default: scenes/bird.jen).")
-    private Path scene;
+    private @Nullable Path scene;
     @Option(names = {"-o", "--output"}, paramLabel = "DIR", defaultValue = "lightning-tour",
             description = "Output folder, created if missing (default: lightning-tour).")
     private Path folder;

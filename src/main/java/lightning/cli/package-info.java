@@ -9,4 +9,7 @@
  * failed, 2 for bad usage or bad input, 130 when canceled. Users see no stack trace, numbers are locale-independent, and
  * files appear complete or not at all. Interrupting the thread that runs a command cancels it.
  */
+@NullMarked
 package lightning.cli;
+
+import org.jspecify.annotations.NullMarked;

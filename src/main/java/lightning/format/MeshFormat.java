@@ -17,6 +17,7 @@ import lightning.format.mesh.obj.ObjReader;
 import lightning.format.mesh.ply.PlyReader;
 import lightning.format.nff.NffFile;
 import lightning.format.nff.NffReader;
+import org.jspecify.annotations.Nullable;
 
 /**
  * File format of meshes and of other programs' scenes, detected by the file's content, or by its name if the content has no
@@ -62,14 +63,14 @@ public enum MeshFormat {
 
     private final String title;
     /** Tests the first bytes of a file; null if the format has no signature. */
-    private final SignatureTest signature;
+    private final @Nullable SignatureTest signature;
     private final List<String> extensions;
 
     private interface SignatureTest {
         boolean matches(ByteSource source) throws IOException;
     }
 
-    MeshFormat(String title, SignatureTest signature, String... extensions) {
+    MeshFormat(String title, @Nullable SignatureTest signature, String... extensions) {
         this.title = title;
         this.signature = signature;
         this.extensions = List.of(extensions);

@@ -6,4 +6,7 @@
  * Mesh mesh = parts.getFirst().mesh();
  * }</pre>
  */
+@NullMarked
 package lightning.format;
+
+import org.jspecify.annotations.NullMarked;

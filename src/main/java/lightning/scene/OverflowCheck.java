@@ -43,7 +43,7 @@ public record OverflowCheck(Light light, Material material, double limit, double
             light = weight > brightest ? candidate : light;
             brightest = Math.max(brightest, weight);
         }
-        return sum > limit ? Optional.of(new OverflowCheck(light, material, limit, sum)) : Optional.empty();
+        return light != null && sum > limit ? Optional.of(new OverflowCheck(light, material, limit, sum)) : Optional.empty();
     }
 
     /** Returns a light's largest weight times falloff, with or without each effect whose absence can make it brighter. */

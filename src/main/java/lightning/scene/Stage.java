@@ -1,5 +1,7 @@
 package lightning.scene;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -23,6 +25,7 @@ import lightning.scene.node.Shape;
 import lightning.scene.value.PlacementError;
 import lightning.scene.value.SceneLimits;
 import lightning.scene.value.ShapeLinks;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Shapes and materials of a scene, with the tree of groups. Checked once at construction, and shared by all scenes that differ only in
@@ -36,15 +39,15 @@ public final class Stage {
     private final List<Material> materials;
     private final Map<String, Material> materialsByName;
     /** First material with the sharpest highlights; {@code null} if no light's term can exceed 1. */
-    private final Material sharpestMaterial;
+    private final @Nullable Material sharpestMaterial;
     /** True if any material is a light's bulb. */
     private final boolean hasBulbs;
     /** Faces of the visible lights of the scene that contains this stage. */
     private final List<LightFace> faces;
     /** These shapes with earlier faces; null if unknown. */
-    private final NodeTree earlier;
+    private final @Nullable NodeTree earlier;
     /** These shapes and materials with {@link #faces}, made on demand. */
-    private volatile Stage rendered;
+    private volatile @Nullable Stage rendered;
 
     /**
      * @param materials materials with unique names
@@ -57,7 +60,7 @@ public final class Stage {
     }
 
     /** @param earlier these shapes with earlier faces; null if unknown */
-    private Stage(List<Material> materials, NodeTree tree, List<LightFace> faces, NodeTree earlier) {
+    private Stage(List<Material> materials, NodeTree tree, List<LightFace> faces, @Nullable NodeTree earlier) {
         this.faces = faces;
         this.earlier = earlier;
         this.materials = List.copyOf(materials);
@@ -114,7 +117,7 @@ public final class Stage {
     }
 
     /** Returns these shapes with the latest known faces; null for none. */
-    private NodeTree knownFaces() {
+    private @Nullable NodeTree knownFaces() {
         return rendered == null ? earlier : rendered.tree;
     }
 
@@ -123,8 +126,8 @@ public final class Stage {
         return faces.stream().map(face -> face.shape().name()).toList();
     }
 
-    /** @param known these shapes with faces, possibly of other lights; null for none */
-    private Stage withFaceShapes(NodeTree known) {
+    /** @param known these shapes with faces, possibly of other lights */
+    private Stage withFaceShapes(@Nullable NodeTree known) {
         List<Material> all = new ArrayList<>(materials);
         faces.forEach(face -> all.add(face.material()));
         List<Shape> shapes = faces.stream().map(LightFace::shape).toList();
@@ -198,7 +201,7 @@ public final class Stage {
      * exist.
      */
     public Optional<int[]> path(String name) {
-        return hasNode(name) ? Optional.of(tree.paths.find(nodes(), name)) : Optional.empty();
+        return hasNode(name) ? Optional.ofNullable(tree.paths.find(nodes(), name)) : Optional.empty();
     }
 
     /** Returns the groups that enclose the node of that name, the outermost first; empty if it does not exist. */
@@ -230,9 +233,9 @@ public final class Stage {
         var changed = new NodeTree(tree, splice);
         NodeTree known = knownFaces();
         // Drags of a shape keep its name, so that no face can have it.
-        boolean canKeep = known != null && replacement.size() == 1 && replacement.getFirst() instanceof Shape s && s.name().equals(name);
+        boolean canKeep = replacement.size() == 1 && replacement.getFirst() instanceof Shape s && s.name().equals(name);
         return new Stage(materials, changed, List.of(),
-                canKeep ? new NodeTree(known, new NodeSplice(known.nodes, path.get(), replacement)) : null);
+                known != null && canKeep ? new NodeTree(known, new NodeSplice(known.nodes, path.get(), replacement)) : null);
     }
 
     /** Returns the names of all shapes and groups. */
@@ -300,7 +303,8 @@ public final class Stage {
             PlacementError error = outerError.compose(outer, outerInverse, node.placement());
             switch (node) {
                 case NodeGroup g -> forEachPlacedShape(g.children(), toWorld, directionsBack, error, consumer);
-                case Shape s -> consumer.accept(new PlacedShape(s, materialsByName.get(s.material()), toWorld, directionsBack, error));
+                case Shape s -> consumer
+                        .accept(new PlacedShape(s, requireNonNull(materialsByName.get(s.material())), toWorld, directionsBack, error));
             }
         }
     }

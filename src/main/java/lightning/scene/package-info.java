@@ -10,4 +10,7 @@
  * Scene dimmer = scene.withLight(key.withIntensity(0.5));
  * }</pre>
  */
+@NullMarked
 package lightning.scene;
+
+import org.jspecify.annotations.NullMarked;

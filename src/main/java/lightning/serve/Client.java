@@ -11,6 +11,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import lightning.base.work.DedicatedThread;
+import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -37,7 +38,7 @@ public final class Client {
     private volatile boolean isGone;
 
     /** @param isAnswer whether the client may send another request when it is written */
-    private record Outgoing(byte[] line, boolean isAnswer) {}
+    private record Outgoing(byte @Nullable [] line, boolean isAnswer) {}
 
     Client(Server server, InputStream in, OutputStream out, Closeable connection) {
         this.server = server;

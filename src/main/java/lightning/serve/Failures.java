@@ -1,5 +1,7 @@
 package lightning.serve;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.InvalidPathException;
@@ -27,7 +29,7 @@ final class Failures {
                     "not a valid file name: " + Quote.of(e.getInput()) + ": " + e.getReason());
             case Throwable e when FileHandles.areExhausted(e) ->
                     new RequestException(ErrorCode.FILE, "", "not enough file handles; raise the limit, for example with 'ulimit -n 4096'");
-            case UncheckedIOException e -> of(e.getCause());
+            case UncheckedIOException e -> of(requireNonNull(e.getCause()));
             case IOException e -> new RequestException(ErrorCode.FILE, "", FileErrorMessage.of(e));
             default -> new RequestException(ErrorCode.INTERNAL, "",
                     "internal error, not caused by your request: " + problem + "; please report it with the request and the scene");

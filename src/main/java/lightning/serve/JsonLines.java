@@ -3,6 +3,7 @@ package lightning.serve;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import org.jspecify.annotations.Nullable;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.StreamReadConstraints;
 import tools.jackson.core.StreamReadFeature;
@@ -44,7 +45,7 @@ final class JsonLines {
      *
      * @throws RequestException if the line is too long; the next call continues after it
      */
-    byte[] next() throws IOException {
+    byte @Nullable [] next() throws IOException {
         var line = new ByteArrayOutputStream();
         boolean isTooLong = false;
         while (true) {

@@ -3,6 +3,7 @@ package lightning.serve;
 import java.util.List;
 import lightning.base.text.UserFacingException;
 import lightning.format.jen.Problem;
+import org.jspecify.annotations.Nullable;
 
 /** Refusal of a request, answered as data. */
 final class RequestException extends RuntimeException implements UserFacingException {
@@ -16,12 +17,12 @@ final class RequestException extends RuntimeException implements UserFacingExcep
      * @param place   field of the request or position in a file; may be empty
      * @param message sentence without its full stop
      */
-    RequestException(ErrorCode code, String place, String message) {
+    RequestException(ErrorCode code, String place, @Nullable String message) {
         this(code, place, message, List.of());
     }
 
     /** @param problems all problems of a scene file */
-    RequestException(ErrorCode code, String place, String message, List<Problem> problems) {
+    RequestException(ErrorCode code, String place, @Nullable String message, List<Problem> problems) {
         super(message, null, false, false);
         this.code = code;
         this.place = place;

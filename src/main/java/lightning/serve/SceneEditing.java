@@ -1,5 +1,7 @@
 package lightning.serve;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -14,6 +16,7 @@ import java.util.stream.Stream;
 import lightning.base.file.AtomicFile;
 import lightning.base.file.ChangedFileException;
 import lightning.base.file.FileState;
+import lightning.base.file.ParentFolder;
 import lightning.base.file.ShippedFile;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
@@ -30,6 +33,7 @@ import lightning.scene.SceneWarnings;
 import lightning.scene.light.Light;
 import lightning.scene.material.Material;
 import lightning.scene.shot.Shot;
+import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -39,38 +43,38 @@ final class SceneEditing {
     static final int MAX_STEPS = 10_000;
 
     private final SceneSource source = new SceneSource();
-    private OpenDocument document;
+    private @Nullable OpenDocument document;
     /** Files as this scene was opened from them, or saved to them. */
     private final Map<Path, FileState> known = new HashMap<>();
     private String gestureName = "";
-    private Object gesture;
+    private @Nullable Object gesture;
 
     OpenDocument document() {
-        return document;
+        return requireNonNull(document);
     }
 
     /** Opens a file or a text, in place of the open one if there is one; returns what the scene has. */
     ObjectNode open(Fields fields, Progress progress) throws IOException, JenException {
         document = source.open(fields, progress);
         if (!fields.has("text")) {
-            Path file = document.file();
-            known.put(key(file), document.isUntitled() ? FileState.of(file) : document.knownState());
+            Path file = document().file();
+            known.put(key(file), document().isUntitled() ? FileState.of(file) : document().knownState());
         }
         gesture = null;
         ObjectNode content = describe();
-        addAll(content.putArray("notes"), Stream.concat(source.notes().stream(), SceneWarnings.of(document.scene()).stream()).toList());
+        addAll(content.putArray("notes"), Stream.concat(source.notes().stream(), SceneWarnings.of(document().scene()).stream()).toList());
         return content;
     }
 
     /** Returns what the scene has now. */
     private ObjectNode describe() {
-        Scene scene = document.scene();
+        Scene scene = document().scene();
         ObjectNode content = JsonLines.JSON.createObjectNode();
         content.putArray("size").add(scene.picture().width()).add(scene.picture().height());
         addAll(content.putArray("lights"), scene.lights().stream().map(Light::name).toList());
         addAll(content.putArray("materials"), scene.materials().stream().map(Material::name).toList());
         content.put("indirect", scene.picture().indirect().isPresent());
-        document.content().shot().ifPresent(shot -> content.putArray("frames").add(shot.first()).add(shot.last()));
+        document().content().shot().ifPresent(shot -> content.putArray("frames").add(shot.first()).add(shot.last()));
         return content;
     }
 
@@ -78,8 +82,8 @@ final class SceneEditing {
     ObjectNode run(Method method, Fields fields) throws IOException {
         return switch (method) {
             case SET -> set(fields);
-            case ADD -> change(apply("light", fields.string("light"), document.scene(), PropertyEdit::add), null);
-            case DELETE -> change(apply("light", fields.string("light"), document.scene(), PropertyEdit::delete), null);
+            case ADD -> change(apply("light", fields.string("light"), document().scene(), PropertyEdit::add), null);
+            case DELETE -> change(apply("light", fields.string("light"), document().scene(), PropertyEdit::delete), null);
             case GET -> get(fields);
             case DESCRIBE -> describe().setAll(describeHistory());
             case FRAME -> showFrame(fields);
@@ -93,8 +97,8 @@ final class SceneEditing {
     private ObjectNode set(Fields fields) {
         List<String> edits = fields.strings("edits");
         Optional<String> name = fields.optionalString("gesture");
-        Path folder = document.file().toAbsolutePath().getParent();
-        Scene edited = document.scene();
+        Path folder = ParentFolder.of(document().file());
+        Scene edited = document().scene();
         for (int i = 0; i < edits.size(); i++) {
             edited = apply("edits[" + i + "]", edits.get(i), edited, (scene, edit) -> PropertyEdit.apply(scene, edit, folder));
         }
@@ -122,18 +126,18 @@ final class SceneEditing {
         return gesture;
     }
 
-    private ObjectNode change(Scene edited, Object asGesture) {
+    private ObjectNode change(Scene edited, @Nullable Object asGesture) {
         if (asGesture == null) {
             gesture = null;
         }
-        Scene before = document.scene();
-        document.apply(new EditOutcome.Applied(edited), asGesture).ifPresent(refusal -> {
+        Scene before = document().scene();
+        document().apply(new EditOutcome.Applied(edited), asGesture).ifPresent(refusal -> {
             throw new RequestException(ErrorCode.BAD_EDIT, "", refusal);
         });
-        if (document.history().position() > MAX_STEPS) {
-            document = document.withoutHistory();
+        if (document().history().position() > MAX_STEPS) {
+            document = document().withoutHistory();
         }
-        return describeHistory().put("changed", !document.scene().equals(before));
+        return describeHistory().put("changed", !document().scene().equals(before));
     }
 
     private ObjectNode get(Fields fields) {
@@ -141,34 +145,34 @@ final class SceneEditing {
         ObjectNode result = JsonLines.JSON.createObjectNode();
         ObjectNode values = result.putObject("values");
         for (int i = 0; i < properties.size(); i++) {
-            values.put(properties.get(i), apply("properties[" + i + "]", properties.get(i), document.scene(), PropertyQuery::get));
+            values.put(properties.get(i), apply("properties[" + i + "]", properties.get(i), document().scene(), PropertyQuery::get));
         }
         return result;
     }
 
     private ObjectNode showFrame(Fields fields) {
-        Shot shot = document.content().shot()
+        Shot shot = document().content().shot()
                 .orElseThrow(() -> new RequestException(ErrorCode.BAD_REQUEST, "frame", "the scene has no shot"));
-        document.showFrame(fields.integer("frame", shot.first(), shot.last()));
+        document().showFrame(fields.integer("frame", shot.first(), shot.last()));
         return JsonLines.JSON.createObjectNode();
     }
 
     private ObjectNode step(Fields fields, Consumer<EditHistory> step) {
         int steps = fields.integer("steps", 1, Integer.MAX_VALUE, 1);
-        EditHistory history = document.history();
-        Scene before = document.scene();
+        EditHistory history = document().history();
+        Scene before = document().scene();
         int start = history.position();
         for (int i = 0; i < steps && (i == 0 || history.position() != start); i++) {
             start = history.position();
             step.accept(history);
         }
         gesture = null;
-        return describeHistory().put("changed", !document.scene().equals(before));
+        return describeHistory().put("changed", !document().scene().equals(before));
     }
 
     /** Returns the number of steps that can be undone, and the names of the next steps. */
     private ObjectNode describeHistory() {
-        EditHistory history = document.history();
+        EditHistory history = document().history();
         ObjectNode node = JsonLines.JSON.createObjectNode().put("steps", history.position());
         history.undoLabel().ifPresent(label -> node.put("undo", label));
         history.redoLabel().ifPresent(label -> node.put("redo", label));
@@ -178,7 +182,7 @@ final class SceneEditing {
     /** Writes the scene to a file, or returns its text. */
     private ObjectNode save(Fields fields) throws IOException {
         Optional<String> name = fields.optionalString("file");
-        String text = document.text(document.content());
+        String text = document().text(document().content());
         if (name.isEmpty()) {
             return JsonLines.JSON.createObjectNode().put("text", text);
         }
@@ -189,7 +193,7 @@ final class SceneEditing {
         if (ShippedFile.isShipped(file)) {
             throw new RequestException(ErrorCode.FILE, "file", Quote.path(file) + ": scenes of the program are not overwritten");
         }
-        InputFiles.referencedBy(document.scene(), document.file().toAbsolutePath().getParent()).check(file);
+        InputFiles.referencedBy(document().scene(), ParentFolder.of(document().file())).check(file);
         AtomicFile writer = AtomicFile.of(file);
         FileState state = known.get(key(file));
         if (state != null && !fields.flag("overwrite")) {

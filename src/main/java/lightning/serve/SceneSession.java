@@ -15,6 +15,7 @@ import lightning.render.relight.UpdateResult;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.MeshMemory;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Open scene: its document, its renderer with the cache, and a thread that runs its requests in order. */
@@ -24,7 +25,7 @@ final class SceneSession {
 
     private final Server server;
     /** Client whose end closes the scene; null if it stays open. */
-    private final Client owner;
+    private final @Nullable Client owner;
     private final ExecutorService thread = DedicatedThread.sequentialExecutor("lightning-scene");
     private final Renderer renderer;
     private final SharedPictures sharedPictures;
@@ -36,11 +37,11 @@ final class SceneSession {
     /** Bytes of cache and meshes; −1 if they are not known since the last update. */
     private volatile long usedBytes = UNKNOWN;
     /** Document's file and scene, for other threads; null until it is loaded. */
-    private volatile Description description;
+    private volatile @Nullable Description description;
 
     private record Description(Path file, Scene scene) {}
 
-    SceneSession(Server server, int number, Client owner) {
+    SceneSession(Server server, int number, @Nullable Client owner) {
         this.server = server;
         this.number = number;
         this.owner = owner;

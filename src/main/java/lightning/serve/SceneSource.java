@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Collectors;
+import lightning.base.file.ParentFolder;
 import lightning.base.file.ShippedFile;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
@@ -20,11 +21,12 @@ import lightning.format.jen.CachingJenReader;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenFile;
 import lightning.format.mesh.MeshException;
+import org.jspecify.annotations.Nullable;
 
 /** Reads the scene of an {@code open} or {@code replace} request: a scene file, a text, or another program's file. */
 final class SceneSource {
     /** Reader of the last import's folder, with the files that it decoded; null before. */
-    private CachingJenReader importReader;
+    private @Nullable CachingJenReader importReader;
     private List<String> notes = List.of();
 
     /** Returns what the last scene's import left out or approximated. */
@@ -83,8 +85,8 @@ final class SceneSource {
         int levels = fields.integer("subdivision", 0, SceneImporter.MAX_LEVELS, SceneImporter.DEFAULT_LEVELS);
         try {
             ImportedScene imported = lighting.apply(indirect.apply(SceneImporter.read(file, output, units, levels, progress)));
-            if (importReader == null || !importReader.folder().equals(output.getParent())) {
-                importReader = new CachingJenReader(output.getParent());
+            if (importReader == null || !importReader.folder().equals(ParentFolder.of(output))) {
+                importReader = new CachingJenReader(ParentFolder.of(output));
             }
             if (progress.isCanceled()) {
                 throw new CancellationException("canceled after the import");

@@ -16,6 +16,7 @@ import lightning.base.file.SharedMemoryFile;
 import lightning.base.text.ReleaseInfo;
 import lightning.base.work.WorkerPool;
 import lightning.render.relight.tile.RenderOptions;
+import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -32,7 +33,7 @@ public final class Server implements AutoCloseable {
     private final Set<Client> clients = ConcurrentHashMap.newKeySet();
     private final CountDownLatch stopped = new CountDownLatch(1);
     private int lastScene;
-    private ScratchFolder sharedFiles;
+    private @Nullable ScratchFolder sharedFiles;
     private int lastPicture;
 
     public Server(ServerOptions options) {

@@ -12,4 +12,7 @@
  * lightning.serve.SceneSession} has a thread that runs its requests in order. Pictures of all scenes are traced one after the other,
  * each on all processors. A request that fails changes nothing.
  */
+@NullMarked
 package lightning.serve;
+
+import org.jspecify.annotations.NullMarked;

@@ -14,6 +14,7 @@ import lightning.render.cache.CacheSerializer;
 import lightning.render.cache.PixelCache;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Disk cache for the rows and colors of frames, in memory-mapped files. Writes each file once; a damaged or failed file counts as missing.
@@ -51,16 +52,18 @@ final class FrameDiskCache implements AutoCloseable {
     }
 
     /** Writes rows, layers and codes; returns null without space or on failure. */
+    @Nullable
     CacheFile writeRows(PixelCache cache) {
         return write("rows-", cache, CacheSerializer::writeRows);
     }
 
     /** Writes the colors; returns null without space or on failure. */
+    @Nullable
     CacheFile writeColors(PixelCache cache) {
         return write("colors-", cache, CacheSerializer::writeColors);
     }
 
-    private CacheFile write(String name, PixelCache cache, ColumnsWriter columns) {
+    private @Nullable CacheFile write(String name, PixelCache cache, ColumnsWriter columns) {
         if (usedBytes.get() >= maxBytes) {
             reportProblem(Messages.tr("the frame cache has reached its disk limit"));
             return null;
@@ -101,7 +104,7 @@ final class FrameDiskCache implements AutoCloseable {
     }
 
     /** Removes a file; null for none. */
-    void remove(CacheFile cacheFile) {
+    void remove(@Nullable CacheFile cacheFile) {
         if (cacheFile == null) {
             return;
         }
@@ -119,6 +122,7 @@ final class FrameDiskCache implements AutoCloseable {
     }
 
     /** Returns the first problem; null for none. */
+    @Nullable
     String problem() {
         return problem.get();
     }

@@ -1,10 +1,13 @@
 package lightning.shot;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import lightning.base.work.Progress;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Scheduler of frames: the focused frame first, then its neighbors outwards, each updated directly to the newest revision. Cancels work
@@ -39,7 +42,7 @@ final class FrameQueue {
             this.host = host;
             this.lane = lane;
             this.frame = frame;
-            revision = newestRevision;
+            revision = requireNonNull(newestRevision);
             revisionNumber = newestRevisionNumber;
             checkedRevision = revisionNumber;
             traced = hosts[frame - firstFrame] == NO_HOST;
@@ -66,7 +69,7 @@ final class FrameQueue {
     /** For each host its presence, and the work of its foreground lane. */
     private final List<Boolean> present = new ArrayList<>();
     private final List<Job> foreground = new ArrayList<>();
-    private ShotRevision newestRevision;
+    private @Nullable ShotRevision newestRevision;
     private long newestRevisionNumber = NO_REVISION;
     private int focus;
     private int activeJobs;
@@ -145,7 +148,7 @@ final class FrameQueue {
     }
 
     /** Waits for work for a host's lane; returns null when the queue is closed or the host removed. */
-    synchronized Job nextJob(int host, Lane lane) throws InterruptedException {
+    synchronized @Nullable Job nextJob(int host, Lane lane) throws InterruptedException {
         while (!closed && present.get(host)) {
             int frame = nextFrame(host, lane);
             if (frame >= 0) {
@@ -237,7 +240,7 @@ final class FrameQueue {
         if (work.checkedRevision != newestRevisionNumber) {
             work.checkedRevision = newestRevisionNumber;
             try {
-                work.reusable = work.revision.sceneAt(work.frame).hasSameShapes(newestRevision.sceneAt(work.frame));
+                work.reusable = work.revision.sceneAt(work.frame).hasSameShapes(requireNonNull(newestRevision).sceneAt(work.frame));
             } catch (IllegalArgumentException e) {
                 // The scene is invalid; the next update of the frame reports it.
                 work.reusable = false;

@@ -1,5 +1,7 @@
 package lightning.shot;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.Map;
 import java.util.TreeMap;
@@ -8,6 +10,7 @@ import lightning.render.cache.CacheMetadata;
 import lightning.render.cache.CacheSerializer;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.MemoryEstimate;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Two-level cache of frames. Frames nearest to the focus stay in memory, the others are moved to disk, and dropped if the disk is full.
@@ -16,7 +19,7 @@ import lightning.render.relight.MemoryEstimate;
 final class FrameStore implements AutoCloseable {
     private final long memory;
     /** Null without a disk cache. */
-    private final FrameDiskCache diskCache;
+    private final @Nullable FrameDiskCache diskCache;
     private final boolean pinned;
     private final Map<Integer, StoredFrame> frames = new TreeMap<>();
     private long bytes;
@@ -28,9 +31,10 @@ final class FrameStore implements AutoCloseable {
         final CacheMetadata outline;
         final long bytes;
         /** Null if it is on disk only. */
+        @Nullable
         PixelCache cache;
-        FrameDiskCache.CacheFile rows;
-        FrameDiskCache.CacheFile colors;
+        FrameDiskCache.@Nullable CacheFile rows;
+        FrameDiskCache.@Nullable CacheFile colors;
         boolean evicting;
 
         StoredFrame(int frame, PixelCache cache) {
@@ -43,10 +47,10 @@ final class FrameStore implements AutoCloseable {
 
     /**
      * @param memory    bytes for frames in memory
-     * @param diskCache closed with this; null for none
+     * @param diskCache closed with this
      * @param pinned    true to reject new frames instead of evicting cached ones
      */
-    FrameStore(long memory, FrameDiskCache diskCache, boolean pinned) {
+    FrameStore(long memory, @Nullable FrameDiskCache diskCache, boolean pinned) {
         this.memory = memory;
         this.diskCache = diskCache;
         this.pinned = pinned;
@@ -64,6 +68,7 @@ final class FrameStore implements AutoCloseable {
     }
 
     /** Returns the cache of a frame; null for none. */
+    @Nullable
     PixelCache get(int frame) {
         while (true) {
             StoredFrame stored;
@@ -74,11 +79,11 @@ final class FrameStore implements AutoCloseable {
                 if (stored == null || stored.cache != null) {
                     return stored == null ? null : stored.cache;
                 }
-                rows = stored.rows;
-                colors = stored.colors;
+                rows = requireNonNull(stored.rows);
+                colors = requireNonNull(stored.colors);
             }
             try {
-                return diskCache.read(stored.outline, rows, colors);
+                return requireNonNull(diskCache).read(stored.outline, rows, colors);
             } catch (IOException e) {
                 if (dropUnreadable(stored, e)) {
                     return null;
@@ -92,7 +97,7 @@ final class FrameStore implements AutoCloseable {
         if (frames.get(stored.frame) != stored) {
             return false;
         }
-        diskCache.reportProblem(Messages.tr("cannot read a cached frame: {0}", e.getMessage()));
+        requireNonNull(diskCache).reportProblem(Messages.tr("cannot read a cached frame: {0}", e.getMessage()));
         remove(stored.frame);
         return true;
     }
@@ -100,10 +105,10 @@ final class FrameStore implements AutoCloseable {
     /**
      * Stores a frame in place of its old cache, if there is space.
      *
-     * @param previous result of {@link #get}; may be null
+     * @param previous result of {@link #get}
      * @return false if a pinned frame would have to be evicted; the frame is then not cached
      */
-    boolean put(int frame, PixelCache cache, PixelCache previous) {
+    boolean put(int frame, PixelCache cache, @Nullable PixelCache previous) {
         StoredFrame stored = new StoredFrame(frame, cache);
         synchronized (this) {
             StoredFrame old = frames.put(frame, stored);
@@ -128,7 +133,7 @@ final class FrameStore implements AutoCloseable {
     }
 
     /** Returns the next frame to evict from memory, marked as leaving; null if all fit. */
-    private synchronized StoredFrame evictFarthest() {
+    private synchronized @Nullable StoredFrame evictFarthest() {
         if (bytes <= memory) {
             return null;
         }
@@ -148,9 +153,10 @@ final class FrameStore implements AutoCloseable {
 
     /** Writes a frame to disk, or drops it; only the thread that stored the frame waits for it. Returns whether it succeeded. */
     private boolean writeToDisk(StoredFrame stored) {
+        PixelCache cache = requireNonNull(stored.cache);
         FrameDiskCache.CacheFile rows =
-                diskCache == null || stored.rows != null ? stored.rows : diskCache.writeRows(stored.cache);
-        FrameDiskCache.CacheFile colors = rows == null ? null : diskCache.writeColors(stored.cache);
+                diskCache == null || stored.rows != null ? stored.rows : diskCache.writeRows(cache);
+        FrameDiskCache.CacheFile colors = diskCache == null || rows == null ? null : diskCache.writeColors(cache);
         synchronized (this) {
             stored.rows = rows;
             stored.colors = colors;
@@ -199,12 +205,13 @@ final class FrameStore implements AutoCloseable {
         CacheUsage sum = CacheUsage.NONE;
         for (StoredFrame stored : frames.values()) {
             sum = sum.plus(stored.cache != null ? new CacheUsage(1, stored.bytes, 0, 0)
-                    : new CacheUsage(0, 0, 1, stored.rows.bytes() + stored.colors.bytes()));
+                    : new CacheUsage(0, 0, 1, requireNonNull(stored.rows).bytes() + requireNonNull(stored.colors).bytes()));
         }
         return sum;
     }
 
     /** Returns the first disk problem; null for none. */
+    @Nullable
     String problem() {
         return diskCache == null ? null : diskCache.problem();
     }

@@ -15,6 +15,7 @@ import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Frame host in this process. */
 public final class LocalFrameHost implements FrameHost {
@@ -23,7 +24,7 @@ public final class LocalFrameHost implements FrameHost {
     /** Renderers that no job uses. */
     private final ArrayDeque<Renderer> idleRenderers = new ArrayDeque<>();
     /** Geometry of the last frame, because most frames show the same shapes. */
-    private Geometry sharedGeometry;
+    private @Nullable Geometry sharedGeometry;
     private boolean closed;
 
     /**
@@ -116,7 +117,7 @@ public final class LocalFrameHost implements FrameHost {
         }
     }
 
-    private synchronized Geometry sharedGeometry() {
+    private synchronized @Nullable Geometry sharedGeometry() {
         return sharedGeometry;
     }
 

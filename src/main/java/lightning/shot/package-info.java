@@ -12,4 +12,7 @@
  * <p>The scheduler ({@link lightning.shot.FrameQueue}) is independent of renderers; frame hosts ({@link lightning.shot.FrameHost}) are
  * independent of the order.
  */
+@NullMarked
 package lightning.shot;
+
+import org.jspecify.annotations.NullMarked;

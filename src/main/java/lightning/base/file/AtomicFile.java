@@ -1,5 +1,7 @@
 package lightning.base.file;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.BufferedOutputStream;
 import java.io.FilterOutputStream;
 import java.io.IOException;
@@ -12,6 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Atomic file writer. Writes to a temporary file in the same folder and renames it over the target when complete, so that the target always
@@ -26,9 +29,9 @@ public final class AtomicFile {
     private final boolean ownerOnly;
     private final boolean replacesReadOnly;
     /** State that the target must have to be replaced; null for any. */
-    private final FileState expected;
+    private final @Nullable FileState expected;
 
-    private AtomicFile(Path target, boolean ownerOnly, boolean replacesReadOnly, FileState expected) {
+    private AtomicFile(Path target, boolean ownerOnly, boolean replacesReadOnly, @Nullable FileState expected) {
         this.target = target;
         this.ownerOnly = ownerOnly;
         this.replacesReadOnly = replacesReadOnly;
@@ -140,8 +143,9 @@ public final class AtomicFile {
 
     private FileState replace(PathContent content) throws IOException {
         Path file = destination();
-        TemporaryFile.removeStaleIn(file.getParent());
-        Path temporary = TemporaryFile.newPath(file.getParent());
+        Path folder = requireNonNull(file.getParent());
+        TemporaryFile.removeStaleIn(folder);
+        Path temporary = TemporaryFile.newPath(folder);
         try {
             FilePermissions permissions = ownerOnly ? FilePermissions.OWNER_ONLY : FilePermissions.forTarget(file);
             content.writeTo(temporary);
@@ -151,7 +155,7 @@ public final class AtomicFile {
                 throw new ChangedFileException(target);
             }
             Files.move(temporary, file, StandardCopyOption.ATOMIC_MOVE);
-            force(file.getParent());
+            force(folder);
             return written;
         } catch (FileSystemException e) {
             throw withTargetName(e, temporary);

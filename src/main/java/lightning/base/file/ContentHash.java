@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
+import org.jspecify.annotations.Nullable;
 
 /**
  * SHA-256 hash that identifies content.
@@ -35,7 +36,7 @@ public record ContentHash(String hex) {
     }
 
     /** Hashes bytes in memory. */
-    public static ContentHash of(byte[] content) {
+    public static ContentHash of(byte @Nullable [] content) {
         return ofBytes(digest().digest(content));
     }
 

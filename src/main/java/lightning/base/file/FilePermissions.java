@@ -1,5 +1,7 @@
 package lightning.base.file;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,6 +14,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.nio.file.attribute.UserPrincipal;
 import java.util.EnumSet;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Owner, group and mode of a file. Does nothing on systems without POSIX permissions.
@@ -20,7 +23,7 @@ import java.util.Set;
  * @param owner null for the user who creates the file
  * @param group null for the default group
  */
-record FilePermissions(Set<PosixFilePermission> mode, UserPrincipal owner, GroupPrincipal group) {
+record FilePermissions(Set<PosixFilePermission> mode, @Nullable UserPrincipal owner, @Nullable GroupPrincipal group) {
     static final FilePermissions OWNER_ONLY = new FilePermissions(PosixFilePermissions.fromString("rw-------"), null, null);
     static final FilePermissions OWNER_ONLY_FOLDER = new FilePermissions(PosixFilePermissions.fromString("rwx------"), null, null);
 
@@ -29,7 +32,7 @@ record FilePermissions(Set<PosixFilePermission> mode, UserPrincipal owner, Group
 
     /** Returns those of an existing file, or the defaults for a new one. */
     static FilePermissions forTarget(Path file) throws IOException {
-        return Files.exists(file) ? of(file) : defaultsIn(file.getParent());
+        return Files.exists(file) ? of(file) : defaultsIn(requireNonNull(file.getParent()));
     }
 
     private static FilePermissions of(Path file) throws IOException {
@@ -100,7 +103,7 @@ record FilePermissions(Set<PosixFilePermission> mode, UserPrincipal owner, Group
         }
     }
 
-    private static PosixFileAttributeView view(Path file) {
+    private static @Nullable PosixFileAttributeView view(Path file) {
         return Files.getFileAttributeView(file, PosixFileAttributeView.class);
     }
 }

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Folders in which the system searches programs.
@@ -20,7 +21,7 @@ public record SearchPath(List<String> folders) {
     }
 
     /** @param value folders, separated as in {@code PATH}; null for none. Empty entries are skipped: the current folder is not searched */
-    public static SearchPath of(String value) {
+    public static SearchPath of(@Nullable String value) {
         return new SearchPath(value == null ? List.of() : Stream.of(value.split(File.pathSeparator)).filter(f -> !f.isEmpty()).toList());
     }
 

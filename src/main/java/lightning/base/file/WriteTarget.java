@@ -1,5 +1,7 @@
 package lightning.base.file;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -28,7 +30,8 @@ final class WriteTarget {
         if (Files.isDirectory(file)) {
             throw new IOException(Quote.path(path) + ": expected a file, found a folder");
         }
-        Path folder = file.getParent();
+        // Only a root folder has no parent.
+        Path folder = requireNonNull(file.getParent());
         if (!Files.isDirectory(folder)) {
             throw new IOException(Quote.path(path) + ": folder not found: " + Quote.path(folder));
         }

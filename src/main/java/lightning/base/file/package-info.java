@@ -6,4 +6,7 @@
  * FileState now = AtomicFile.of(scene).ifUnchanged(asRead).write(bytes);
  * }</pre>
  */
+@NullMarked
 package lightning.base.file;
+
+import org.jspecify.annotations.NullMarked;

@@ -2,6 +2,7 @@ package lightning.base.text;
 
 import java.util.Locale;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Translated texts of the editor. The English text is the key and the default; a bundle holds the texts of another language. {@code {0}},
@@ -41,7 +42,7 @@ public final class Messages {
      * @param english the English text; used as is if the bundle has no translation
      * @param values  values of {@code {0}}, {@code {1}} …, at most ten, each formatted with {@code toString}
      */
-    public static String tr(String english, Object... values) {
+    public static String tr(String english, @Nullable Object... values) {
         return format(current.words().getOrDefault(english, english), values);
     }
 
@@ -61,7 +62,7 @@ public final class Messages {
         return english;
     }
 
-    private static String format(String pattern, Object... values) {
+    private static String format(String pattern, @Nullable Object... values) {
         if (values.length == 0) {
             return pattern;
         }

@@ -3,6 +3,7 @@ package lightning.base.text;
 import java.math.BigDecimal;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Arithmetic expression typed into a number field: {@code 0.3*2}, {@code (1+2)/3}, {@code +10%}, {@code *2}, {@code += 0.5}, {@code 45
@@ -137,7 +138,7 @@ public final class NumberExpression {
     }
 
     /** Parses a percentage that is not part of a product, as a fraction. Returns null without reading if there is none. */
-    private Fraction parsePercentage() {
+    private @Nullable Fraction parsePercentage() {
         int start = position;
         skipBlanks();
         int from = position;

@@ -2,6 +2,7 @@ package lightning.base.text;
 
 import java.util.HashMap;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Parser of gettext catalogs ({@code .po}): entries of {@code msgid} and {@code msgstr} with continuation lines and the escapes
@@ -14,8 +15,8 @@ final class PoParser {
 
     private final String content;
     private final Map<String, String> translations = new HashMap<>();
-    private StringBuilder id;
-    private StringBuilder translation;
+    private @Nullable StringBuilder id;
+    private @Nullable StringBuilder translation;
     private boolean isFuzzy;
     private int line;
 

@@ -6,4 +6,7 @@
  * throw new IOException(Quote.path(file) + ": expected a number, found " + Quote.of(word));
  * }</pre>
  */
+@NullMarked
 package lightning.base.text;
+
+import org.jspecify.annotations.NullMarked;

@@ -7,4 +7,7 @@
  * }
  * }</pre>
  */
+@NullMarked
 package lightning.base.work;
+
+import org.jspecify.annotations.NullMarked;

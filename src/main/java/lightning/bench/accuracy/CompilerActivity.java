@@ -3,6 +3,7 @@ package lightning.bench.accuracy;
 import java.lang.management.CompilationMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.function.DoubleSupplier;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Activity of the JIT compilers during a measurement. Times of code that is still being compiled are too long.
@@ -13,7 +14,7 @@ import java.util.function.DoubleSupplier;
 record CompilerActivity(DoubleSupplier compileMs, DoubleSupplier nowMs) {
     /** Share of elapsed time above which the compilers are busy. */
     private static final double BUSY_SHARE = 0.05;
-    private static final CompilationMXBean COMPILATION_BEAN = ManagementFactory.getCompilationMXBean();
+    private static final @Nullable CompilationMXBean COMPILATION_BEAN = ManagementFactory.getCompilationMXBean();
 
     /** Returns the activity of this Java VM; idle if it does not report compile times. */
     static CompilerActivity ofVm() {

@@ -15,6 +15,7 @@ import lightning.render.relight.UpdateResult;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.RayCounts;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Times of a scene's first pass and of edits that each start from its cache, measured in turns. For scenes whose full trace takes too long
@@ -29,8 +30,8 @@ import lightning.scene.Scene;
  * @param points    gather points of indirect light
  * @param surfels   surfels of indirect light
  */
-public record EditTurns(Timing first, List<Timing> edits, Timing fullTrace, List<Boolean> equal, long bytes, RayCounts rays, int points,
-        int surfels) {
+public record EditTurns(Timing first, List<Timing> edits, @Nullable Timing fullTrace, List<Boolean> equal, long bytes, RayCounts rays,
+        int points, int surfels) {
     /** Size in bytes from which a discarded cache causes notable garbage collection. */
     private static final long LARGE = 1 << 24;
     /** Updates that take less time are measured several times in each turn. */
@@ -90,6 +91,7 @@ public record EditTurns(Timing first, List<Timing> edits, Timing fullTrace, List
             }
             progress.report(turn + 2, turns + 1);
         }
+        assert cache != null && firstPass != null;
         List<Double> full = new ArrayList<>();
         List<Boolean> equal = new ArrayList<>();
         for (int i = 0; i < afters.size() && compares; i++) {

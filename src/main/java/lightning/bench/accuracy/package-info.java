@@ -11,7 +11,9 @@
  * }
  * }</pre>
  */
+@NullMarked
 package lightning.bench.accuracy;
 
 import lightning.render.measure.AccuracySetting;
 import lightning.render.measure.SweepPoint;
+import org.jspecify.annotations.NullMarked;

@@ -9,11 +9,12 @@ import lightning.bench.result.SweepPointResult;
 import lightning.bench.result.ValueResult;
 import lightning.render.measure.AccuracySetting;
 import lightning.render.measure.PictureError;
+import org.jspecify.annotations.Nullable;
 
 /** Report section of single edits: images with a wipe comparison, accuracy settings, error against time. */
 final class EditPictureSection {
     /** Image with its label. */
-    private record LabeledPicture(String name, String style, AccuracySetting setting) {}
+    private record LabeledPicture(String name, String style, @Nullable AccuracySetting setting) {}
 
     private EditPictureSection() {}
 
@@ -52,13 +53,13 @@ final class EditPictureSection {
         sideBySide(page, labeled, differences, after, aspectRatio);
     }
 
-    private static void add(List<LabeledPicture> to, String name, String style, AccuracySetting setting) {
+    private static void add(List<LabeledPicture> to, String name, @Nullable String style, @Nullable AccuracySetting setting) {
         if (style != null) {
             to.add(new LabeledPicture(name, style, setting));
         }
     }
 
-    private static int index(List<LabeledPicture> pictures, AccuracySetting setting, int defaultIndex) {
+    private static int index(List<LabeledPicture> pictures, @Nullable AccuracySetting setting, int defaultIndex) {
         for (int i = 0; i < pictures.size(); i++) {
             if (pictures.get(i).setting == setting) {
                 return i;

@@ -1,5 +1,7 @@
 package lightning.bench.report;
 
+import static java.util.Objects.requireNonNull;
+
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
@@ -18,6 +20,7 @@ import javax.imageio.ImageWriter;
 import lightning.format.image.ImageFile;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Images embedded once in the page as backgrounds of style sheet classes, however often they are shown. They are compressed lossily; the
@@ -28,32 +31,34 @@ final class EmbeddedPictures {
     /** Mask of the bits per channel of false-color images, which limits the number of colors. */
     private static final int COARSE = 0xF8F8F8;
 
-    private final Path folder;
+    private final @Nullable Path folder;
     private final Map<String, String> byFile = new HashMap<>();
     private final Map<String, String> byContent = new LinkedHashMap<>();
 
     /** @param folder base folder of image names */
-    EmbeddedPictures(Path folder) {
+    EmbeddedPictures(@Nullable Path folder) {
         this.folder = folder;
     }
 
     /** Returns the class of an image; null if it is missing or unreadable. */
-    String picture(String file) {
+    @Nullable
+    String picture(@Nullable String file) {
         return add(file, false);
     }
 
     /** Returns the class of a false-color image; null if it is missing or unreadable. */
-    String difference(String file) {
+    @Nullable
+    String difference(@Nullable String file) {
         return add(file, true);
     }
 
-    private String add(String file, boolean fewColors) {
+    private @Nullable String add(@Nullable String file, boolean fewColors) {
         if (file == null) {
             return null;
         }
         return byFile.computeIfAbsent(file, name -> {
             try {
-                Film film = ImageFile.read(folder.resolve(name));
+                Film film = ImageFile.read(requireNonNull(folder).resolve(name));
                 String encoded = fewColors ? "png;base64," + text(png(film)) : "jpeg;base64," + text(jpeg(film));
                 return byContent.computeIfAbsent(encoded, _ -> "p" + byContent.size());
             } catch (IOException | RuntimeException e) {
@@ -96,7 +101,7 @@ final class EmbeddedPictures {
         return out.toByteArray();
     }
 
-    private static BufferedImage image(Film film, int bits, int type, IndexColorModel colors) {
+    private static BufferedImage image(Film film, int bits, int type, @Nullable IndexColorModel colors) {
         BufferedImage image = colors == null ? new BufferedImage(film.width(), film.height(), type)
                 : new BufferedImage(film.width(), film.height(), type, colors);
         int[] pixels = ViewTransform.DEFAULT.toPixels(film);

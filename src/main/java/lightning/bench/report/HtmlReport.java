@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import lightning.base.file.AtomicFile;
 import lightning.bench.result.BenchResults;
+import org.jspecify.annotations.Nullable;
 
 /** Writer of a run's report as one self-contained HTML file, usable offline. */
 public final class HtmlReport {
@@ -32,13 +33,13 @@ public final class HtmlReport {
      *
      * @param pictures base folder of the results' image names
      */
-    public static void write(BenchResults results, Path pictures, Path folder) throws IOException {
+    public static void write(BenchResults results, @Nullable Path pictures, Path folder) throws IOException {
         byte[] page = html(results, pictures).getBytes(StandardCharsets.UTF_8);
         AtomicFile.write(folder.resolve(FILE), out -> out.write(page));
     }
 
     /** Returns the page as well-formed XML. */
-    static String html(BenchResults results, Path pictures) {
+    static String html(BenchResults results, @Nullable Path pictures) {
         EmbeddedPictures embeddedPictures = new EmbeddedPictures(pictures);
         HtmlWriter body = new HtmlWriter();
         RunSection.write(body, TITLE, results);

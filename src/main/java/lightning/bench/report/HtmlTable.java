@@ -1,11 +1,13 @@
 package lightning.bench.report;
 
+import org.jspecify.annotations.Nullable;
+
 /** Writer of a table: a title per column, names in the first, numbers in all others. */
 final class HtmlTable implements AutoCloseable {
     private final HtmlWriter page;
 
-    /** @param style style sheet class, or null */
-    HtmlTable(HtmlWriter page, String style, String caption, String... columns) {
+    /** @param style style sheet class */
+    HtmlTable(HtmlWriter page, @Nullable String style, String caption, String... columns) {
         this.page = page;
         page.open("div", "class", "wide").open("table", "class", style);
         page.element("caption", caption);

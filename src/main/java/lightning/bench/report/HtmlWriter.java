@@ -2,6 +2,7 @@ package lightning.bench.report;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import org.jspecify.annotations.Nullable;
 
 /** Writer of nested elements and escaped text: well-formed XML that is also HTML. */
 final class HtmlWriter {
@@ -13,7 +14,7 @@ final class HtmlWriter {
      *
      * @param attributes alternating names and values; attributes with a null value are omitted
      */
-    HtmlWriter open(String element, String... attributes) {
+    HtmlWriter open(String element, @Nullable String... attributes) {
         start(element, attributes);
         out.append('>');
         openElements.push(element);
@@ -27,7 +28,7 @@ final class HtmlWriter {
     }
 
     /** Writes an element with text content only. */
-    HtmlWriter element(String element, String text, String... attributes) {
+    HtmlWriter element(String element, String text, @Nullable String... attributes) {
         start(element, attributes);
         out.append('>').append(escape(text)).append("</").append(element).append(">\n");
         return this;
@@ -63,7 +64,7 @@ final class HtmlWriter {
         return out.toString();
     }
 
-    private void start(String element, String... attributes) {
+    private void start(String element, @Nullable String... attributes) {
         out.append('<').append(element);
         for (int i = 0; i < attributes.length; i += 2) {
             if (attributes[i + 1] != null) {

@@ -1,5 +1,7 @@
 package lightning.bench.report;
 
+import static java.util.Objects.requireNonNull;
+
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
@@ -11,6 +13,7 @@ import org.jfree.chart.annotations.AbstractXYAnnotation;
 import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.PlotRenderingInfo;
 import org.jfree.chart.plot.XYPlot;
+import org.jspecify.annotations.Nullable;
 
 /** Labels of chart points, moved so that they cover neither each other nor a point. */
 final class PointLabels extends AbstractXYAnnotation {
@@ -55,7 +58,7 @@ final class PointLabels extends AbstractXYAnnotation {
 
     private void draw(Graphics2D g, Label label, Point2D p, Rectangle2D area, List<Rectangle2D> occupied) {
         double width = ChartSvg.widthOf(label.text);
-        Rectangle2D bounds = findFreeBounds(p, width, area, occupied);
+        Rectangle2D bounds = requireNonNull(findFreeBounds(p, width, area, occupied));
         occupied.add(bounds);
         double gapUp = p.getY() - bounds.getCenterY();
         if (Math.abs(gapUp) > 1.6 * LINE) {
@@ -69,7 +72,7 @@ final class PointLabels extends AbstractXYAnnotation {
     }
 
     /** Returns the nearest free position, line by line. */
-    private Rectangle2D findFreeBounds(Point2D p, double width, Rectangle2D area, List<Rectangle2D> occupied) {
+    private @Nullable Rectangle2D findFreeBounds(Point2D p, double width, Rectangle2D area, List<Rectangle2D> occupied) {
         Rectangle2D first = null;
         double right = p.getX() + (isRightOfPoint ? GAP : -4);
         double left = p.getX() - width + 4;

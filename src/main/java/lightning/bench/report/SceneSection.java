@@ -1,5 +1,7 @@
 package lightning.bench.report;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
 import lightning.bench.result.ColdStart;
@@ -7,6 +9,7 @@ import lightning.bench.result.EditResult;
 import lightning.bench.result.FirstPassResult;
 import lightning.bench.result.PeerResult;
 import lightning.bench.result.SceneResult;
+import lightning.bench.result.UpdateWork;
 import lightning.render.measure.AccuracySetting;
 
 /** Report section of one scene at one size. */
@@ -98,8 +101,9 @@ final class SceneSection {
         List<MemoryFloorChart.Row> rows = new ArrayList<>();
         for (EditResult edit : scene.edits()) {
             edit.first(AccuracySetting.DEFAULT).filter(point -> point.work() != null).ifPresent(point -> {
-                if (ChartRange.isPlausible(point.work().floorMs()) && ChartRange.isPlausible(point.time().median())) {
-                    rows.add(new MemoryFloorChart.Row(edit.edit(), point.work().floorMs(), point.time().median()));
+                UpdateWork work = requireNonNull(point.work());
+                if (ChartRange.isPlausible(work.floorMs()) && ChartRange.isPlausible(point.time().median())) {
+                    rows.add(new MemoryFloorChart.Row(edit.edit(), work.floorMs(), point.time().median()));
                 }
             });
         }

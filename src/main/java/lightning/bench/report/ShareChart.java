@@ -19,6 +19,7 @@ import org.jfree.chart.renderer.category.StandardBarPainter;
 import org.jfree.chart.ui.TextAnchor;
 import org.jfree.data.category.CategoryDataset;
 import org.jfree.data.category.DefaultCategoryDataset;
+import org.jspecify.annotations.Nullable;
 
 /** Bar chart of each edit's time relative to the full trace, with the paper's values for comparison. */
 final class ShareChart {
@@ -112,7 +113,7 @@ final class ShareChart {
         private static final long serialVersionUID = 1;
 
         @Override
-        public String generateLabel(CategoryDataset shares, int series, int edit) {
+        public @Nullable String generateLabel(CategoryDataset shares, int series, int edit) {
             Number share = shares.getValue(series, edit);
             return share == null ? null : NumberText.percent(share.doubleValue());
         }

@@ -9,4 +9,7 @@
  * well-formed XML for any scene names. JFreeChart draws the charts in the colors of {@link lightning.bench.report.PlotColor}, which the
  * style sheet redefines for dark screens.
  */
+@NullMarked
 package lightning.bench.report;
+
+import org.jspecify.annotations.NullMarked;

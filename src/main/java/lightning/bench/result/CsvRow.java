@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.base.text.DecimalNumber;
 import lightning.render.measure.PictureError;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Measurement as a CSV row. Text that a spreadsheet would evaluate gets an apostrophe prefix. Missing values are NaN, 0 or empty.
@@ -70,7 +71,7 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
     }
 
     private static void process(List<CsvRow> rows, SceneResult scene, String kind, String program, TimeSamples wall,
-            TimeSamples processor) {
+            @Nullable TimeSamples processor) {
         rows.add(trace(kind, scene, program, wall));
         if (processor != null) {
             rows.add(trace(kind + "-processor", scene, program, processor));

@@ -1,5 +1,7 @@
 package lightning.bench.result;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
@@ -25,7 +27,7 @@ public record EditResult(String edit, String figure, double paperSaving, double 
     public static EditResult of(PaperCase edit, List<ValueResult> values) {
         return new EditResult(edit.name(), edit.figure(), edit.paperSaving(),
                 average(values, AccuracySetting.DEFAULT, SweepPointResult::saving),
-                average(values, AccuracySetting.DEFAULT, point -> point.work().cap()), values);
+                average(values, AccuracySetting.DEFAULT, point -> requireNonNull(point.work()).cap()), values);
     }
 
     /** Returns the saving of a setting, mean of all values; NaN if not measured or any is uncertain. */

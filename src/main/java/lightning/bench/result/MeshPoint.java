@@ -1,6 +1,7 @@
 package lightning.bench.result;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Ray throughput on one generated mesh on one thread, with the cost of its BVH.
@@ -12,7 +13,8 @@ import java.util.List;
  * @param rays      throughput per kind of rays
  * @param rival     another program; null if none is installed
  */
-public record MeshPoint(int triangles, double meshBytes, double treeBytes, TimeSamples tree, List<RayThroughput> rays, Rival rival) {
+public record MeshPoint(int triangles, double meshBytes, double treeBytes, TimeSamples tree, List<RayThroughput> rays,
+        @Nullable Rival rival) {
     public MeshPoint {
         rays = List.copyOf(rays);
     }

@@ -3,6 +3,7 @@ package lightning.bench.result;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.render.measure.PictureError;
+import org.jspecify.annotations.Nullable;
 
 /** CSV rows of the modern set. Kinds are as in {@link CsvRow} with the prefix {@code modern-}; the level is the anti-aliasing. */
 final class ModernCsvRows {
@@ -43,7 +44,7 @@ final class ModernCsvRows {
     }
 
     private static void process(List<CsvRow> rows, ModernScene scene, ModernPicture picture, String kind, String program, TimeSamples wall,
-            TimeSamples processor) {
+            @Nullable TimeSamples processor) {
         rows.add(row(scene, picture, kind, "", program, wall, Double.NaN));
         if (processor != null) {
             rows.add(row(scene, picture, kind + "-processor", "", program, processor, Double.NaN));

@@ -1,6 +1,7 @@
 package lightning.bench.result;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Results of a modern scene with one kind of anti-aliasing.
@@ -13,8 +14,8 @@ import java.util.List;
  * @param coldHeight pixels, as {@code coldWidth}
  * @param cold       cold-start processes; null if not measured
  */
-public record ModernPicture(ModernSampling sampling, int width, int height, FirstPassResult firstPass, List<ModernEdit> edits,
-        int coldWidth, int coldHeight, ColdStart cold) {
+public record ModernPicture(ModernSampling sampling, int width, int height, @Nullable FirstPassResult firstPass, List<ModernEdit> edits,
+        int coldWidth, int coldHeight, @Nullable ColdStart cold) {
     public ModernPicture {
         edits = List.copyOf(edits);
     }

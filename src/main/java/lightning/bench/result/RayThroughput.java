@@ -1,5 +1,7 @@
 package lightning.bench.result;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * Throughput of one kind of rays.
  *
@@ -9,7 +11,7 @@ package lightning.bench.result;
  * @param rival processor time of another program, measured in turns; null if none is installed
  * @param share our speed in percent of it; NaN without it
  */
-public record RayThroughput(String rays, int count, TimeSamples time, TimeSamples rival, double share) {
+public record RayThroughput(String rays, int count, TimeSamples time, @Nullable TimeSamples rival, double share) {
     /** Returns million rays per second. */
     public double millionsPerSecond() {
         return count / time.median() / 1e3;

@@ -1,6 +1,7 @@
 package lightning.bench.result;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Results of one scene at one size.
@@ -16,8 +17,9 @@ import java.util.List;
  * @param peer      trace by another program; null if none
  * @param cold      cold-start processes; null if not measured
  */
-public record SceneResult(String scene, int width, int height, int depth, int shapes, int lights, String before,
-        FirstPassResult firstPass, List<EditResult> edits, List<EffectResult> effects, PeerResult peer, ColdStart cold) {
+public record SceneResult(String scene, int width, int height, int depth, int shapes, int lights, @Nullable String before,
+        @Nullable FirstPassResult firstPass, List<EditResult> edits, List<EffectResult> effects, @Nullable PeerResult peer,
+        @Nullable ColdStart cold) {
     public SceneResult {
         edits = List.copyOf(edits);
         effects = List.copyOf(effects);

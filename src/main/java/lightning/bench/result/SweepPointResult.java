@@ -4,6 +4,7 @@ import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.Objects;
 import lightning.render.measure.AccuracySetting;
 import lightning.render.measure.PictureError;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Result of one accuracy setting for one edit.
@@ -16,8 +17,7 @@ import lightning.render.measure.PictureError;
  * @param difference file of the false-color difference from the full trace; null if not written or equal
  */
 public record SweepPointResult(@JsonProperty("level") AccuracySetting grade, TimeSamples time, double saving, PictureError error,
-        UpdateWork work, String picture,
-        String difference) {
+        @Nullable UpdateWork work, @Nullable String picture, @Nullable String difference) {
     public SweepPointResult {
         // Checked here, as a missing field of a parsed file would otherwise surface only after all measurements.
         Objects.requireNonNull(grade, "missing level");

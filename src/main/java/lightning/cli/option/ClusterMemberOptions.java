@@ -11,16 +11,17 @@ import lightning.cli.output.BadInputException;
 import lightning.shot.cluster.HostPort;
 import lightning.shot.cluster.JoinException;
 import lightning.shot.cluster.NodeConfig;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
 /** Options of a process that is a member of a cluster. */
 public final class ClusterMemberOptions {
     @Option(names = "--certificate", paramLabel = "FILE",
             description = "Certificate file shared by all machines of the cluster (created with 'lightning node --make-certificate').")
-    private Path certificate;
+    private @Nullable Path certificate;
     @Option(names = "--bind", paramLabel = "ADDRESS",
             description = "Address of this machine at which others reach it (default: localhost only).")
-    private String bind;
+    private @Nullable String bind;
 
     /**
      * Returns the configuration of this process as a member of the cluster.

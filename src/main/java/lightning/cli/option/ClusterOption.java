@@ -6,6 +6,7 @@ import lightning.cli.output.BadInputException;
 import lightning.shot.cluster.HostPort;
 import lightning.shot.cluster.JoinException;
 import lightning.shot.cluster.NodeConfig;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
@@ -15,7 +16,7 @@ public final class ClusterOption {
     private ClusterMemberOptions member;
     @Option(names = "--cluster", paramLabel = "HOST:PORT", converter = HostPortConverter.class,
             description = "Use the nodes of a cluster; name any of them (see 'lightning node --help').")
-    private HostPort cluster;
+    private @Nullable HostPort cluster;
 
     /** Returns the cluster configuration, or empty to render on this machine only. */
     public Optional<NodeConfig> nodeConfig() throws BadInputException, JoinException {

@@ -17,6 +17,7 @@ import lightning.format.layer.LayeredExrWriter;
 import lightning.render.cache.PixelCache;
 import lightning.render.engine.EngineChoice;
 import lightning.render.relight.MemoryEstimate;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -35,7 +36,7 @@ public final class LayerOptions {
     @Option(names = "--cryptomatte", paramLabel = "FILE",
             description = "Also write mattes of objects, materials and assets (Cryptomatte) to an .exr file, named like that of -o; the "
                     + "same name adds them to the image's file.")
-    private Path mattes;
+    private @Nullable Path mattes;
 
     private int levels = ExrContent.DEFAULT_MATTE_LEVELS;
 

@@ -7,6 +7,7 @@ import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -19,9 +20,9 @@ public final class PictureOptions {
 
     @Option(names = "--size", paramLabel = "WxH", converter = PictureDimensions.Converter.class,
             description = "Image size in pixels (default: the scene's).")
-    private PictureDimensions size;
+    private @Nullable PictureDimensions size;
 
-    private Integer depth;
+    private @Nullable Integer depth;
 
     @Option(names = "--depth", paramLabel = "N",
             description = "Maximum reflection depth, 0 to " + SceneLimits.MAX_DEPTH + " (default: the scene's).")
@@ -34,9 +35,9 @@ public final class PictureOptions {
 
     @Option(names = "--antialias", paramLabel = "MODE",
             description = "Anti-aliasing: off, edges or every (default: the scene's).")
-    private AntialiasMode antialias;
+    private @Nullable AntialiasMode antialias;
 
-    private Integer samples;
+    private @Nullable Integer samples;
 
     @Option(names = "--samples", paramLabel = "N",
             description = "Anti-aliasing samples per pixel side, " + SceneLimits.MIN_SAMPLES + " to " + SceneLimits.MAX_SAMPLES
@@ -55,7 +56,7 @@ public final class PictureOptions {
     }
 
     @Option(names = "--indirect", paramLabel = "on|off", description = "Indirect light: on or off (default: the scene's).")
-    private Indirect indirect;
+    private @Nullable Indirect indirect;
 
     @Option(names = "--no-indirect", description = "Same as --indirect=off.")
     private void setNoIndirect(boolean off) {

@@ -3,6 +3,7 @@ package lightning.cli.option;
 import lightning.cli.output.BadInputException;
 import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
 /** Option {@code --reflections}. */
@@ -10,7 +11,7 @@ public final class ReflectionsOption {
     @Option(names = "--reflections", paramLabel = "WHEN",
             description = "current (reflections follow each edit) or stale (1998 method: reflections are updated on request only) "
                     + "(default: current).")
-    private ReflectionMode reflections;
+    private @Nullable ReflectionMode reflections;
 
     /** Returns whether reflections are updated on request only. */
     public boolean isStale() {

@@ -7,6 +7,7 @@ import lightning.cli.output.Console;
 import lightning.format.jen.JenDocument;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
+import org.jspecify.annotations.Nullable;
 
 /** Selected frames of a shot. */
 public record ShotFrames(Shot shot, FrameRange range) {
@@ -15,7 +16,7 @@ public record ShotFrames(Shot shot, FrameRange range) {
      *
      * @param requested selected frames, or null for all frames of the shot
      */
-    static ShotFrames of(JenDocument document, Path file, FrameRange requested) throws BadInputException {
+    static ShotFrames of(JenDocument document, Path file, @Nullable FrameRange requested) throws BadInputException {
         Shot shot = document.shot().orElseThrow(() -> new BadInputException(Console.text(
                 "%s: has no shot block (see docs/jen-format.md)", file)));
         FrameRange range = requested == null ? new FrameRange(shot.first(), shot.last()) : requested;

@@ -24,6 +24,7 @@ import lightning.bench.result.SceneResult;
 import lightning.bench.result.SweepPointResult;
 import lightning.bench.result.SystemLoad;
 import lightning.render.measure.AccuracySetting;
+import org.jspecify.annotations.Nullable;
 
 /** Table of a benchmark, printed while the benchmark runs. */
 public final class BenchTable {
@@ -63,7 +64,7 @@ public final class BenchTable {
                 "half", "fast");
     }
 
-    private static String firstPass(FirstPassResult first) {
+    private static String firstPass(@Nullable FirstPassResult first) {
         return first == null ? "" : Console.text(": first pass %.1f ms, %+.1f %%; %.1f bytes a pixel", first.time().median(),
                 first.percentSlower(), first.bytesPerPixel());
     }

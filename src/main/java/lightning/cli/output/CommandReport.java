@@ -5,12 +5,13 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.cli.report.ErrorReport;
 import lightning.cli.report.JsonOutput;
+import org.jspecify.annotations.Nullable;
 
 /** Report of one run of the program: as lines, as one JSON object at its end ({@code --json}), or none ({@code --quiet}). */
 public final class CommandReport {
     private boolean json;
     private boolean quiet;
-    private Object result;
+    private @Nullable Object result;
     private final List<String> lines = new ArrayList<>();
     private final List<String> notes = new ArrayList<>();
     private final List<ErrorReport> errors = new ArrayList<>();

@@ -11,6 +11,7 @@ import lightning.base.text.Quote;
 import lightning.cli.report.ErrorReport;
 import lightning.scene.Scene;
 import lightning.scene.SceneWarnings;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Output streams of a command.
@@ -37,7 +38,7 @@ public record Console(PrintStream out, PrintStream err, boolean terminal, Comman
     }
 
     /** Prints one line of results, with locale-independent numbers. */
-    public void print(String format, Object... values) {
+    public void print(String format, @Nullable Object... values) {
         String text = escapeLines(text(format, values));
         if (report.printsLines()) {
             out.println(text);
@@ -47,7 +48,7 @@ public record Console(PrintStream out, PrintStream err, boolean terminal, Comman
     }
 
     /** Prints one note line to the error stream. */
-    public void warn(String format, Object... values) {
+    public void warn(String format, @Nullable Object... values) {
         String text = escapeLines(text(format, values));
         if (report.printsLines()) {
             err.println(text);
@@ -96,7 +97,7 @@ public record Console(PrintStream out, PrintStream err, boolean terminal, Comman
     }
 
     /** Formats a text, locale-independent; paths are shown by {@link Quote#path}. */
-    public static String text(String format, Object... values) {
+    public static String text(String format, @Nullable Object... values) {
         Object[] shown = Stream.of(values).map(v -> v instanceof Path path ? Quote.path(path) : v).toArray();
         return values.length == 0 ? format : String.format(Locale.ROOT, format, shown);
     }

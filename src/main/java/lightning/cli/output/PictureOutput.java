@@ -16,6 +16,7 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.SceneView;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -28,9 +29,9 @@ public abstract sealed class PictureOutput permits SinglePictureOutput, StepPict
 
     @Option(names = "--bits", paramLabel = "N",
             description = "Bits per channel: PNG 8 or 16, EXR 16 (half) or 32 (float) (default: the smaller number).")
-    private Integer bits;
+    private @Nullable Integer bits;
 
-    private Double exposure;
+    private @Nullable Double exposure;
 
     @Option(names = "--exposure", paramLabel = "STOPS",
             description = "Exposure in stops, for PNG and XPM (default: the scene's).")
@@ -49,7 +50,7 @@ public abstract sealed class PictureOutput permits SinglePictureOutput, StepPict
             description = "View transform, for PNG and XPM: srgb, 1998 (linear, no curve), filmic, aces, aces2 or agx (highlight roll-off), false "
                     + "(false color, one color per stop), a .cube LUT, a transform with a LUT: filmic+look.cube, or a logarithm with a "
                     + "LUT: log2:-10,6.5+look.cube (default: the scene's).")
-    private ViewTransform view;
+    private @Nullable ViewTransform view;
 
     /** Returns the view transform of a scene's image: the options', else the scene's. */
     public ViewTransform view(Scene scene) {

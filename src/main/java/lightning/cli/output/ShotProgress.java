@@ -10,6 +10,7 @@ import lightning.shot.FrameUpdate;
 import lightning.shot.ShotListener;
 import lightning.shot.ShotRelighter;
 import lightning.shot.ShotRevision;
+import org.jspecify.annotations.Nullable;
 
 /** Updates all frames of a shot to one revision after another, and reports the progress. */
 public final class ShotProgress implements ShotListener {
@@ -19,8 +20,8 @@ public final class ShotProgress implements ShotListener {
     private final AtomicLong rays = new AtomicLong();
     private final AtomicLong nanoseconds = new AtomicLong();
     private final AtomicReference<Throwable> problem = new AtomicReference<>();
-    private volatile Consumer<FrameUpdate> frameConsumer;
-    private volatile ProgressBar bar;
+    private volatile @Nullable Consumer<FrameUpdate> frameConsumer;
+    private volatile @Nullable ProgressBar bar;
 
     /**
      * Creates the progress of a shot.
@@ -35,11 +36,11 @@ public final class ShotProgress implements ShotListener {
      * Updates all frames to a revision; returns the time in milliseconds, including the consumer's.
      *
      * @param title title of the progress bar
-     * @param consumer called with each frame on the shot's threads; null for none
+     * @param consumer called with each frame on the shot's threads
      * @throws InterruptedException if the command is canceled
      * @throws Exception the failure of a frame
      */
-    public double run(ShotRelighter shot, ShotRevision revision, Console console, String title, Consumer<FrameUpdate> consumer)
+    public double run(ShotRelighter shot, ShotRevision revision, Console console, String title, @Nullable Consumer<FrameUpdate> consumer)
             throws Exception {
         long start = System.nanoTime();
         done.set(0);

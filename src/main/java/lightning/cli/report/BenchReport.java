@@ -1,6 +1,7 @@
 package lightning.cli.report;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A benchmark.
@@ -10,4 +11,5 @@ import java.util.List;
  * @param problems promises that were not kept, and scenes that were not read
  * @param worse    what is slower or less accurate than the baseline; absent without one
  */
-public record BenchReport(String folder, String report, String results, Integer scenes, List<String> problems, List<String> worse) {}
+public record BenchReport(String folder, String report, String results, @Nullable Integer scenes, @Nullable List<String> problems,
+        @Nullable List<String> worse) {}

@@ -1,5 +1,7 @@
 package lightning.cli.report;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * Difference of two images.
  *
@@ -13,6 +15,7 @@ package lightning.cli.report;
  * @param displayedPsnrDb           of 8-bit values; null if they are equal
  */
 public record CompareReport(boolean equal, int widthPixels, int heightPixels, long pixels, long differentPixels, long values,
-        long differentValues, double maxDifferenceLinear, Long maxDifferenceUlp, int maxDifferenceLevels, Integer maxDifferenceX,
-        Integer maxDifferenceY, double meanDifferenceLinear, double rmseLinear, double psnrDb, double displayedPsnrDb, double ssim,
-        double flip) {}
+        long differentValues, double maxDifferenceLinear, @Nullable Long maxDifferenceUlp, int maxDifferenceLevels,
+        @Nullable Integer maxDifferenceX,
+        @Nullable Integer maxDifferenceY, double meanDifferenceLinear, double rmseLinear, double psnrDb, double displayedPsnrDb,
+        double ssim, double flip) {}

@@ -1,6 +1,7 @@
 package lightning.cli.report;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Cost of each effect.
@@ -16,8 +17,8 @@ public record EffectsReport(double firstPassMilliseconds, double updateMilliseco
      * @param usedBy   lights, materials, objects and settings
      * @param measured false if it cannot be forced on, or does not fit in memory; numbers are then absent
      */
-    public record Effect(String effect, boolean used, List<String> usedBy, boolean measured, Double firstPassMilliseconds,
-            Double firstPassNoiseMilliseconds, Double updateMilliseconds, Long bytes, Long rays) {}
+    public record Effect(String effect, boolean used, List<String> usedBy, boolean measured, @Nullable Double firstPassMilliseconds,
+            @Nullable Double firstPassNoiseMilliseconds, @Nullable Double updateMilliseconds, @Nullable Long bytes, @Nullable Long rays) {}
 
     /** Bytes of a kind of column. */
     public record Column(String column, long bytes) {}

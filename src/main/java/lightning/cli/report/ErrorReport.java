@@ -1,5 +1,7 @@
 package lightning.cli.report;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * An error.
  *
@@ -8,7 +10,7 @@ package lightning.cli.report;
  * @param line    from 1; absent without a file
  * @param column  from 1; absent without a file
  */
-public record ErrorReport(String message, String file, Integer line, Integer column) {
+public record ErrorReport(String message, @Nullable String file, @Nullable Integer line, @Nullable Integer column) {
     /** Creates an error without a place. */
     public ErrorReport(String message) {
         this(message, null, null, null);

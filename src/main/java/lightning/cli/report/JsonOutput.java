@@ -3,6 +3,7 @@ package lightning.cli.report;
 import java.io.PrintStream;
 import java.util.List;
 import lightning.format.json.ReportMapper;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The JSON object that a command prints with {@code --json}.
@@ -14,7 +15,8 @@ import lightning.format.json.ReportMapper;
  * @param notes    lines that the command prints to the error stream without {@code --json}
  * @param errors   errors, in order; empty if the command succeeded
  */
-public record JsonOutput(String command, int exitCode, Object result, List<String> text, List<String> notes, List<ErrorReport> errors) {
+public record JsonOutput(String command, int exitCode, @Nullable Object result, @Nullable List<String> text, List<String> notes,
+        List<ErrorReport> errors) {
     /** Prints the object and a line end. */
     public void print(PrintStream out) {
         out.println(ReportMapper.MAPPER.writerWithDefaultPrettyPrinter().writeValueAsString(this));

@@ -1,6 +1,7 @@
 package lightning.cli.report;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Edits of an image.
@@ -8,7 +9,8 @@ import java.util.List;
  * @param image final image, or the pattern of the images' names
  * @param saved edited scene; absent without {@code --save}
  */
-public record RelightReport(String image, double firstPassMilliseconds, RaysReport firstPassRays, List<Step> steps, String saved) {
+public record RelightReport(String image, double firstPassMilliseconds, RaysReport firstPassRays, List<Step> steps,
+        @Nullable String saved) {
     /**
      * One update.
      *
@@ -22,8 +24,9 @@ public record RelightReport(String image, double firstPassMilliseconds, RaysRepo
      * @param errorBoundLinear      largest difference from a full trace; 0 if exact
      * @param verified              result of {@code --verify}; absent without it
      */
-    public record Step(int step, String image, boolean reflectionsOnly, String plan, long rows, RaysReport rays, double milliseconds,
-            Double fullTraceMilliseconds, Double savedPercent, double errorBoundLinear, Verified verified) {}
+    public record Step(int step, @Nullable String image, boolean reflectionsOnly, String plan, long rows, RaysReport rays,
+            double milliseconds,
+            @Nullable Double fullTraceMilliseconds, @Nullable Double savedPercent, double errorBoundLinear, @Nullable Verified verified) {}
 
     /**
      * Comparison with a full trace.

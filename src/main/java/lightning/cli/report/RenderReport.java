@@ -1,5 +1,7 @@
 package lightning.cli.report;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * A rendered image.
  *
@@ -9,4 +11,4 @@ package lightning.cli.report;
  * @param peakOverWhite largest value relative to display white; absent as above
  */
 public record RenderReport(String image, String method, int widthPixels, int heightPixels, int depth, double milliseconds, boolean cold,
-        RaysReport rays, Long clippedPixels, Double peakOverWhite) {}
+        RaysReport rays, @Nullable Long clippedPixels, @Nullable Double peakOverWhite) {}

@@ -1,6 +1,7 @@
 package lightning.cli.report;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Edited frames of a shot.
@@ -11,8 +12,8 @@ import java.util.List;
  * @param fullTraceMilliseconds warm time of its full trace
  * @param savedPercent          share of the full trace's time
  */
-public record ShotRelightReport(int frames, Integer nodes, double tracedMilliseconds, List<Group> groups, Double frameMilliseconds,
-        Double fullTraceMilliseconds, Double savedPercent) {
+public record ShotRelightReport(int frames, @Nullable Integer nodes, double tracedMilliseconds, List<Group> groups,
+        @Nullable Double frameMilliseconds, @Nullable Double fullTraceMilliseconds, @Nullable Double savedPercent) {
     /**
      * A group of edits.
      *
@@ -23,5 +24,5 @@ public record ShotRelightReport(int frames, Integer nodes, double tracedMillisec
      * @param retraced          frames traced again because they did not fit
      * @param rays              rays of all frames; absent on a cluster
      */
-    public record Group(int group, String folder, double milliseconds, double totalMilliseconds, int retraced, Long rays) {}
+    public record Group(int group, String folder, double milliseconds, double totalMilliseconds, int retraced, @Nullable Long rays) {}
 }

@@ -1,6 +1,7 @@
 package lightning.cli.report;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Rendered frames of a shot.
@@ -8,12 +9,12 @@ import java.util.List;
  * @param file    video; absent if frames are images
  * @param skipped frames that existed, with {@code --resume}
  */
-public record ShotRenderReport(String file, double framesPerSecond, int skipped, int traced, double tracedMilliseconds, int relit,
+public record ShotRenderReport(@Nullable String file, double framesPerSecond, int skipped, int traced, double tracedMilliseconds, int relit,
         double relitMilliseconds, List<Frame> frames) {
     /**
      * A frame.
      *
      * @param image absent in a video
      */
-    public record Frame(int frame, String image, String plan, double milliseconds) {}
+    public record Frame(int frame, @Nullable String image, String plan, double milliseconds) {}
 }

@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import lightning.base.work.DedicatedThread;
 import lightning.format.jen.JenDocument;
 import lightning.scene.shot.AnimatedScene;
+import org.jspecify.annotations.Nullable;
 
 /** Autosave of unsaved edits on its own thread, shortly after the first edit, so that a crash loses only that short time. Thread-safe. */
 public final class Autosave implements AutoCloseable {
@@ -24,7 +25,7 @@ public final class Autosave implements AutoCloseable {
     private final Consumer<Throwable> failureListener;
     private final ScheduledThreadPoolExecutor thread;
     private final Set<Path> savedFiles = new HashSet<>();
-    private PendingSave pending;
+    private @Nullable PendingSave pending;
 
     private record PendingSave(Path file, JenDocument saved, AnimatedScene content) {}
 

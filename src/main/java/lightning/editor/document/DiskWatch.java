@@ -9,6 +9,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import lightning.base.file.FileState;
 import lightning.base.work.DedicatedThread;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Periodic check, on its own thread, for changes to the open scene's file by other programs, and for other editors that have it open. A
@@ -21,10 +22,10 @@ public final class DiskWatch implements AutoCloseable {
     private final Consumer<DiskStatus> listener;
     private final ScheduledThreadPoolExecutor thread;
     /** Watched file, without its current state; null before the first. */
-    private volatile DiskStatus watched;
+    private volatile @Nullable DiskStatus watched;
     /** Accessed on the watch thread only. */
-    private DiskStatus lastReported;
-    private Path registeredFile;
+    private @Nullable DiskStatus lastReported;
+    private @Nullable Path registeredFile;
 
     /**
      * @param openScenes registry of the scenes in all editors; closed with the watch
@@ -81,7 +82,7 @@ public final class DiskWatch implements AutoCloseable {
         }
         boolean isUnchanged =
                 lastReported != null && lastReported.file().equals(target.file()) && lastReported.current().hasSameMetadata(quickState);
-        return isUnchanged ? lastReported.current() : FileState.of(target.file());
+        return lastReported != null && isUnchanged ? lastReported.current() : FileState.of(target.file());
     }
 
     private boolean isOpenElsewhere(Path file) {

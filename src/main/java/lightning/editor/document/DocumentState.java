@@ -1,5 +1,7 @@
 package lightning.editor.document;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -68,7 +70,7 @@ record DocumentState(AnimatedScene content, List<Long> ids, Map<Long, LightHisto
         Light light = scene().lights().get(index);
         List<Track> keys = lightTracks(content, light);
         LightHistory history = lightHistory(id);
-        LightHistory.Entry link = isUndo ? history.past() : history.future();
+        LightHistory.Entry link = requireNonNull(isUndo ? history.past() : history.future());
         List<Light> lights = new ArrayList<>(scene().lights());
         lights.set(index, link.light());
         Map<Long, LightHistory> newHistories = new HashMap<>(lightHistories);

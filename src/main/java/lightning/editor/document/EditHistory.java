@@ -1,5 +1,7 @@
 package lightning.editor.document;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -13,6 +15,7 @@ import lightning.scene.light.Light;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.ShotDiff;
 import lightning.scene.shot.Track;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Unlimited undo and redo: a history for the document and one for each light (paper §3.4).
@@ -26,7 +29,7 @@ public final class EditHistory {
     private DocumentState state;
     private long lastId;
 
-    private record Step(DocumentState before, DocumentState after, Object gesture, String label) {}
+    private record Step(DocumentState before, DocumentState after, @Nullable Object gesture, String label) {}
 
     /** Creates a history that starts with a scene. */
     public EditHistory(Scene scene) {
@@ -54,7 +57,7 @@ public final class EditHistory {
     }
 
     /** Sets the current scene, in one step with all edits of the same gesture: see {@link #edit(AnimatedScene, Object)}. */
-    public void edit(Scene edited, Object gesture) {
+    public void edit(Scene edited, @Nullable Object gesture) {
         edit(content().withScene(edited), gesture);
     }
 
@@ -64,7 +67,7 @@ public final class EditHistory {
      *
      * @param gesture object that identifies one drag, compared by identity; null for a separate step
      */
-    public void edit(AnimatedScene edited, Object gesture) {
+    public void edit(AnimatedScene edited, @Nullable Object gesture) {
         edit(edited, gesture, "");
     }
 
@@ -73,7 +76,7 @@ public final class EditHistory {
      *
      * @param label name of the step; empty to describe the difference
      */
-    void edit(AnimatedScene edited, Object gesture, String label) {
+    void edit(AnimatedScene edited, @Nullable Object gesture, String label) {
         Step last = doneSteps.peek();
         boolean isSameGesture = gesture != null && last != null && last.gesture() == gesture && undoneSteps.isEmpty();
         if (edited.equals(state.content()) && !isSameGesture) {
@@ -91,7 +94,7 @@ public final class EditHistory {
         }
     }
 
-    private void push(DocumentState after, Object gesture, String label) {
+    private void push(DocumentState after, @Nullable Object gesture, String label) {
         doneSteps.push(new Step(state, after, gesture, label));
         state = after;
     }
@@ -209,15 +212,17 @@ public final class EditHistory {
     /** Returns the label of the edit that {@link #undoLight} reverts; empty if none or no such light. */
     public Optional<String> undoLabel(long id) {
         return light(id).filter(_ -> state.lightHistory(id).past() != null)
-                .map(light -> summary(state.lightHistory(id).past().light(), state.lightHistory(id).past().keys(), light,
+                .map(light -> summary(requireNonNull(state.lightHistory(id).past()).light(),
+                        requireNonNull(state.lightHistory(id).past()).keys(), light,
                         DocumentState.lightTracks(content(), light)));
     }
 
     /** Returns the label of the edit that {@link #redoLight} repeats; empty if none or no such light. */
     public Optional<String> redoLabel(long id) {
         return light(id).filter(_ -> state.lightHistory(id).future() != null)
-                .map(light -> summary(light, DocumentState.lightTracks(content(), light), state.lightHistory(id).future().light(),
-                        state.lightHistory(id).future().keys()));
+                .map(light -> summary(light, DocumentState.lightTracks(content(), light),
+                        requireNonNull(state.lightHistory(id).future()).light(),
+                        requireNonNull(state.lightHistory(id).future()).keys()));
     }
 
     private String summary(Light before, List<Track> oldKeys, Light after, List<Track> keys) {

@@ -25,7 +25,7 @@ public sealed interface EditOutcome {
         try {
             return new Applied(edit.get());
         } catch (IllegalArgumentException e) {
-            return new Refused(e.getMessage());
+            return new Refused(String.valueOf(e.getMessage()));
         }
     }
 

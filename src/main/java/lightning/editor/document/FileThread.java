@@ -5,6 +5,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import lightning.base.work.DedicatedThread;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Background file access, so that no disk blocks the window's thread. Delivers results on the window's thread. Runs writes in order and
@@ -23,6 +24,7 @@ public final class FileThread implements Executor, AutoCloseable {
 
     /** Task that reads or writes files. */
     public interface FileTask<T> {
+        @Nullable
         T run() throws Exception;
     }
 

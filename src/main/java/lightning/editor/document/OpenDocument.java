@@ -1,5 +1,7 @@
 package lightning.editor.document;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -7,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import lightning.base.file.FileState;
+import lightning.base.file.ParentFolder;
 import lightning.base.file.ShippedFile;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
@@ -17,6 +20,7 @@ import lightning.format.jen.JenReader;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.shot.AnimatedScene;
+import org.jspecify.annotations.Nullable;
 
 /** Open scene document: current scene, selection, history, and unsaved changes. */
 public final class OpenDocument {
@@ -31,8 +35,8 @@ public final class OpenDocument {
     private Selection selection = Selection.NONE;
     private int frame;
     /** Displayed scene and its frame; {@code frameProblem} says why the frame cannot be shown. */
-    private Scene shownScene;
-    private AnimatedScene shownContent;
+    private @Nullable Scene shownScene;
+    private @Nullable AnimatedScene shownContent;
     private int shownFrame;
     private String frameProblem = "";
 
@@ -120,7 +124,7 @@ public final class OpenDocument {
      */
     public static OpenDocument recover(RecoveryFolder.RecoverableScene recoverable) throws JenException {
         JenDocument edits =
-                JenReader.read(recoverable.text(), recoverable.file().toString(), recoverable.file().toAbsolutePath().getParent());
+                JenReader.read(recoverable.text(), recoverable.file().toString(), ParentFolder.of(recoverable.file()));
         Path file = recoverable.file();
         try {
             OpenDocument document = NewScene.isPlaceholder(file) ? NewScene.create(PictureArea.DEFAULT) : open(file);
@@ -164,10 +168,10 @@ public final class OpenDocument {
             try {
                 show(content, content.sceneAt(frame), "");
             } catch (IllegalArgumentException e) {
-                show(content, content.base(), e.getMessage());
+                show(content, content.base(), String.valueOf(e.getMessage()));
             }
         }
-        return shownScene;
+        return requireNonNull(shownScene);
     }
 
     private void show(AnimatedScene content, Scene scene, String problem) {
@@ -270,14 +274,14 @@ public final class OpenDocument {
     }
 
     /** Applies the edit as part of a gesture: see {@link EditHistory#edit(Scene, Object)}. */
-    public Optional<String> apply(EditOutcome change, Object gesture) {
+    public Optional<String> apply(EditOutcome change, @Nullable Object gesture) {
         if (change instanceof EditOutcome.Applied to) {
             resolveSelection();
             AnimatedScene edited;
             try {
                 edited = contentWith(to.scene());
             } catch (IllegalArgumentException e) {
-                return Optional.of(e.getMessage());
+                return Optional.of(String.valueOf(e.getMessage()));
             }
             history.edit(edited, gesture, to.label());
             if (frameProblem.isEmpty() && history.content() == edited) {
@@ -295,7 +299,7 @@ public final class OpenDocument {
     }
 
     /** Edits the scene with its shot; returns the reason if refused. Part of a gesture as in {@link #apply}. */
-    public Optional<String> applyToShot(Supplier<AnimatedScene> edit, Object gesture) {
+    public Optional<String> applyToShot(Supplier<AnimatedScene> edit, @Nullable Object gesture) {
         try {
             AnimatedScene edited = edit.get();
             resolveSelection();
@@ -307,7 +311,7 @@ public final class OpenDocument {
             clampFrame();
             return Optional.empty();
         } catch (IllegalArgumentException e) {
-            return Optional.of(e.getMessage());
+            return Optional.of(String.valueOf(e.getMessage()));
         }
     }
 

@@ -16,6 +16,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.UUID;
 import lightning.base.file.PrivateFolder;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Registry of the scenes open in all editors of one user. Each editor has a file in a common folder that names its scene, and holds a lock
@@ -32,7 +33,7 @@ public final class OpenSceneRegistry implements AutoCloseable {
 
     private final Path folder;
     private final Path ownFile;
-    private FileChannel channel;
+    private @Nullable FileChannel channel;
 
     /** @param folder dedicated folder, created when the first scene is opened */
     public OpenSceneRegistry(Path folder) {

@@ -7,6 +7,7 @@ import java.util.Set;
 import lightning.base.file.AtomicFile;
 import lightning.base.file.ChangedFileException;
 import lightning.base.file.FileState;
+import lightning.base.file.ParentFolder;
 import lightning.base.file.ReadOnlyFileException;
 import lightning.base.file.ShippedFile;
 import lightning.base.text.Messages;
@@ -44,11 +45,11 @@ record SaveRequest(SavedScene source, AnimatedScene content, Path target, boolea
             throw new IOException(Messages.tr("{0} comes with Lightning and stays as it is; choose another file",
                     Quote.path(target.getFileName())));
         }
-        InputFiles.referencedBy(content.base(), source.file().toAbsolutePath().getParent()).check(target);
+        InputFiles.referencedBy(content.base(), ParentFolder.of(source.file())).check(target);
         boolean isOwnFile = isSource && !untitled;
         Path file = isOwnFile ? source.file() : target;
         if (untitled) {
-            AssetCopies.copy(content.base(), source.file().toAbsolutePath().getParent(), target.toAbsolutePath().getParent());
+            AssetCopies.copy(content.base(), ParentFolder.of(source.file()), ParentFolder.of(target));
         }
         return new SavedScene(file,
                 text.save(isOwnFile ? OverwriteConfirmation.safeFile(file, source.state(), allowed) : checkedTarget(text)), text);
@@ -56,7 +57,7 @@ record SaveRequest(SavedScene source, AnimatedScene content, Path target, boolea
 
     private AtomicFile checkedTarget(JenDocument text) throws IOException {
         try {
-            JenReader.read(text.text(), target.toString(), target.toAbsolutePath().getParent());
+            JenReader.read(text.text(), target.toString(), ParentFolder.of(target));
         } catch (JenException e) {
             throw new IOException(Messages.tr("the saved scene cannot be read: {0}", e.problems().getFirst()), e);
         }

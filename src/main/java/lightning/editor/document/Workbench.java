@@ -22,6 +22,7 @@ import lightning.scene.Scene;
 import lightning.scene.VisibleState;
 import lightning.scene.light.Light;
 import lightning.scene.shot.AnimatedScene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Model of an editor window: the open document, its image, its renderer and its autosave. All panes share one, edit the document through
@@ -118,10 +119,11 @@ public final class Workbench implements AutoCloseable {
         isVerifying = loop.isVerifying();
         sceneInProgress = isBusy ? sceneInProgress : Optional.empty();
         RenderState newState = feed.state();
-        if (newState.frame() != null && newState.frame() != renderState.frame()) {
+        Frame newFrame = newState.frame();
+        if (newFrame != null && newFrame != renderState.frame()) {
             Optional<Scene> shownScene = frame().map(Frame::scene).filter(_ -> !isFrameStep);
-            previousScene = shownScene.filter(s -> !VisibleState.isSame(s, newState.frame().scene())).or(() -> previousScene);
-            isFrameStep = newState.frame().step() == Frame.Step.DIRECT_LIGHT;
+            previousScene = shownScene.filter(s -> !VisibleState.isSame(s, newFrame.scene())).or(() -> previousScene);
+            isFrameStep = newFrame.step() == Frame.Step.DIRECT_LIGHT;
         }
         renderState = newState;
     }
@@ -191,7 +193,7 @@ public final class Workbench implements AutoCloseable {
     }
 
     /** Applies an edit as part of a gesture: see {@link EditHistory#edit(Scene, Object)}. */
-    public Optional<String> edit(EditOutcome change, Object gesture) {
+    public Optional<String> edit(EditOutcome change, @Nullable Object gesture) {
         Optional<String> refusal = document.apply(change, gesture);
         if (refusal.isEmpty()) {
             afterEdit();
@@ -210,7 +212,7 @@ public final class Workbench implements AutoCloseable {
     }
 
     /** Edits the scene with its shot: see {@link OpenDocument#applyToShot}. */
-    public Optional<String> editShot(Supplier<AnimatedScene> edit, Object gesture) {
+    public Optional<String> editShot(Supplier<AnimatedScene> edit, @Nullable Object gesture) {
         Scene before = document.scene();
         Optional<String> refusal = document.applyToShot(edit, gesture);
         if (refusal.isEmpty()) {

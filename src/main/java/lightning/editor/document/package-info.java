@@ -11,4 +11,7 @@
  * Pixels count from the left and from the top of a canvas. Angles are in degrees unless a name says radians. Only {@link
  * lightning.editor.loop.RenderLoop} and {@link lightning.editor.document.Autosave} are thread-safe.
  */
+@NullMarked
 package lightning.editor.document;
+
+import org.jspecify.annotations.NullMarked;

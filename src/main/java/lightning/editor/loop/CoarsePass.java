@@ -9,6 +9,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Coarse images of a scene, each with more pixels than the last, until its full image follows. Reports each one when it is finished. */
 final class CoarsePass {
@@ -22,7 +23,7 @@ final class CoarsePass {
     private final Progress progress;
     private final CoarseSteps steps;
     /** Last traced image; null before the first. */
-    private CoarsePicture last;
+    private @Nullable CoarsePicture last;
     /** Largest number of pixels shown. */
     private int shownPixels;
 

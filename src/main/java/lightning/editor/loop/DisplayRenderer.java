@@ -1,5 +1,7 @@
 package lightning.editor.loop;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.render.image.Film;
@@ -7,13 +9,14 @@ import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.Renderer;
 import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Renders the view of a {@link DisplayMode}. Composes one light's contribution from the renderer's cache. Uses a second renderer with its
  * own cache for hidden effects.
  */
 final class DisplayRenderer implements AutoCloseable {
-    private Renderer effectRenderer;
+    private @Nullable Renderer effectRenderer;
 
     /**
      * @throws PictureTooLargeException if the image without effects does not fit into memory together with the full image
@@ -44,9 +47,10 @@ final class DisplayRenderer implements AutoCloseable {
     /** @param isFinished whether to render the anti-aliasing samples too */
     private void update(Scene scene, boolean isFinished, Progress progress) {
         if (isFinished) {
-            effectRenderer.render(scene, progress);
+            requireNonNull(effectRenderer).render(scene, progress);
         } else {
-            effectRenderer.renderCenters(effectRenderer.plan(scene), progress);
+            Renderer renderer = requireNonNull(effectRenderer);
+            renderer.renderCenters(renderer.plan(scene), progress);
         }
     }
 

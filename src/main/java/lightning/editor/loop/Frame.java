@@ -10,6 +10,7 @@ import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.VisibleState;
 import lightning.scene.effects.ViewEffects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Finished image of an update.
@@ -26,9 +27,7 @@ import lightning.scene.effects.ViewEffects;
  * @param isFinished    whether it has all anti-aliasing samples; otherwise one sample per pixel center
  */
 public record Frame(Film film, Film displayed, DisplayMode displayMode, Scene scene, Scene mirroredScene, UpdateResult update,
-        Geometry geometry,
-        IndirectLight indirect, Step step,
-        boolean isFinished) {
+        Geometry geometry, @Nullable IndirectLight indirect, Step step, boolean isFinished) {
 
     /** Step of the rendering of a scene. A step with finer samples adds no other light. */
     public enum Step {

@@ -15,6 +15,7 @@ import lightning.render.measure.WarmSaving;
 import lightning.render.trace.Geometry;
 import lightning.render.warmup.WarmUp;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Verifies images with full traces on its own thread. When the editor is idle, it also warms up the process and measures what an update
@@ -32,10 +33,10 @@ final class PictureVerifier implements AutoCloseable {
     private final RenderListener listener;
     private final ExecutorService verifyThread = DedicatedThread.sequentialExecutor("lightning-verify");
     private final ExecutorService idleThread = DedicatedThread.lowPriorityExecutor("lightning-rest");
-    private RenderQueue.CancelSignal verifySignal;
-    private RenderQueue.CancelSignal idleSignal;
+    private RenderQueue.@Nullable CancelSignal verifySignal;
+    private RenderQueue.@Nullable CancelSignal idleSignal;
     /** Edit whose saving is to be measured; null if none. */
-    private WarmSaving.RepeatableEdit pendingEdit;
+    private WarmSaving.@Nullable RepeatableEdit pendingEdit;
     private int runningCount;
 
     PictureVerifier(int threads, RenderListener listener) {

@@ -2,6 +2,7 @@ package lightning.editor.loop;
 
 import java.util.concurrent.CancellationException;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Runs the jobs of a queue one after the other on the thread of a render loop, until the queue is closed. Independent of the renderer. */
 record RenderJobRunner(RenderQueue queue, RenderJobHandler handler, RenderListener listener) implements Runnable {
@@ -15,6 +16,7 @@ record RenderJobRunner(RenderQueue queue, RenderJobHandler handler, RenderListen
         void handle(RenderQueue.Job job, RenderQueue.CancelSignal signal);
 
         /** Returns the scene of the current image; null before the first. */
+        @Nullable
         Scene renderedScene();
 
         /** Reports that no job is left. */

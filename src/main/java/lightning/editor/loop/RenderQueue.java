@@ -1,11 +1,14 @@
 package lightning.editor.loop;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.Map;
 import lightning.base.work.Progress;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Queue of a render loop. Keeps only the newest job of each kind, so that edits during a render cost one update, not one each. Thread-safe.
@@ -29,7 +32,7 @@ final class RenderQueue {
         public record Redisplay() implements Job {}
 
         /** Switches the renderer's options, then renders {@code scene}; null if nothing was rendered yet. */
-        record ChangeOptions(RenderOptions options, Scene scene) implements Job {}
+        record ChangeOptions(RenderOptions options, @Nullable Scene scene) implements Job {}
 
         /** Returns the slot in which it waits. */
         private Slot slot() {
@@ -109,9 +112,9 @@ final class RenderQueue {
     /** Newest waiting job of each kind. A change of options gets its scene when it starts. */
     private final Map<Slot, Job> waiting = new EnumMap<>(Slot.class);
     private boolean closed;
-    private Job running;
-    private Scene rendered;
-    private CancelSignal cancelSignal;
+    private @Nullable Job running;
+    private @Nullable Scene rendered;
+    private @Nullable CancelSignal cancelSignal;
 
     private void add(Job job) {
         waiting.put(job.slot(), job);
@@ -119,7 +122,7 @@ final class RenderQueue {
     }
 
     /** Returns the scene that waits; null if none does. */
-    private Scene waitingScene() {
+    private @Nullable Scene waitingScene() {
         return waiting.get(Slot.SCENE) instanceof Job.Render r ? r.scene() : null;
     }
 
@@ -133,7 +136,7 @@ final class RenderQueue {
                 // Reflections of the newer scene are still requested.
                 add(running);
             }
-            cancelSignal.cancel();
+            requireNonNull(cancelSignal).cancel();
         }
         replaceRunning();
     }
@@ -153,11 +156,11 @@ final class RenderQueue {
     private void replaceRunning() {
         if (waiting.containsKey(Slot.SCENE) && cancelSignal != null && cancelSignal.isReplaceable
                 && !(running instanceof Job.ChangeOptions || isRunning(waitingScene()))) {
-            cancelSignal.preempt();
+            requireNonNull(cancelSignal).preempt();
         }
     }
 
-    private boolean isRunning(Scene requested) {
+    private boolean isRunning(@Nullable Scene requested) {
         return running instanceof Job.Render r && r.scene() == requested;
     }
 
@@ -188,7 +191,7 @@ final class RenderQueue {
     private void postponeSamples() {
         if (running instanceof Job.RenderSamples) {
             add(running);
-            cancelSignal.preempt();
+            requireNonNull(cancelSignal).preempt();
         }
     }
 
@@ -245,7 +248,7 @@ final class RenderQueue {
     }
 
     /** Waits for a job. Returns null when the queue is closed. */
-    synchronized Job take(CancelSignal newSignal) throws InterruptedException {
+    synchronized @Nullable Job take(CancelSignal newSignal) throws InterruptedException {
         while (!closed && waiting.isEmpty()) {
             wait();
         }
@@ -257,7 +260,7 @@ final class RenderQueue {
         return running;
     }
 
-    private Job next() {
+    private @Nullable Job next() {
         Job first = waiting.remove(waiting.keySet().iterator().next());
         if (first instanceof Job.ChangeOptions change) {
             Scene scene = waitingScene();
@@ -273,7 +276,7 @@ final class RenderQueue {
      * @param nowRendered scene of the current image; null if none
      * @return true if no job is left
      */
-    synchronized boolean finishJob(Scene nowRendered) {
+    synchronized boolean finishJob(@Nullable Scene nowRendered) {
         running = null;
         cancelSignal = null;
         rendered = nowRendered;

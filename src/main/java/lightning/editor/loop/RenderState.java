@@ -5,6 +5,7 @@ import java.util.Optional;
 import lightning.render.measure.Verification;
 import lightning.render.measure.WarmSaving;
 import lightning.render.relight.plan.UpdatePlan;
+import org.jspecify.annotations.Nullable;
 
 /**
  * State of the image and its renders.
@@ -21,9 +22,10 @@ import lightning.render.relight.plan.UpdatePlan;
  * @param activity       work since the current stage of the image started
  */
 @RecordBuilder
-public record RenderState(UpdatePlan plan, int done, int total, int verifiedTiles, int tilesToVerify, Frame frame,
-        WarmSaving measuredSaving,
-        Verification verification, Throwable problem, boolean canceled, RenderActivity activity) implements RenderStateBuilder.With {
+public record RenderState(@Nullable UpdatePlan plan, int done, int total, int verifiedTiles, int tilesToVerify, @Nullable Frame frame,
+        @Nullable WarmSaving measuredSaving,
+        @Nullable Verification verification, @Nullable Throwable problem, boolean canceled, RenderActivity activity)
+        implements RenderStateBuilder.With {
     public static final RenderState NONE = new RenderState(null, 0, 0, 0, 0, null, null, null, null, false, RenderActivity.NONE);
 
     /** Returns the progress, 0…1. */
@@ -64,7 +66,7 @@ public record RenderState(UpdatePlan plan, int done, int total, int verifiedTile
     }
 
     /** Sets the failure of the last job, or that it was canceled if null. */
-    public RenderState withStop(Throwable failure) {
+    public RenderState withStop(@Nullable Throwable failure) {
         return with(s -> s.verifiedTiles(0).tilesToVerify(0).problem(failure).canceled(failure == null));
     }
 }

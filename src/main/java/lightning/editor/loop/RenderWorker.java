@@ -1,5 +1,7 @@
 package lightning.editor.loop;
 
+import static java.util.Objects.requireNonNull;
+
 import java.lang.ref.WeakReference;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -7,6 +9,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
 import java.util.function.Consumer;
+import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
@@ -22,6 +25,7 @@ import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.RenderedScenes;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Runs the jobs of a {@link RenderLoop} with a renderer, on the loop's thread. Other threads only set the display mode. */
 final class RenderWorker implements RenderJobRunner.RenderJobHandler {
@@ -39,11 +43,11 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private volatile DisplayMode displayMode = DisplayMode.FULL_PICTURE;
     /** Startup preview of the first scene; null afterwards. */
     private volatile Future<Optional<CoarsePicture>> startupPreview = CompletableFuture.completedFuture(Optional.empty());
-    private UpdateResult lastUpdate;
+    private @Nullable UpdateResult lastUpdate;
     /** Step of the image. */
-    private Frame.Step lastStep;
-    private UpdateMethod lastMethod;
-    private Scene renderedScene;
+    private Frame.@Nullable Step lastStep;
+    private @Nullable UpdateMethod lastMethod;
+    private @Nullable Scene renderedScene;
     /** Description of the last update if it was slow; else empty. Written by the thread that finds out. */
     private volatile String slowUpdate = "";
     /** Estimated time of that update, in seconds. */
@@ -52,7 +56,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private volatile double coarsePixelsPerSecond;
     private final PathTimes pathTimes;
     /** Cache of the last picture with indirect light while one without it is shown, to keep its paths; otherwise null. */
-    private PixelCache pathsCache;
+    private @Nullable PixelCache pathsCache;
     /** Cache of the last reported image, weakly referenced so that readers do not keep it in memory. */
     private volatile WeakReference<PixelCache> publishedCache = new WeakReference<>(null);
 
@@ -97,7 +101,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     }
 
     @Override
-    public Scene renderedScene() {
+    public @Nullable Scene renderedScene() {
         return renderedScene;
     }
 
@@ -177,7 +181,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
             return false;
         }
         PixelCache cache = renderer.state().hasPicture() ? renderer.cache() : null;
-        return update instanceof UpdatePlan.FirstPass || cache.indirect() == null
+        return update instanceof UpdatePlan.FirstPass || cache == null || cache.indirect() == null
                 || !shown.picture().indirect().equals(cache.scene().picture().indirect())
                         && shown.withoutIndirect().equals(cache.scene().withoutIndirect());
     }
@@ -276,7 +280,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
             if (renderer.state().lastFinished() == null) {
                 display.showingTiles(false);
             }
-            update((r, _) -> r.finish(display), lastStep, startCache(), (r, progress) -> r.render(scene, progress), signal);
+            update((r, _) -> r.finish(display), requireNonNull(lastStep), startCache(), (r, progress) -> r.render(scene, progress), signal);
         }
     }
 
@@ -313,8 +317,8 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
      * @param start      cache that the update starts from; null if unknown
      * @param repeatStep repeats the update from the start, planning included, to measure its saving; null if its saving is not measured
      */
-    private void update(WarmSaving.UpdateStep step, Frame.Step result, PixelCache start, WarmSaving.UpdateStep repeatStep,
-            RenderQueue.CancelSignal signal) {
+    private void update(WarmSaving.UpdateStep step, Frame.Step result, @Nullable PixelCache start,
+            WarmSaving.@Nullable UpdateStep repeatStep, RenderQueue.CancelSignal signal) {
         ViewTransform usedView = view;
         renderer.setView(usedView.exposure(), usedView.steepestCurve());
         UpdateResult update = step.run(renderer, signal);
@@ -329,7 +333,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     }
 
     /** Returns the cache that the update starts from; null if a repetition cannot start from it, as its method differs. */
-    private PixelCache startCache() {
+    private @Nullable PixelCache startCache() {
         return renderer.state().hasPicture() && renderer.options().method().equals(lastMethod) ? renderer.state().lastFinished() : null;
     }
 
@@ -340,7 +344,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     private void updateReflections(RenderQueue.CancelSignal signal) {
         if (renderedScene != null && !renderer.cache().hasCurrentReflections()) {
-            update(Renderer::updateReflections, lastStep, startCache(), Renderer::updateReflections, signal);
+            update(Renderer::updateReflections, requireNonNull(lastStep), startCache(), Renderer::updateReflections, signal);
         }
     }
 
@@ -350,7 +354,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         }
     }
 
-    private void show(UpdateResult update, RenderQueue.CancelSignal signal) {
+    private void show(@Nullable UpdateResult update, RenderQueue.CancelSignal signal) {
         renderedScene = renderer.scene();
         lastUpdate = update;
         DisplayMode mode = displayMode;
@@ -368,9 +372,11 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     private void publish(Film displayed, DisplayMode mode) {
         publishedCache = new WeakReference<>(renderer.cache());
-        listener.rendered(new Frame(renderer.film(), displayed, mode, renderedScene, renderer.cache().mirrored().scene(), lastUpdate,
-                renderer.cache().geometry(), renderer.cache().indirect() == null ? null : renderer.cache().indirect().light(),
-                lastStep, renderer.state().isFinished()));
+        IndirectCache indirect = renderer.cache().indirect();
+        listener.rendered(new Frame(renderer.film(), displayed, mode, requireNonNull(renderedScene), renderer.cache().mirrored().scene(),
+                requireNonNull(lastUpdate),
+                renderer.cache().geometry(), indirect == null ? null : indirect.light(), requireNonNull(lastStep),
+                renderer.state().isFinished()));
     }
 
     private Optional<CoarsePicture> takeStartupPreview() {
@@ -389,7 +395,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private void startVerification(RenderQueue.CancelSignal signal) {
         if (renderedScene != null) {
             renderSamples(signal);
-            verifier.verify(AccuracyGuarantee.of(renderer, lastUpdate), renderer.film().copy(), signal);
+            verifier.verify(AccuracyGuarantee.of(renderer, requireNonNull(lastUpdate)), renderer.film().copy(), signal);
         }
     }
 

@@ -1,5 +1,7 @@
 package lightning.editor.window;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -28,6 +30,7 @@ import lightning.editor.window.model.WindowLayout;
 import lightning.editor.window.timeline.Playback;
 import lightning.editor.window.timeline.TimelinePane;
 import lightning.editor.window.widget.PanelWindow;
+import org.jspecify.annotations.Nullable;
 
 /** Panels in the docks of the editor's window and in windows of their own, as the {@link PanelArrangement} says. */
 final class DockedPanels implements DockTabs.Callbacks, AutoCloseable {
@@ -132,7 +135,7 @@ final class DockedPanels implements DockTabs.Callbacks, AutoCloseable {
         switch (arrangement().place(panel)) {
             case LEFT -> focus(left);
             case BELOW -> focus(below);
-            case WINDOW -> windows.get(panel).toFront();
+            case WINDOW -> requireNonNull(windows.get(panel)).toFront();
         }
     }
 
@@ -158,7 +161,7 @@ final class DockedPanels implements DockTabs.Callbacks, AutoCloseable {
         return place == PanelPlace.LEFT ? left : below;
     }
 
-    private static boolean isIn(Node node, Node ancestor) {
+    private static boolean isIn(@Nullable Node node, Node ancestor) {
         return node != null && (node == ancestor || isIn(node.getParent(), ancestor));
     }
 
@@ -188,7 +191,7 @@ final class DockedPanels implements DockTabs.Callbacks, AutoCloseable {
     void drop(Command panel, PanelPlace place, double screenX, double screenY) {
         move(panel, place);
         if (!place.isDock()) {
-            windows.get(panel).setX(screenX);
+            requireNonNull(windows.get(panel)).setX(screenX);
             windows.get(panel).setY(screenY);
         }
     }

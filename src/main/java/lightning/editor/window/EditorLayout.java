@@ -1,5 +1,7 @@
 package lightning.editor.window;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import java.util.List;
 import javafx.beans.binding.Bindings;
@@ -26,6 +28,7 @@ import lightning.editor.window.preview.PreviewPane;
 import lightning.editor.window.traced.TracedPane;
 import lightning.editor.window.widget.PaneHeader;
 import lightning.editor.window.widget.PictureView;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Layout of the editor's panes. Each area shows a loading note until its pane is added: the traced picture first, then all others. Panes
@@ -66,9 +69,9 @@ final class EditorLayout extends BorderPane {
     private final SplitPane sidePanels;
     private final SplitPane mainSplit;
     private final StackPane center;
-    private TracedPane traced;
-    private PreviewPane preview;
-    private Node properties;
+    private @Nullable TracedPane traced;
+    private @Nullable PreviewPane preview;
+    private @Nullable Node properties;
     /** Empty docks that reserve the space of panels. */
     private List<DockSlot> reservedDocks = List.of();
     /** Divider position of the lists before their pane took the whole height. */
@@ -225,14 +228,15 @@ final class EditorLayout extends BorderPane {
     void showPage(Region page) {
         page.setMaxHeight(Double.MAX_VALUE);
         StackPane.setAlignment(page, Pos.CENTER_RIGHT);
-        page.maxWidthProperty().bind(Bindings.createDoubleBinding(this::pageWidth, traced.boundsInParentProperty(),
+        page.maxWidthProperty().bind(Bindings.createDoubleBinding(this::pageWidth, tracedPane().boundsInParentProperty(),
                 canvases.boundsInParentProperty(), upperArea.boundsInParentProperty(), center.widthProperty()));
         center.getChildren().add(page);
     }
 
     private double pageWidth() {
         boolean isTracedVisible = canvases.getItems().size() == 2 && canvases.getItems().contains(traced);
-        double right = isTracedVisible ? center.sceneToLocal(traced.localToScene(traced.getBoundsInLocal())).getMaxX() : 0;
+        double right = isTracedVisible
+                ? center.sceneToLocal(tracedPane().localToScene(tracedPane().getBoundsInLocal())).getMaxX() : 0;
         return Math.max(Math.min(MIN_PAGE_WIDTH, center.getWidth()),
                 center.getWidth() - Math.max(right, center.getWidth() * MIN_LEFT_SHARE));
     }
@@ -256,11 +260,11 @@ final class EditorLayout extends BorderPane {
             // The toolkit would focus the first button of the tool bar, which the next key would press.
             canvases.requestFocus();
         }
-        traced.setInset(null);
+        tracedPane().setInset(null);
         canvases.getItems().retainAll(visible);
-        preview.setCompact(choice.hasInset());
+        requireNonNull(preview).setCompact(choice.hasInset());
         if (choice.hasInset()) {
-            traced.setInset(preview);
+            tracedPane().setInset(preview);
         }
         for (int i = 0; i < visible.size(); i++) {
             if (!canvases.getItems().contains(visible.get(i))) {
@@ -283,7 +287,7 @@ final class EditorLayout extends BorderPane {
         }
     }
 
-    private static boolean isIn(Node node, Node ancestor) {
+    private static boolean isIn(@Nullable Node node, Node ancestor) {
         return node != null && (node == ancestor || isIn(node.getParent(), ancestor));
     }
 
@@ -306,5 +310,10 @@ final class EditorLayout extends BorderPane {
     /** Returns whether Tab should move the focus: from a text field, or from a control that was reached by the keyboard, not by a click. */
     private static boolean needsTab(Node focusOwner) {
         return focusOwner instanceof TextInputControl || focusOwner instanceof Control && focusOwner.isFocusVisible();
+    }
+
+    /** Returns the pane of the traced picture, which was added with the other panes. */
+    private TracedPane tracedPane() {
+        return requireNonNull(traced);
     }
 }

@@ -25,12 +25,13 @@ import lightning.editor.window.traced.IndirectMenu;
 import lightning.editor.window.traced.SamplingMenu;
 import lightning.editor.window.traced.ViewMenuItems;
 import lightning.editor.window.widget.ColorTheme;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /** Menu bar with all commands and their shortcuts. */
 final class EditorMenu extends MenuBar {
     /** Marks a separator line between items. */
-    private static final Command SEPARATOR = null;
+    private static final @Nullable Command SEPARATOR = null;
 
     private final EditorModel model;
     private final CommandMenuItems items;
@@ -108,13 +109,13 @@ final class EditorMenu extends MenuBar {
         }
     }
 
-    private Menu menu(String title, Command... commands) {
+    private Menu menu(String title, @Nullable Command... commands) {
         var menu = new Menu(title);
         add(menu, commands);
         return menu;
     }
 
-    private void add(Menu menu, Command... commands) {
+    private void add(Menu menu, @Nullable Command... commands) {
         for (Command command : commands) {
             menu.getItems().add(command == SEPARATOR ? new SeparatorMenuItem() : items.item(command));
         }

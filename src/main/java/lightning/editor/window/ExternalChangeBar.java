@@ -15,6 +15,7 @@ import lightning.editor.document.OpenSceneRegistry;
 import lightning.editor.document.Workbench;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.widget.DisabledReason;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Notice above the pictures that the open scene's file was changed, moved or deleted, or is open in another editor. Offers actions. A
@@ -33,7 +34,7 @@ final class ExternalChangeBar extends HBox implements AutoCloseable {
     private final Button compare = button(Messages.tr("Compare…"), "disk-compare");
     private final Button hide = button(Messages.tr("Hide"), "disk-read");
     /** Status that the user has dismissed. */
-    private DiskStatus dismissed;
+    private @Nullable DiskStatus dismissed;
 
     /**
      * Creates the bar and starts to watch the file.

@@ -19,6 +19,7 @@ import lightning.editor.document.EditorState;
 import lightning.editor.document.Workbench;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.VisibilityListener;
+import org.jspecify.annotations.Nullable;
 
 /**
  * List of all edits, newest first. Clicking an entry restores the state after that edit; undone edits are dimmed. Shows the edits of the
@@ -96,7 +97,7 @@ final class HistoryPane extends VBox {
         list.scrollTo(Math.max(0, position - 3));
     }
 
-    private void goTo(Row row) {
+    private void goTo(@Nullable Row row) {
         if (row == null) {
             return;
         }

@@ -1,5 +1,7 @@
 package lightning.editor.window;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -12,6 +14,7 @@ import javafx.scene.control.Alert;
 import javafx.scene.control.ButtonType;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
+import lightning.base.Initializer;
 import lightning.base.file.ShippedFile;
 import lightning.editor.document.FileThread;
 import lightning.editor.document.OpenDocument;
@@ -25,6 +28,7 @@ import lightning.editor.window.model.WindowLayout;
 import lightning.editor.window.traced.TracedPane;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.PictureView;
+import org.jspecify.annotations.Nullable;
 
 /**
  * JavaFX application of the editor. Opens in steps: a window with a coarse picture, the layout of all panes, the pane of the traced
@@ -32,7 +36,7 @@ import lightning.editor.window.widget.PictureView;
  */
 public class LightningApp extends Application {
     /** Task that reads the startup files for the next launch in this process; null unless {@link #open} started it. */
-    private static FutureTask<StartupFiles> startupRead;
+    private static @Nullable FutureTask<StartupFiles> startupRead;
 
     private static final long PREVIEW_TIMEOUT_MS = 600;
     /** Maximum wait for the first preview before the window shows that it is loading, nanoseconds. */
@@ -42,12 +46,12 @@ public class LightningApp extends Application {
     private final RecoveryFolder recovery = recovery();
     private Preferences preferences;
     /** Files that were read but are not yet open in an editor; otherwise null. */
-    private StartupFiles startupFiles;
+    private @Nullable StartupFiles startupFiles;
     /** Null before it is created. */
-    private EditorLayout layout;
-    private StartupSession startupSession;
-    private Editor editor;
-    private IdlePreloader preloader;
+    private @Nullable EditorLayout layout;
+    private @Nullable StartupSession startupSession;
+    private @Nullable Editor editor;
+    private @Nullable IdlePreloader preloader;
 
     /**
      * Opens the editor and returns when its window is closed. At most once per process.
@@ -78,11 +82,12 @@ public class LightningApp extends Application {
     }
 
     /** Returns the file to open; null for the default scene. */
+    @Nullable
     Path file() {
         return file(getParameters() == null ? List.of() : getParameters().getUnnamed());
     }
 
-    private static Path file(List<String> arguments) {
+    private static @Nullable Path file(List<String> arguments) {
         return arguments.isEmpty() ? null : ShippedFile.resolve(Path.of(arguments.getFirst()));
     }
 
@@ -92,6 +97,7 @@ public class LightningApp extends Application {
 
     /** Reads the preferences before a window exists, so that no window has to wait for the disk. */
     @Override
+    @Initializer
     public void init() {
         preferences = new Preferences(EditorPaths.dataFolder(), thread);
         UiLanguage.activate(preferences);
@@ -131,7 +137,7 @@ public class LightningApp extends Application {
     }
 
     /** Shows the layout with its loading notes. */
-    private void showLayout(Stage stage, Path file, PictureView picture) {
+    private void showLayout(Stage stage, @Nullable Path file, PictureView picture) {
         var newLayout = new EditorLayout(file == null ? EditorPaths.defaultScene() : file, picture);
         newLayout.reserve(storedLayout());
         stage.getScene().setRoot(newLayout);
@@ -147,7 +153,7 @@ public class LightningApp extends Application {
         try {
             return reading.get();
         } catch (ExecutionException e) {
-            switch (e.getCause()) {
+            switch (requireNonNull(e.getCause())) {
                 case Exception why -> throw why;
                 case Error why -> throw why;
                 case Throwable why -> throw new IllegalStateException(why);
@@ -194,18 +200,20 @@ public class LightningApp extends Application {
 
     private void showEditor(Stage stage, StartupFiles files) {
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
-        editor = new Editor(stage, startupSession, preferences, thread, FilePrompt.ofSystem(stage), screen.getWidth(), screen.getHeight());
-        if (files.failedFile() != null) {
-            editor.reportFailedOpen(files.failedFile(), files.failure());
+        Editor opened = new Editor(stage, requireNonNull(startupSession), preferences, thread, FilePrompt.ofSystem(stage),
+                screen.getWidth(), screen.getHeight());
+        editor = opened;
+        if (files.failedFile() != null && files.failure() != null) {
+            opened.reportFailedOpen(files.failedFile(), files.failure());
         }
-        preloader = new IdlePreloader(stage.getScene(), editor::isIdle, editor.window().preloadSteps().iterator());
-        editorOpened(editor);
+        preloader = new IdlePreloader(stage.getScene(), opened::isIdle, opened.window().preloadSteps().iterator());
+        editorOpened(opened);
         if (files.isStartScene() && files.findRecoveries().isEmpty()) {
-            editor.welcome();
+            opened.welcome();
         }
-        editor.offerRecovery(files.findRecoveries());
+        opened.offerRecovery(files.findRecoveries());
         if (files.fileToImport() != null) {
-            editor.files().load(files.fileToImport());
+            opened.files().load(files.fileToImport());
         }
     }
 
@@ -215,7 +223,7 @@ public class LightningApp extends Application {
     @Override
     public void stop() {
         if (editor != null) {
-            preloader.close();
+            requireNonNull(preloader).close();
             editor.close();
         } else if (startupSession != null) {
             startupSession.close();

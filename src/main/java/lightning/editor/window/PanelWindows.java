@@ -1,5 +1,7 @@
 package lightning.editor.window;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.function.Function;
@@ -68,7 +70,7 @@ final class PanelWindows implements AutoCloseable {
     }
 
     private Stage getOrCreate(Command command) {
-        return windows.computeIfAbsent(command, c -> createWindow(c, PANELS.get(c)));
+        return windows.computeIfAbsent(command, c -> createWindow(c, requireNonNull(PANELS.get(c))));
     }
 
     private Parent root(Command command) {

@@ -12,6 +12,7 @@ import lightning.editor.window.model.StartupPreview;
 import lightning.format.exchange.SceneImporter;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenFile;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Everything that the editor reads from files at its start.
@@ -22,8 +23,8 @@ import lightning.format.jen.JenFile;
  * @param findRecoveries finds unsaved scenes of earlier crashes
  * @param fileToImport file of another program, to import as soon as a window can show the import dialog; null if there is none
  */
-record StartupFiles(OpenDocument document, boolean isStartScene, StartupPreview preview, Path failedFile, Exception failure,
-        List<RecoveryFolder.RecoverableScene> findRecoveries, Path fileToImport) {
+record StartupFiles(OpenDocument document, boolean isStartScene, StartupPreview preview, @Nullable Path failedFile,
+        @Nullable Exception failure, List<RecoveryFolder.RecoverableScene> findRecoveries, @Nullable Path fileToImport) {
 
     /** Returns whether a file's name is that of a scene or of a format that can be imported. */
     static boolean canOpen(String file) {
@@ -39,7 +40,7 @@ record StartupFiles(OpenDocument document, boolean isStartScene, StartupPreview 
      * @throws IOException if the default scene cannot be read
      * @throws JenException if the default scene does not parse
      */
-    static StartupFiles read(Path file, Preferences preferences, RecoveryFolder recovery) throws IOException, JenException {
+    static StartupFiles read(@Nullable Path file, Preferences preferences, RecoveryFolder recovery) throws IOException, JenException {
         List<RecoveryFolder.RecoverableScene> recoveries = findRecoveries(recovery);
         if (file == null) {
             OpenDocument document = OpenDocument.openCopy(EditorPaths.defaultScene());
@@ -55,9 +56,8 @@ record StartupFiles(OpenDocument document, boolean isStartScene, StartupPreview 
         }
     }
 
-    private static StartupFiles of(OpenDocument document, Preferences preferences, Path failedFile, Exception failure,
-            List<RecoveryFolder.RecoverableScene> recoveries,
-            Path fileToImport) {
+    private static StartupFiles of(OpenDocument document, Preferences preferences, @Nullable Path failedFile, @Nullable Exception failure,
+            List<RecoveryFolder.RecoverableScene> recoveries, @Nullable Path fileToImport) {
         return new StartupFiles(document, false, StartupSession.startPreview(document, preferences), failedFile, failure, recoveries,
                 fileToImport);
     }

@@ -37,7 +37,7 @@ final class WarningBar extends Button {
     }
 
     private void update() {
-        List<String> warnings = editor.scene() == null ? List.of() : SceneWarnings.of(editor.scene());
+        List<String> warnings = SceneWarnings.of(editor.scene());
         dismissed.retainAll(warnings);
         String text = String.join(" · ", warnings.stream().filter(w -> !dismissed.contains(w)).toList());
         setText(text);

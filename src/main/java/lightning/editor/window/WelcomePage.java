@@ -9,6 +9,7 @@ import lightning.editor.window.command.FileActions;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.welcome.LessonBar;
 import lightning.editor.window.welcome.WelcomePane;
+import org.jspecify.annotations.Nullable;
 
 /** Shows and closes the welcome page and the bar of its lessons. Opening a document or Escape closes the page. */
 final class WelcomePage {
@@ -19,7 +20,7 @@ final class WelcomePage {
     private final Runnable onClosed;
     private final EventHandler<KeyEvent> escape = this::closeOnEscape;
     /** Null while the page is closed. */
-    private WelcomePane pane;
+    private @Nullable WelcomePane pane;
     private Subscription documents = Subscription.EMPTY;
 
     /** @param onClosed moves the keyboard focus back to the editor */

@@ -8,4 +8,7 @@
  * }
  * }</pre>
  */
+@NullMarked
 package lightning.editor.window;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,5 +1,7 @@
 package lightning.format.exchange;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -130,7 +132,7 @@ final class ObjImport {
 
     /** Returns a mesh whose coordinates have an image's offset, in units of its repetitions. */
     private static Mesh moved(Mesh mesh, MtlImage image) {
-        float[] coordinates = mesh.coordinates().clone();
+        float[] coordinates = requireNonNull(mesh.coordinates()).clone();
         for (int i = 0; i < coordinates.length; i += 2) {
             coordinates[i] += (float) (image.offsetU() / repeat(image.scaleU()));
             coordinates[i + 1] += (float) (image.offsetV() / repeat(image.scaleV()));

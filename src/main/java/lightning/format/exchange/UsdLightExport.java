@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import lightning.base.file.ParentFolder;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.format.exchange.usd.SoftCones;
@@ -60,8 +61,8 @@ public final class UsdLightExport {
      * @param output file of the layer, which names other files relative to its folder
      */
     static LightExport export(String text, AnimatedScene animated, Path sceneFile, Path output) throws IOException {
-        return new UsdLightExport(animated, UsdPaths.findIn(text), sceneFile.toAbsolutePath().normalize().getParent(),
-                output.toAbsolutePath().normalize().getParent()).layer();
+        return new UsdLightExport(animated, UsdPaths.findIn(text), ParentFolder.of(sceneFile.toAbsolutePath().normalize()),
+                ParentFolder.of(output.toAbsolutePath().normalize())).layer();
     }
 
     private LightExport layer() throws IOException {

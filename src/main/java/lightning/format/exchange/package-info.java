@@ -6,4 +6,7 @@
  * scene.write();
  * }</pre>
  */
+@NullMarked
 package lightning.format.exchange;
+
+import org.jspecify.annotations.NullMarked;

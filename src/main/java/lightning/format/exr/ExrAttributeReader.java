@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import lightning.base.text.Quote;
+import org.jspecify.annotations.Nullable;
 
 /** Reader for the attributes of one part of a file. What cannot be read counts only if the part is used. */
 final class ExrAttributeReader {
@@ -17,16 +18,16 @@ final class ExrAttributeReader {
     private static final List<String> COMPRESSIONS = List.of("none", "RLE", "ZIPS", "ZIP", "PIZ", "PXR24", "B44", "B44A", "DWAA", "DWAB");
 
     private final ExrHeaderBytes in;
-    private ExrCompression compression;
-    private int[] tileSize;
-    private int[] dataWindow;
+    private @Nullable ExrCompression compression;
+    private int @Nullable [] tileSize;
+    private int @Nullable [] dataWindow;
     /** Window that a picture shows; null if it says none. */
-    private int[] displayWindow;
-    private List<ExrChannel> channels;
+    private int @Nullable [] displayWindow;
+    private @Nullable List<ExrChannel> channels;
     private final Map<String, ExrAttribute> attributes = new LinkedHashMap<>();
     private int chunkCount = -1;
     /** Why the part's pixels cannot be read; null if they can. */
-    private IOException unsupported;
+    private @Nullable IOException unsupported;
 
     /**
      * Creates a reader.
@@ -122,7 +123,7 @@ final class ExrAttributeReader {
         in.moveTo(end);
     }
 
-    private ExrCompression readCompression(int size) throws IOException {
+    private @Nullable ExrCompression readCompression(int size) throws IOException {
         int code = size == 1 ? in.getByte() : -1;
         Optional<ExrCompression> known = ExrCompression.of(code);
         if (known.isEmpty()) {

@@ -1,5 +1,7 @@
 package lightning.format.exr;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * A part of a file: a picture with a size, channels and a compression of its own. Most files have one.
  *
@@ -10,7 +12,8 @@ package lightning.format.exr;
  * @param number number with which each of its chunks begins, from 0; −1 in a file of one part, whose chunks have none
  * @param tableOffset place of the table of its chunks, bytes
  */
-record ExrPart(ExrHeader header, ExrWindow window, ExrCompression compression, int top, int[] tileSize, int number, long tableOffset) {
+record ExrPart(ExrHeader header, ExrWindow window, ExrCompression compression, int top, int @Nullable [] tileSize, int number,
+        long tableOffset) {
     /** Returns the header with the size of the picture. */
     ExrHeader shown() {
         return new ExrHeader(window.width(), window.height(), header.channels(), header.attributes());

@@ -1,6 +1,7 @@
 package lightning.format.exr;
 
 import java.io.IOException;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Display window of a picture: what it shows. Its data may cover only a part of it, and reach beyond.
@@ -20,10 +21,10 @@ record ExrWindow(int left, int top, int width, int height) {
      * Returns the window of data; the data alone if the window is absent, or has no pixels.
      *
      * @param data    data window: first column and line, last column and line; not empty
-     * @param display display window, or null
+     * @param display display window
      * @throws IOException if the window is much larger than the data
      */
-    static ExrWindow of(int[] data, int[] display) throws IOException {
+    static ExrWindow of(int[] data, int @Nullable [] display) throws IOException {
         long dataWidth = (long) data[2] - data[0] + 1;
         long dataHeight = (long) data[3] - data[1] + 1;
         long width = display == null ? 0 : (long) display[2] - display[0] + 1;

@@ -7,6 +7,7 @@ import java.util.Map;
 import lightning.base.text.Quote;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
+import org.jspecify.annotations.Nullable;
 
 /** Reader for accessor data, validated against the buffer's size before an array is allocated. */
 final class AccessorReader {
@@ -114,7 +115,7 @@ final class AccessorReader {
     }
 
     /** Returns the view of an accessor's data; null if all values are 0. */
-    private ElementView elementView(JsonValue accessor, int count, int components) throws IOException, MeshException {
+    private @Nullable ElementView elementView(JsonValue accessor, int count, int components) throws IOException, MeshException {
         JsonValue view = accessor.get("bufferView");
         if (!view.isPresent()) {
             if (count > Files.size(file.path())) {
@@ -167,7 +168,7 @@ final class AccessorReader {
         }
     }
 
-    private Sparse sparse(JsonValue accessor, int count, int components) throws IOException, MeshException {
+    private @Nullable Sparse sparse(JsonValue accessor, int count, int components) throws IOException, MeshException {
         JsonValue sparse = accessor.get("sparse");
         if (!sparse.isPresent()) {
             return null;

@@ -13,6 +13,7 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import lightning.base.file.ParentFolder;
 import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
 import lightning.format.mesh.ByteSource;
@@ -106,14 +107,14 @@ final class BufferReader {
         try (ByteSource source = ByteSource.open(path, file.progress())) {
             return source.bytes((int) source.remaining());
         } catch (MeshException e) {
-            throw uri.problem(e.getMessage());
+            throw uri.problem(String.valueOf(e.getMessage()));
         }
     }
 
     /** Returns the file in this folder or below it that a URI references. */
     Path siblingFile(JsonValue uri) throws IOException, MeshException {
         String text = uri.text().orElse("");
-        Path folder = file.path().toAbsolutePath().getParent().toRealPath();
+        Path folder = ParentFolder.of(file.path()).toRealPath();
         try {
             // A plus sign is literal in paths.
             Path path = folder.resolve(URLDecoder.decode(text.replace("+", "%2B"), StandardCharsets.UTF_8)).normalize();

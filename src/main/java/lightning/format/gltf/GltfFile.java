@@ -13,6 +13,7 @@ import lightning.format.mesh.ByteSource;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
+import org.jspecify.annotations.Nullable;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.StreamReadConstraints;
@@ -40,10 +41,10 @@ public final class GltfFile {
     private final Path path;
     private final JsonValue root;
     private final boolean isBinary;
-    private final byte[] binaryChunk;
+    private final byte @Nullable [] binaryChunk;
     private final Progress progress;
 
-    private GltfFile(Path path, JsonNode root, boolean isBinary, byte[] binaryChunk, Progress progress) {
+    private GltfFile(Path path, JsonNode root, boolean isBinary, byte @Nullable [] binaryChunk, Progress progress) {
         this.path = path;
         this.root = new JsonValue(path, "", root);
         this.isBinary = isBinary;
@@ -216,8 +217,8 @@ public final class GltfFile {
         return isBinary;
     }
 
-    /** Returns the binary chunk, or null. */
-    byte[] binaryChunk() {
+    /** Returns the binary chunk. */
+    byte @Nullable [] binaryChunk() {
         return binaryChunk;
     }
 

@@ -1,5 +1,7 @@
 package lightning.format.gltf;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
@@ -71,7 +73,8 @@ public final class GltfLightWriter {
             int index = list.size();
             list.add(toJson(placed.light()));
             Integer nodeIndex = nodesByLight.remove(placed.light().name());
-            if (nodeIndex == null || !isPlacedAt(placed, nodeTransforms.get(nodeIndex)) && !removable.getOrDefault(nodeIndex, false)) {
+            if (nodeIndex == null
+                    || !isPlacedAt(placed, requireNonNull(nodeTransforms.get(nodeIndex))) && !removable.getOrDefault(nodeIndex, false)) {
                 ObjectNode node = EXACT_JSON.createObjectNode().put("name", placed.light().name());
                 setTransform(node, placed);
                 nodes.add(node);
@@ -80,7 +83,7 @@ public final class GltfLightWriter {
                     // Without a scene, all nodes are shown.
                     childArray(shown, "nodes").add(nodeIndex);
                 }
-            } else if (!isPlacedAt(placed, nodeTransforms.get(nodeIndex))) {
+            } else if (!isPlacedAt(placed, requireNonNull(nodeTransforms.get(nodeIndex)))) {
                 setTransform((ObjectNode) nodes.get(nodeIndex), placed);
             }
             childObject(childObject((ObjectNode) nodes.get(nodeIndex), "extensions"), EXTENSION).put("light", index);

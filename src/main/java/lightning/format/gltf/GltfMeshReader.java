@@ -1,5 +1,7 @@
 package lightning.format.gltf;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -16,6 +18,7 @@ import lightning.format.mesh.UniqueNames;
 import lightning.format.mesh.VertexColors;
 import lightning.format.mesh.VertexNormals;
 import lightning.scene.node.Mesh;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reader for the meshes of a glTF file, one part for each primitive: triangles, strips and fans. A part contains only the
@@ -125,7 +128,7 @@ public final class GltfMeshReader {
                 canBePosed ? used : new int[0]));
     }
 
-    private static int[] triangles(int mode, int[] indices, int vertices) {
+    private static int[] triangles(int mode, int @Nullable [] indices, int vertices) {
         int corners = indices == null ? vertices : indices.length;
         int count = mode == TRIANGLES_MODE ? corners / 3 : Math.max(0, corners - 2);
         int[] triangles = new int[3 * Math.min(count, MeshLimits.TRIANGLES)];
@@ -149,7 +152,7 @@ public final class GltfMeshReader {
                 + (long) used.length * (3 + (attributes.get("NORMAL").isPresent() ? 3 : 0) + (uvAccessor.isPresent() ? 2 : 0)
                         + (attributes.get("COLOR_0").isPresent() ? 3 : 0) + (hasTangents(attributes) ? 4 : 0)),
                 primitive);
-        float[] positions = gather(attributes.get("POSITION"), 3, vertices, used);
+        float[] positions = requireNonNull(gather(attributes.get("POSITION"), 3, vertices, used));
         float[] normals = gather(attributes.get("NORMAL"), 3, vertices, used);
         float[] coordinates = gather(uvAccessor, 2, vertices, used);
         float[] colors = gather(attributes.get("COLOR_0"), 3, vertices, used);
@@ -171,7 +174,7 @@ public final class GltfMeshReader {
         try {
             return new Mesh(positions, triangles, normals, coordinates, colors, tangents);
         } catch (IllegalArgumentException e) {
-            throw primitive.problem(e.getMessage());
+            throw primitive.problem(String.valueOf(e.getMessage()));
         }
     }
 
@@ -247,7 +250,7 @@ public final class GltfMeshReader {
     }
 
     /** Returns the values of the used vertices; null if the accessor is absent. */
-    private float[] gather(JsonValue accessor, int components, int vertices, int[] used) throws IOException, MeshException {
+    private float @Nullable [] gather(JsonValue accessor, int components, int vertices, int[] used) throws IOException, MeshException {
         if (!accessor.isPresent()) {
             return null;
         }

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import lightning.format.mesh.NamedMesh;
 import lightning.scene.node.Mesh;
+import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
@@ -48,7 +49,7 @@ public final class MeshFileWriter {
         return new MeshFileWriter((int) bytes).file(meshes);
     }
 
-    private static int length(float[] values) {
+    private static int length(float @Nullable [] values) {
         return values == null ? 0 : values.length;
     }
 

@@ -6,6 +6,7 @@ import java.util.List;
 import lightning.base.math.Transform;
 import lightning.format.mesh.MeshException;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 
 /** Copies of the meshes of nodes (EXT_mesh_gpu_instancing). */
 final class NodeInstances {
@@ -52,7 +53,7 @@ final class NodeInstances {
         return transforms;
     }
 
-    private float[] values(JsonValue accessor, int components, int copies) throws IOException, MeshException {
+    private float @Nullable [] values(JsonValue accessor, int components, int copies) throws IOException, MeshException {
         if (!accessor.isPresent()) {
             return null;
         }
@@ -62,7 +63,7 @@ final class NodeInstances {
         return accessors.floats(accessor, components);
     }
 
-    private static double[] element(float[] values, int index, double[] fallback) {
+    private static double[] element(float @Nullable [] values, int index, double[] fallback) {
         if (values == null) {
             return fallback;
         }

@@ -12,6 +12,7 @@ import lightning.format.mesh.NamedMesh;
 import lightning.format.mesh.UniqueNames;
 import lightning.format.mesh.VertexNormals;
 import lightning.scene.node.Mesh;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Meshes that nodes show in another form than the file has them: bent by the joints of a skin, or mixed with morph targets, as the file's
@@ -120,12 +121,12 @@ public final class PosedMeshes {
             meshes.add(new NamedMesh(name, mesh));
             return new GltfPart(part.mesh(), part.primitive(), name, part.material(), mesh, new int[0]);
         } catch (IllegalArgumentException e) {
-            throw primitive.problem(e.getMessage());
+            throw primitive.problem(String.valueOf(e.getMessage()));
         }
     }
 
     /** Adds the weighted displacements of morph targets. */
-    private void morph(JsonValue primitive, GltfPart part, List<Double> weights, float[] positions, float[] normals)
+    private void morph(JsonValue primitive, GltfPart part, List<Double> weights, float[] positions, float @Nullable [] normals)
             throws IOException, MeshException {
         JsonValue targets = primitive.get("targets");
         for (int t = 0; t < Math.min(targets.size(), weights.size()); t++) {
@@ -151,7 +152,7 @@ public final class PosedMeshes {
     }
 
     /** Moves vertices with the joints of a skin, into the space of the scene: the node's own transform does not act. */
-    private void bend(JsonValue skin, JsonValue attributes, GltfPart part, float[] positions, float[] normals)
+    private void bend(JsonValue skin, JsonValue attributes, GltfPart part, float[] positions, float @Nullable [] normals)
             throws IOException, MeshException {
         Transform[] joints = joints(skin);
         int count = part.vertices().length;

@@ -6,4 +6,7 @@
  * List<GltfPart> parts = GltfMeshReader.read(file, new ConversionNotes());
  * }</pre>
  */
+@NullMarked
 package lightning.format.gltf;
+
+import org.jspecify.annotations.NullMarked;

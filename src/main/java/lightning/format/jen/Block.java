@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import lightning.base.text.Quote;
 import lightning.scene.shot.Keyframe;
+import org.jspecify.annotations.Nullable;
 
 /** Parsed block with its positions in the text, as token indices; −1 if absent. */
 final class Block {
@@ -74,6 +75,7 @@ final class Block {
     }
 
     /** Returns a valid property, or null if absent. */
+    @Nullable
     Entry entry(String property) {
         for (Entry e : entries) {
             if (e.property().name().equals(property)) {
@@ -84,6 +86,7 @@ final class Block {
     }
 
     /** Returns the value or default of a property, or null if it has neither. */
+    @Nullable
     Value value(String property) {
         Entry entry = entry(property);
         return entry == null ? type.initials().get(property) : entry.value();

@@ -1,5 +1,7 @@
 package lightning.format.jen;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import java.util.Map;
 import lightning.scene.light.Light;
@@ -46,9 +48,14 @@ record BlockContent(BlockType<?> type, String name, Map<String, Value> values, L
         return new BlockContent(type, newName, values, children);
     }
 
+    /** Returns the value of one of the type's properties. */
+    Value value(Property<?> property) {
+        return requireNonNull(values.get(property.name()));
+    }
+
     /** Returns whether {@code property} must be written: it is present and differs from the default. */
     boolean mustWrite(Property<?> property) {
-        Value value = values.get(property.name());
+        Value value = value(property);
         return !(value instanceof Value.Absent) && !value.equals(property.initial());
     }
 

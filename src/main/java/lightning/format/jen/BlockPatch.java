@@ -1,5 +1,7 @@
 package lightning.format.jen;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import lightning.base.text.DecimalNumber;
 
@@ -10,10 +12,10 @@ record BlockPatch(SourceText source, TokenList tokens, TextEdits edits) {
         if (!block.name.equals(target.name())) {
             replace(block.nameToken, NameSyntax.format(target.name()));
         }
-        block.type.header().ifPresent(p -> change(block.entry(p.name()), target.values().get(p.name())));
+        block.type.header().ifPresent(p -> change(requireNonNull(block.entry(p.name())), target.value(p)));
         for (Property<?> property : block.type.properties()) {
             Block.Entry entry = block.entry(property.name());
-            Value value = target.values().get(property.name());
+            Value value = target.value(property);
             if (entry == null) {
                 if (target.mustWrite(property)) {
                     insert(block, JenWriter.property(property, value));

@@ -1,5 +1,7 @@
 package lightning.format.jen;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -131,7 +133,7 @@ final class BlockTypes {
 
     /** Returns the block type of a shape. */
     static BlockType<Shape> of(Solid solid) {
-        return SHAPES_BY_NOUN.get(solid.typeName());
+        return requireNonNull(SHAPES_BY_NOUN.get(solid.typeName()));
     }
 
     private static BlockType<Shape> shape(Solid.Canonical solid) {

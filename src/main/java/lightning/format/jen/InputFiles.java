@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import lightning.base.file.ParentFolder;
 import lightning.base.text.Quote;
 import lightning.scene.Scene;
 
@@ -34,7 +35,7 @@ public record InputFiles(Set<Path> files) {
 
     /** Returns a scene file with the files that it references, also after edits. */
     public static InputFiles of(Path sceneFile, List<Scene> scenes) {
-        Set<Path> files = new HashSet<>(ReferencedFiles.existing(scenes, sceneFile.toAbsolutePath().getParent()));
+        Set<Path> files = new HashSet<>(ReferencedFiles.existing(scenes, ParentFolder.of(sceneFile)));
         files.add(sceneFile);
         return new InputFiles(files);
     }

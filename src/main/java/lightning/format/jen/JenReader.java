@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import lightning.base.file.ParentFolder;
 import lightning.base.file.RegularFile;
 import lightning.format.jen.asset.AssetFolders;
 import lightning.format.jen.asset.JenLimits;
@@ -25,7 +26,7 @@ public final class JenReader {
      * @throws JenException if its content has problems; contains all of them
      */
     public static JenDocument read(Path file) throws IOException, JenException {
-        return read(file, file.toAbsolutePath().getParent(), Stage.EMPTY);
+        return read(file, ParentFolder.of(file), Stage.EMPTY);
     }
 
     /**

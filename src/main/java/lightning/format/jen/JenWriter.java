@@ -57,7 +57,7 @@ public final class JenWriter {
         if (element.type().isNamed()) {
             header.append(' ').append(NameSyntax.format(element.name()));
         }
-        element.type().header().ifPresent(p -> header.append(' ').append(element.values().get(p.name()).text()));
+        element.type().header().ifPresent(p -> header.append(' ').append(element.value(p).text()));
         List<String> properties = properties(element);
         String line = header + " " + braces(properties);
         if (element.children().isEmpty() && line.length() <= MAX_LINE_LENGTH) {
@@ -71,7 +71,7 @@ public final class JenWriter {
 
     /** Returns the texts of the properties that must be written. */
     static List<String> properties(BlockContent element) {
-        return element.type().properties().stream().filter(element::mustWrite).map(p -> property(p, element.values().get(p.name())))
+        return element.type().properties().stream().filter(element::mustWrite).map(p -> property(p, element.value(p)))
                 .toList();
     }
 

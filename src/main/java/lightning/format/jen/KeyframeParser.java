@@ -115,7 +115,7 @@ final class KeyframeParser {
             }
             return setting.isEmpty() ? -1 : hasInterpolation ? interpolationToken + 1 : interpolationToken;
         } catch (IllegalArgumentException e) {
-            problem(start, start, e.getMessage());
+            problem(start, start, String.valueOf(e.getMessage()));
             return -1;
         }
     }
@@ -154,7 +154,7 @@ final class KeyframeParser {
             property.checkValue(new Value.Numbers(numbers));
             return Optional.of(new KeyframeValue.Numbers(numbers));
         } catch (IllegalArgumentException e) {
-            problem(token, token, e.getMessage());
+            problem(token, token, String.valueOf(e.getMessage()));
             return Optional.empty();
         }
     }

@@ -136,7 +136,7 @@ final class Parser {
         try {
             SceneLimits.checkName(block.name);
         } catch (IllegalArgumentException e) {
-            problem(e.getMessage());
+            problem(String.valueOf(e.getMessage()));
         }
         position++;
     }

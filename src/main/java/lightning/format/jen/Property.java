@@ -11,6 +11,7 @@ import lightning.format.jen.asset.FileName;
 import lightning.format.jen.asset.NameSuggestion;
 import lightning.format.jen.asset.TextureFolder;
 import lightning.scene.asset.FileAsset;
+import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
@@ -38,6 +39,9 @@ import lightning.scene.value.ShapeLinks;
  */
 record Property<T>(String name, Form form, List<String> labels, double min, double max, List<String> choices,
         Value initial, String unit, boolean isInteger, Consumer<Value> valueCheck, Function<T, Value> getter) {
+
+    /** Stands for the image of a map of which only the repetitions are checked. */
+    private static final Texture ANY_IMAGE = new Texture(1, 1, new float[3]);
 
     enum Form {
         NUMBERS,
@@ -79,7 +83,7 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
                             SceneLimits.MAX_REPEAT,
                             "times, needs a " + a.name(), t -> textureValue(a.get(t), map -> Value.of(map.repeatU(), map.repeatV())))
                             .withCheck(v -> new TextureMap("", ((Value.Numbers) v).values().get(0), ((Value.Numbers) v).values().get(1),
-                                    null)));
+                                    ANY_IMAGE)));
         };
     }
 

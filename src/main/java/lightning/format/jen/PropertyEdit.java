@@ -1,5 +1,7 @@
 package lightning.format.jen;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -404,7 +406,7 @@ public final class PropertyEdit {
                     + tokens.describe(end));
         }
         throwIfAny(problems);
-        return block.entry(property).value();
+        return requireNonNull(block.entry(property)).value();
     }
 
     private static void throwIfAny(ProblemList problems) {

@@ -28,6 +28,7 @@ import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
 import lightning.scene.value.Photometry;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Assets already loaded by a scene, and others of a folder.
@@ -72,7 +73,7 @@ record SceneAssets(Scene scene, Optional<Path> folder) implements AssetSource {
         return existing != null ? existing : read("file", file, f -> new MeshFolder(f).load(file, part));
     }
 
-    private static Mesh findMesh(List<SceneNode> nodes, String file, String part) {
+    private static @Nullable Mesh findMesh(List<SceneNode> nodes, String file, String part) {
         for (SceneNode node : nodes) {
             Mesh existing = switch (node) {
                 case NodeGroup g -> findMesh(g.children(), file, part);

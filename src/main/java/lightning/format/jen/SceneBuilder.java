@@ -1,5 +1,7 @@
 package lightning.format.jen;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
@@ -41,6 +43,7 @@ import lightning.scene.value.Placement;
 import lightning.scene.value.SceneLimits;
 import lightning.scene.value.ShapeGains;
 import lightning.scene.value.ShapeLinks;
+import org.jspecify.annotations.Nullable;
 
 /** Builder of the scene from parsed blocks; reports problems between blocks. */
 final class SceneBuilder {
@@ -94,7 +97,8 @@ final class SceneBuilder {
         }
         var stage = new Stage(materials, nodes);
         LightRig rig = LightRig.of(lights, groups);
-        OverflowCheck.of(stage, rig).ifPresent(overflow -> problem(blocksByName.get(overflow.light().name()), overflow.message()));
+        OverflowCheck.of(stage, rig)
+                .ifPresent(overflow -> problem(requireNonNull(blocksByName.get(overflow.light().name())), overflow.message()));
         return problems.isEmpty() ? Optional.of(new Scene(picture.orElse(PictureSettings.DEFAULT), camera.orElse(Camera.DEFAULT),
                 world.orElse(World.DEFAULT), stage, rig)) : Optional.empty();
     }
@@ -170,7 +174,7 @@ final class SceneBuilder {
             try {
                 SceneLimits.checkCombinedScale(block::title, combinedMin, combinedMax);
             } catch (IllegalArgumentException e) {
-                problem(block, e.getMessage());
+                problem(block, String.valueOf(e.getMessage()));
             }
             if (block.type != BlockTypes.GROUP) {
                 checkReference(block, "material", materialNames);
@@ -187,7 +191,7 @@ final class SceneBuilder {
     private static Placement scale(Block block) {
         Block.Entry entry = block.entry("scale");
         return entry == null ? Placement.IDENTITY
-                : new Placement(Vec3.ZERO, Vec3.ZERO, new PropertyValues(block::value, null).vector("scale"));
+                : new Placement(Vec3.ZERO, Vec3.ZERO, new PropertyValues(block::value, AssetSource.NONE).vector("scale"));
     }
 
     /**
@@ -305,7 +309,7 @@ final class SceneBuilder {
         return hasAllTextures;
     }
 
-    private Mesh loadMesh(Block block) {
+    private @Nullable Mesh loadMesh(Block block) {
         Block.Entry part = block.entry(BlockTypes.PART);
         return loadAsset(block, BlockTypes.FILE, file -> meshes.load(file, part == null ? "" : ((Value.Name) part.value()).name()));
     }
@@ -315,7 +319,7 @@ final class SceneBuilder {
     }
 
     /** Loads the asset that a property references; null if it references none, or the asset cannot be used. */
-    private <T> T loadAsset(Block block, String property, AssetLoader<T> loader) {
+    private <T> @Nullable T loadAsset(Block block, String property, AssetLoader<T> loader) {
         Block.Entry entry = block.entry(property);
         if (entry == null) {
             return null;
@@ -329,28 +333,29 @@ final class SceneBuilder {
     }
 
     /** Loaded assets of one block. */
-    private record LoadedAssets(Map<TextureKey, Texture> textures, Photometry photometry, EnvironmentMap environmentMap, Mesh mesh)
+    private record LoadedAssets(Map<TextureKey, Texture> textures, @Nullable Photometry photometry, @Nullable EnvironmentMap environmentMap,
+            @Nullable Mesh mesh)
             implements AssetSource {
         record TextureKey(String file, TextureUsage samples) {}
 
         @Override
         public Texture texture(String file, TextureUsage samples) {
-            return textures.get(new TextureKey(file, samples));
+            return requireNonNull(textures.get(new TextureKey(file, samples)));
         }
 
         @Override
         public Photometry profile(String file) {
-            return photometry;
+            return requireNonNull(photometry);
         }
 
         @Override
         public EnvironmentMap environment(String file) {
-            return environmentMap;
+            return requireNonNull(environmentMap);
         }
 
         @Override
         public Mesh mesh(String file, String part) {
-            return mesh;
+            return requireNonNull(mesh);
         }
     }
 

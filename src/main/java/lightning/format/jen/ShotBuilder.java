@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import lightning.format.jen.asset.AssetSource;
 import lightning.format.jen.asset.NameSuggestion;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
@@ -33,7 +34,8 @@ record ShotBuilder(TokenList tokens, ProblemList problems, Scene scene) {
             }
         }
         try {
-            Shot shot = BlockTypes.SHOT.builder().build("", new PropertyValues(block::value, null), List.of()).withTracks(tracks);
+            Shot shot =
+                    BlockTypes.SHOT.builder().build("", new PropertyValues(block::value, AssetSource.NONE), List.of()).withTracks(tracks);
             return problems.isEmpty() ? Optional.of(shot) : Optional.empty();
         } catch (IllegalArgumentException e) {
             problem(block, "shot: " + e.getMessage());

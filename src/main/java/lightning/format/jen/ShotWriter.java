@@ -24,7 +24,7 @@ record ShotWriter(Scene scene, String newline) {
         List<String> lines = new ArrayList<>();
         BlockContent content = BlockContent.of(BlockTypes.SHOT, shot);
         BlockTypes.SHOT.properties().stream().filter(content::mustWrite)
-                .forEach(p -> lines.add(INDENT + JenWriter.property(p, content.values().get(p.name()))));
+                .forEach(p -> lines.add(INDENT + JenWriter.property(p, content.value(p))));
         Map<TrackTarget, List<Track>> targets = new LinkedHashMap<>();
         shot.tracks().forEach(t -> targets.computeIfAbsent(t.target(), _ -> new ArrayList<>()).add(t));
         targets.forEach((target, tracks) -> {

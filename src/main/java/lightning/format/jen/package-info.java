@@ -12,4 +12,7 @@
  * and {@code SceneBuilder}. The table {@code BlockTypes} defines the content of blocks for the parser, the writer, the patch
  * and {@link lightning.format.jen.PropertyEdit}.
  */
+@NullMarked
 package lightning.format.jen;
+
+import org.jspecify.annotations.NullMarked;

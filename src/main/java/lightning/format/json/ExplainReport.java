@@ -1,6 +1,7 @@
 package lightning.format.json;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Explanation of a pixel. Colors are linear red, green, blue.
@@ -11,7 +12,7 @@ import java.util.List;
  * @param colorLinear     the pixel in the film
  * @param displayed       the pixel as displayed, 0 to 255
  */
-public record ExplainReport(int x, int y, int widthPixels, int heightPixels, Point center, Indirect indirect, int samplesPerPixel,
+public record ExplainReport(int x, int y, int widthPixels, int heightPixels, Point center, @Nullable Indirect indirect, int samplesPerPixel,
         float[] colorLinear, int[] displayed) {
     /**
      * A point that a ray hits.
@@ -24,8 +25,10 @@ public record ExplainReport(int x, int y, int widthPixels, int heightPixels, Poi
      * @param indirect     what indirect light adds; absent if there is none
      * @param color        sum of all
      */
-    public record Point(String object, String material, List<String> throughHoles, double[] position, double[] normal, Normals normals,
-            float[] ambient, float[] glow, List<LightShare> lights, float[] indirect, Ray reflected, Ray refracted, float[] color) {}
+    public record Point(@Nullable String object, @Nullable String material, List<String> throughHoles, double @Nullable [] position,
+            double @Nullable [] normal, @Nullable Normals normals,
+            float @Nullable [] ambient, float @Nullable [] glow, @Nullable List<LightShare> lights, float @Nullable [] indirect,
+            @Nullable Ray reflected, @Nullable Ray refracted, float[] color) {}
 
     /**
      * Steps of a changed normal.
@@ -34,7 +37,7 @@ public record ExplainReport(int x, int y, int widthPixels, int heightPixels, Poi
      * @param bumped       after bump and normal maps; absent without them
      * @param bent         true if it was bent toward the viewer
      */
-    public record Normals(double[] geometric, double[] interpolated, double[] bumped, boolean bent) {}
+    public record Normals(double[] geometric, double @Nullable [] interpolated, double @Nullable [] bumped, boolean bent) {}
 
     /**
      * One light at a point.
@@ -47,8 +50,8 @@ public record ExplainReport(int x, int y, int widthPixels, int heightPixels, Poi
      * @param adds           its part of the point's color
      * @param sharePercent   of the point's color; null if the point is black
      */
-    public record LightShare(String light, String state, String shadowedBy, int visibleSamples, int samples, float cosine, float specular,
-            float falloff, float[] tint, float[] face, float[] adds, double sharePercent) {}
+    public record LightShare(String light, String state, @Nullable String shadowedBy, int visibleSamples, int samples, float cosine,
+            float specular, float falloff, float[] tint, float[] face, float[] adds, double sharePercent) {}
 
     /**
      * A reflected or refracted ray.
@@ -56,7 +59,7 @@ public record ExplainReport(int x, int y, int widthPixels, int heightPixels, Poi
      * @param adds its part of the color of the point that it starts from
      * @param hits absent if the ray starts from a transparent surface and contributes less than 0.2 % of the pixel
      */
-    public record Ray(float[] adds, Point hits) {}
+    public record Ray(float[] adds, @Nullable Point hits) {}
 
     /** Paths of indirect light of the whole image. */
     public record Indirect(long gatherPoints, long surfels, long rays, long bytes) {}

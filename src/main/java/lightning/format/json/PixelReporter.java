@@ -1,5 +1,7 @@
 package lightning.format.json;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import java.util.Locale;
 import java.util.function.UnaryOperator;
@@ -17,12 +19,13 @@ import lightning.render.trace.SurfacePoint;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.material.Material;
+import org.jspecify.annotations.Nullable;
 
 /** Converts explanations of pixels to their record. */
 public final class PixelReporter {
     private final Scene scene;
     private final Geometry geometry;
-    private final IndirectLight indirect;
+    private final @Nullable IndirectLight indirect;
 
     /** @param explainer explainer of the scene, with its indirect light */
     public PixelReporter(Scene scene, PixelExplainer explainer) {
@@ -44,7 +47,7 @@ public final class PixelReporter {
                 SceneView.of(scene).displayed(color[0], color[1], color[2]));
     }
 
-    private ExplainReport.Indirect paths() {
+    private ExplainReport.@Nullable Indirect paths() {
         if (indirect == null) {
             return null;
         }
@@ -58,7 +61,7 @@ public final class PixelReporter {
         if (report.isBackground()) {
             return new ExplainReport.Point(null, null, holes, null, null, null, null, null, null, null, null, null, report.color());
         }
-        SurfacePoint at = report.hit();
+        SurfacePoint at = requireNonNull(report.hit());
         Material material = geometry.material(at.primitive());
         PointContributions parts = PointContributions.of(material, at);
         Vec3 position = geometry.toScene(new Vec3(at.px(), at.py(), at.pz()));
@@ -73,7 +76,8 @@ public final class PixelReporter {
     }
 
     /** @param from the point that the ray starts from; {@code share} is its share of the pixel */
-    private ExplainReport.Ray ray(PointReport ray, UnaryOperator<float[]> weigh, PointReport from, PointContributions parts, double share) {
+    private ExplainReport.@Nullable Ray ray(@Nullable PointReport ray, UnaryOperator<float[]> weigh, PointReport from,
+            PointContributions parts, double share) {
         if (ray == null) {
             return null;
         }
@@ -88,7 +92,7 @@ public final class PixelReporter {
                 light.specular(), light.falloff(), light.tint(), light.face(), adds, 100 * PointContributions.sum(adds) / total);
     }
 
-    private static ExplainReport.Normals normals(NormalSteps steps) {
+    private static ExplainReport.@Nullable Normals normals(@Nullable NormalSteps steps) {
         return steps == null ? null
                 : new ExplainReport.Normals(numbers(steps.geometric()), steps.smooth() == null ? null : numbers(steps.smooth()),
                         steps.bumped() == null ? null : numbers(steps.bumped()), steps.isBent());

@@ -1,5 +1,7 @@
 package lightning.format.layer;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -89,9 +91,10 @@ final class LayerChannels implements ChannelSource {
     /** Returns the pixels of a layer's tile, averaged over samples if it has several. */
     private float[][] layerPixels(LayerCompositor painter, Layer layer, int tile, SamplePositions centers) {
         CachedTile center = cache.tileCount() == 0 ? null : composeLayer(painter, layer, cache.tile(tile), centers);
-        return cache.fineCount() == 0 ? center.film : cache.fineTile(tile)
+        float[][] pixels = cache.fineCount() == 0 ? requireNonNull(center).film : cache.fineTile(tile)
                 .map(center, centers, (at, block) -> composeLayer(painter, layer, block, at))
                 .film();
+        return requireNonNull(pixels);
     }
 
     private static CachedTile composeLayer(LayerCompositor painter, Layer layer, CachedTile tile, SamplePositions samplePositions) {

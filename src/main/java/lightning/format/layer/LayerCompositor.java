@@ -1,5 +1,7 @@
 package lightning.format.layer;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.PixelCache;
@@ -16,6 +18,7 @@ import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Compositor of single tile layers from cached data: casts no rays and evaluates no lights. Contains scratch memory; use one
@@ -30,7 +33,7 @@ final class LayerCompositor {
     private final World darkWorld;
     private final WeightedLight[] lights;
     /** Indirect light at gather points; null if the scene has none. */
-    private final float[][] indirect;
+    private final float @Nullable [][] indirect;
     private final TileComposer composer;
 
     LayerCompositor(PixelCache cache, Engine engine) {
@@ -58,7 +61,7 @@ final class LayerCompositor {
                 composer.setShowsGlow(false);
             }
             case Layer.Indirect _ -> composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld,
-                    new IndirectRows(tile.levels[0].weights(), indirect), BLACK, result);
+                    new IndirectRows(requireNonNull(tile.levels[0].weights()), requireNonNull(indirect)), BLACK, result);
             case Layer.Reflections _ -> {
                 if (rows.reflectiveCount > 0) {
                     composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld, tile.images, result);

@@ -22,6 +22,7 @@ import lightning.render.engine.EngineChoice;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.image.Film;
 import lightning.render.trace.SamplePositions;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Writer for an image with its layers, mattes and header in one OpenEXR file, one row of tiles at a time. Channels R, G and B are
@@ -39,7 +40,7 @@ public final class LayeredExrWriter {
     private final List<int[]> indices;
     private final int layerCount;
     /** Mattes; null if there are none. */
-    private final MatteChannels mattes;
+    private final @Nullable MatteChannels mattes;
 
     /**
      * Creates a writer.

@@ -9,6 +9,7 @@ import lightning.render.image.Film;
 import lightning.render.shading.SampleMean;
 import lightning.render.trace.SamplePositions;
 import lightning.render.trace.TileVisibility;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Primitives that the camera rays of a tile hit first: for each pixel those of the samples of which its color is the mean. Traces
@@ -49,7 +50,7 @@ final class PixelHits {
     }
 
     /** Counts the samples of each pixel, and returns whether any pixel shows its center. */
-    private boolean countSamples(FineTile fine, int[] counts) {
+    private boolean countSamples(@Nullable FineTile fine, int[] counts) {
         Arrays.fill(counts, 1);
         if (fine == null) {
             return true;
@@ -66,7 +67,7 @@ final class PixelHits {
         return needsCenters;
     }
 
-    private void traceCenters(SamplePositions centers, FineTile fine) {
+    private void traceCenters(SamplePositions centers, @Nullable FineTile fine) {
         int columns = Math.min(Film.TILE_SIZE, cache.scene().picture().width() - centers.x0());
         int[] primitives = visibility.primitives(centers);
         boolean[] isFine = new boolean[Film.TILE_PIXELS];

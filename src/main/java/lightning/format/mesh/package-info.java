@@ -6,6 +6,8 @@
  * float x = mesh.positions()[3 * mesh.triangles()[0]];
  * }</pre>
  */
+@NullMarked
 package lightning.format.mesh;
 
 import lightning.scene.node.Mesh;
+import org.jspecify.annotations.NullMarked;

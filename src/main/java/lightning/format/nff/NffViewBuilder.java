@@ -2,12 +2,16 @@ package lightning.format.nff;
 
 import java.util.Optional;
 import lightning.base.math.Vec3;
+import org.jspecify.annotations.Nullable;
 
 /** Mutable builder of a view from its parameters. */
 final class NffViewBuilder {
     /** Null until defined, as are the next two. */
+    @Nullable
     Vec3 from;
+    @Nullable
     Vec3 at;
+    @Nullable
     Vec3 up;
     double angle = 45;
     int width;

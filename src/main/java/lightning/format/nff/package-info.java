@@ -8,4 +8,7 @@
  * }
  * }</pre>
  */
+@NullMarked
 package lightning.format.nff;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,5 +1,7 @@
 package lightning.format.pov;
 
+import static java.util.Objects.requireNonNull;
+
 import lightning.scene.value.Attenuation;
 
 /**
@@ -57,12 +59,12 @@ record PovFade(double gain, double distance, double power, boolean isExact) {
             double factor = f > n ? (atFar - atNear) / (f - n) : atNear / n;
             PovFade fade = of(Math.max(atNear - factor * n, 0), factor, power, far, false);
             double error = fade.maxError(a, near, far);
-            if (error < minError) {
-                minError = error;
+            if (best == null || error < minError) {
                 best = fade;
             }
+            minError = error < minError ? error : minError;
         }
-        return best;
+        return requireNonNull(best);
     }
 
     private double maxError(Attenuation a, double near, double far) {

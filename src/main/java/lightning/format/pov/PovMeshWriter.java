@@ -8,6 +8,7 @@ import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
 import lightning.scene.node.Mesh;
 import lightning.scene.node.Solid;
+import org.jspecify.annotations.Nullable;
 
 /** Writer for meshes as POV-Ray's {@code mesh2}; each mesh is declared once for all its shapes. */
 final class PovMeshWriter {
@@ -55,7 +56,7 @@ final class PovMeshWriter {
         return name == null ? "union {" : "object { " + name;
     }
 
-    private void writeMesh(String name, Mesh mesh) {
+    private void writeMesh(@Nullable String name, Mesh mesh) {
         declarations.append("#declare ").append(name).append(" = mesh2 {\n");
         writeVectors("vertex_vectors", mesh.positions(), 3);
         if (mesh.normals() != null) {

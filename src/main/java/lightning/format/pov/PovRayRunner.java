@@ -100,7 +100,7 @@ public final class PovRayRunner {
             throws IOException, InterruptedException {
         inTempFolder(scene, folder -> {
             wrapper.run(() -> traceMs(folder, command(width, height, threads, sampling, "+FN8", "+Opicture.png")));
-            return null;
+            return true;
         });
     }
 

@@ -10,4 +10,7 @@
  * <p>Coordinates stay unchanged: POV-Ray's camera gets right-handed axes. Features that POV-Ray does not support exactly are
  * listed in {@link lightning.format.pov.PovScene#losses()} and in the file.
  */
+@NullMarked
 package lightning.format.pov;
+
+import org.jspecify.annotations.NullMarked;

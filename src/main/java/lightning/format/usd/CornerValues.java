@@ -4,6 +4,7 @@ import java.io.IOException;
 import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.VertexKeyTable;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Values at the corners of faces: normals, texture coordinates or colors.
@@ -39,7 +40,7 @@ record CornerValues(float[] values, int stride, Level level, int[] indices) {
      *
      * @throws MeshException if an index is beyond the values, or if they do not suffice
      */
-    static CornerValues read(UsdStage stage, JsonValue in, int stride, int faces, int points, int corners)
+    static @Nullable CornerValues read(UsdStage stage, JsonValue in, int stride, int faces, int points, int corners)
             throws IOException, MeshException {
         if (!in.isPresent()) {
             return null;
@@ -143,7 +144,7 @@ record CornerValues(float[] values, int stride, Level level, int[] indices) {
     }
 
     /** Copies a value. */
-    void copy(int index, float[] out, int vertex) {
+    void copy(int index, float @Nullable [] out, int vertex) {
         System.arraycopy(values, stride * index, out, stride * vertex, stride);
     }
 }

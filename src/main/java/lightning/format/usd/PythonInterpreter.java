@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import lightning.base.file.SearchPath;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Python's interpreter: the one that the environment variable {@value #VARIABLE} names, or the first {@code python3} or {@code python} of the
@@ -21,7 +22,7 @@ final class PythonInterpreter {
      * @param chosen value of the variable; null or empty for none
      * @throws IOException if there is none; the message asks for it
      */
-    static Path find(String chosen, SearchPath path) throws IOException {
+    static Path find(@Nullable String chosen, SearchPath path) throws IOException {
         if (chosen != null && !chosen.isEmpty()) {
             return SearchPath.program("", chosen).or(() -> path.find(chosen)).orElseThrow(() -> new IOException(
                     Messages.tr("{0} names {1}, which is not a program", VARIABLE, Quote.of(chosen))));

@@ -3,6 +3,7 @@ package lightning.format.usd;
 import java.io.IOException;
 import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.MeshException;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Polygons of a stage's mesh.
@@ -16,8 +17,8 @@ import lightning.format.mesh.MeshException;
  * @param colors       null if absent
  * @param origin       face of the stage's mesh that each face is a part of; null if they are the same
  */
-record UsdFaces(float[] points, int[] counts, int[] corners, boolean isLeftHanded, CornerValues normals, CornerValues coordinates,
-        CornerValues colors, int[] origin) {
+record UsdFaces(float[] points, int[] counts, int[] corners, boolean isLeftHanded, @Nullable CornerValues normals,
+        @Nullable CornerValues coordinates, @Nullable CornerValues colors, int @Nullable [] origin) {
     static UsdFaces read(UsdStage stage, JsonValue in) throws IOException, MeshException {
         float[] points = stage.floats(in.get("points"));
         int[] counts = stage.ints(in.get("counts"));

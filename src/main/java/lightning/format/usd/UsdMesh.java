@@ -1,5 +1,7 @@
 package lightning.format.usd;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -14,13 +16,14 @@ import lightning.format.mesh.VertexColors;
 import lightning.format.mesh.VertexKeyTable;
 import lightning.format.mesh.VertexNormals;
 import lightning.scene.node.Mesh;
+import org.jspecify.annotations.Nullable;
 
 /** Polygons of a stage's mesh, as triangles in one mesh for each of its materials. */
 public final class UsdMesh {
     private static final int MIN_CORNERS = 3;
 
     private final UsdFaces faces;
-    private final float[] smoothNormals;
+    private final float @Nullable [] smoothNormals;
     private final PolygonTriangulator triangulator = new PolygonTriangulator();
 
     private UsdMesh(UsdFaces faces, boolean isSmooth) {
@@ -84,7 +87,7 @@ public final class UsdMesh {
         }
     }
 
-    private Mesh part(int[] parts, int part, ConversionNotes notes) {
+    private @Nullable Mesh part(int[] parts, int part, ConversionNotes notes) {
         CornerValues normals = faces.normals();
         CornerValues coordinates = faces.coordinates();
         CornerValues colors = faces.colors();
@@ -126,10 +129,10 @@ public final class UsdMesh {
                 System.arraycopy(smoothNormals, 3 * point, normal, 3 * v, 3);
             }
             if (uv != null) {
-                faces.coordinates().copy(values.key(value, 0), uv, v);
+                requireNonNull(faces.coordinates()).copy(values.key(value, 0), uv, v);
             }
             if (rgb != null) {
-                faces.colors().copy(values.key(value, 1), rgb, v);
+                requireNonNull(faces.colors()).copy(values.key(value, 1), rgb, v);
             }
         }
         if (normal != null) {

@@ -1,5 +1,7 @@
 package lightning.format.usd;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.Arrays;
 import lightning.format.gltf.JsonValue;
@@ -7,6 +9,7 @@ import lightning.format.mesh.MeshException;
 import lightning.format.mesh.subdivision.ControlMesh;
 import lightning.format.mesh.subdivision.RefinedMesh;
 import lightning.format.mesh.subdivision.SubdivisionSurface;
+import org.jspecify.annotations.Nullable;
 
 /** Refinement of a stage's subdivision surfaces. */
 public final class UsdSubdivision {
@@ -77,8 +80,8 @@ public final class UsdSubdivision {
         int[] counts = Arrays.stream(faces.counts()).map(Math::abs).toArray();
         var points = new NumberColumns(faces.points().length / POSITION);
         points.add(POSITION, faces.points());
-        int pointCoordinates = hasSmoothCoordinates ? points.add(faces.coordinates().ofPoints(points.rows())) : -1;
-        int pointColors = hasSmoothColors ? points.add(faces.colors().ofPoints(points.rows())) : -1;
+        int pointCoordinates = hasSmoothCoordinates ? points.add(requireNonNull(faces.coordinates()).ofPoints(points.rows())) : -1;
+        int pointColors = hasSmoothColors ? points.add(requireNonNull(faces.colors()).ofPoints(points.rows())) : -1;
         var corners = new NumberColumns(faces.corners().length);
         int coordinates = faces.coordinates() == null || hasSmoothCoordinates ? -1
                 : corners.add(faces.coordinates().ofCorners(counts, faces.corners()));
@@ -137,8 +140,8 @@ public final class UsdSubdivision {
     }
 
     /** Returns a refined column of points or corners; null if there is none. */
-    private static CornerValues values(RefinedMesh fine, NumberColumns points, int pointColumn, NumberColumns corners, int cornerColumn,
-            int width) {
+    private static @Nullable CornerValues values(RefinedMesh fine, NumberColumns points, int pointColumn, NumberColumns corners,
+            int cornerColumn, int width) {
         if (pointColumn >= 0) {
             return CornerValues.ofPoints(NumberColumns.column(fine.points(), points.stride(), pointColumn, width), width);
         }

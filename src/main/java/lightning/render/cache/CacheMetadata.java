@@ -5,15 +5,16 @@ import lightning.render.gather.GatherStructure;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
 import lightning.scene.IndirectSettings;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Metadata of a cached image, without its rows and colors: the data required to interpret these if they are stored elsewhere.
  *
- * @param indirect         indirect light of the scene; null for none
- * @param mirroredIndirect indirect light in mirrors; null for none
+ * @param indirect         indirect light of the scene
+ * @param mirroredIndirect indirect light in mirrors
  */
 public record CacheMetadata(Geometry geometry, RenderedScenes scenes, List<CachedLight> lights, List<CachedLight> mirroredLights,
-        Paths indirect, Paths mirroredIndirect) {
+        @Nullable Paths indirect, @Nullable Paths mirroredIndirect) {
     /**
      * Metadata of indirect light.
      *
@@ -21,7 +22,7 @@ public record CacheMetadata(Geometry geometry, RenderedScenes scenes, List<Cache
      * @param metadata what its paths refer to
      */
     record Paths(IndirectSettings settings, GatherStructure.Metadata metadata) {
-        static Paths of(IndirectCache cache) {
+        static @Nullable Paths of(@Nullable IndirectCache cache) {
             return cache == null ? null : new Paths(cache.settings(), cache.structure().metadata());
         }
     }

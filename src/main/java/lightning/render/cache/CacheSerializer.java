@@ -8,6 +8,7 @@ import lightning.render.shading.BounceImages;
 import lightning.render.shading.EdgeColors;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.SampleCells;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Serializer of a cached image's columns, in two parts: rows, layers, edge colors and paths of indirect light, which edits of weights do
@@ -81,7 +82,7 @@ public final class CacheSerializer {
         write(tile.images, out);
     }
 
-    private static void write(BounceImages images, ColumnWriter out) throws IOException {
+    private static void write(@Nullable BounceImages images, ColumnWriter out) throws IOException {
         out.writeFloatArrays(images == null ? null : images.mirrored());
         out.writeFloatArrays(images == null ? null : images.refracted());
     }
@@ -103,7 +104,8 @@ public final class CacheSerializer {
             tiles[i] = withColors(tiles[i], colors);
         }
         for (int i = 0; i < fine.length; i++) {
-            fine[i] = new FineTile(withColors(fine[i].first(), colors), withColors(fine[i].rest(), colors), colors.readFloatArrays());
+            fine[i] =
+                    new FineTile(withColors(fine[i].first(), colors), withColors(fine[i].rest(), colors), colors.readOptionalFloatArrays());
         }
         colors.expectEnd();
         return new PixelCache(outline.geometry(), tiles, fine,
@@ -139,19 +141,19 @@ public final class CacheSerializer {
         SampleBlock[] blocks = new SampleBlock[samples.blocks().length];
         for (int b = 0; b < blocks.length; b++) {
             SampleBlock block = samples.blocks()[b];
-            blocks[b] = new SampleBlock(block.pixels(), withColors(block.rows(), in), in.readFloatArrays());
+            blocks[b] = new SampleBlock(block.pixels(), withColors(block.rows(), in), in.readOptionalFloatArrays());
         }
         return new FineSamples(samples.cells(), samples.pixels(), blocks);
     }
 
     private static CachedTile withColors(CachedTile tile, ColumnReader in) throws IOException {
-        float[][] film = in.readFloatArrays();
+        float[][] film = in.readOptionalFloatArrays();
         return new CachedTile(tile.levels, tile.hitShapes, readImages(in), film, tile.edges);
     }
 
-    private static BounceImages readImages(ColumnReader in) throws IOException {
-        float[][] mirrored = in.readFloatArrays();
-        float[][] refracted = in.readFloatArrays();
+    private static @Nullable BounceImages readImages(ColumnReader in) throws IOException {
+        float[][] mirrored = in.readOptionalFloatArrays();
+        float[][] refracted = in.readOptionalFloatArrays();
         return mirrored == null ? null : new BounceImages(mirrored, refracted);
     }
 

@@ -6,6 +6,7 @@ import java.util.function.Function;
 import lightning.render.shading.layer.LightLayer;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Light of a cached scene with the stamp of its layers. Updates find the layers of a light through it.
@@ -14,7 +15,7 @@ import lightning.scene.light.Light;
  * @param light light of the scene with its light group applied
  * @param stamp inputs of its layers, possibly outdated if the light is off; null if there are no layers
  */
-public record CachedLight(int index, Light light, LayerStamp stamp) {
+public record CachedLight(int index, Light light, @Nullable LayerStamp stamp) {
 
     /** Returns all lights of a scene, in order, each with its stamp from {@code stamps}, or null. */
     public static List<CachedLight> ofScene(Scene scene, Function<Light, LayerStamp> stamps) {
@@ -26,7 +27,7 @@ public record CachedLight(int index, Light light, LayerStamp stamp) {
     }
 
     /** Returns its layer over a level's rows; null if it was never on. */
-    public LightLayer layer(TileLevel level) {
+    public @Nullable LightLayer layer(TileLevel level) {
         return level.layers()[index];
     }
 

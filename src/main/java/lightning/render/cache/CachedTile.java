@@ -4,6 +4,7 @@ import lightning.render.image.Film;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.EdgeColors;
 import lightning.render.trace.HitRows;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Cached data of one tile's pixel centers, or of up to 1024 finer samples of some pixels. Arrays are never written after
@@ -21,16 +22,17 @@ public final class CachedTile {
      */
     public final int[][] hitShapes;
     /** Colors that level 0's secondary rays contribute; null if there are none. */
-    public final BounceImages images;
+    public final @Nullable BounceImages images;
     /**
      * Colors of the pixel centers or samples: red, green, blue, {@code float[1024]} each. Null for samples at accuracy exact,
      * for which only the resulting pixels are stored.
      */
-    public final float[][] film;
+    public final float @Nullable [][] film;
     /** Colors by which edges are detected; null if they are not. */
-    public final EdgeColors edges;
+    public final @Nullable EdgeColors edges;
 
-    public CachedTile(TileLevel[] levels, int[][] hitShapes, BounceImages images, float[][] film, EdgeColors edges) {
+    public CachedTile(TileLevel[] levels, int[][] hitShapes, @Nullable BounceImages images, float @Nullable [][] film,
+            @Nullable EdgeColors edges) {
         this.levels = levels;
         this.hitShapes = hitShapes;
         this.images = images;

@@ -1,5 +1,7 @@
 package lightning.render.cache;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.function.BiFunction;
@@ -67,7 +69,7 @@ public record FineSamples(SampleCells cells, short[] pixels, SampleBlock[] block
     FineSamples map(SamplePositions centers, BiFunction<SamplePositions, CachedTile, CachedTile> change) {
         return new FineSamples(cells, pixels, Arrays.stream(blocks).map(block -> {
             CachedTile rows = change.apply(block.positions(centers, cells), block.rows());
-            return new SampleBlock(block.pixels(), rows, means(block, rows.film));
+            return new SampleBlock(block.pixels(), rows, means(block, requireNonNull(rows.film)));
         }).toArray(SampleBlock[]::new));
     }
 

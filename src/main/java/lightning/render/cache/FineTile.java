@@ -7,6 +7,7 @@ import java.util.stream.Stream;
 import lightning.render.image.Film;
 import lightning.render.shading.SampleMean;
 import lightning.render.trace.SamplePositions;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Anti-aliased tile of the image: its finer samples and the resulting pixels.
@@ -15,19 +16,19 @@ import lightning.render.trace.SamplePositions;
  * @param rest  further samples of those of these pixels whose first samples differ visibly
  * @param film  tile of the film: red, green, blue, {@code float[1024]} each
  */
-public record FineTile(FineSamples first, FineSamples rest, float[][] film) {
+public record FineTile(FineSamples first, FineSamples rest, float @Nullable [][] film) {
 
     /**
      * Creates the tile of samples and centers.
      *
      * @param center colors of the tile's pixel centers; null if all pixels have several samples
      */
-    public static FineTile of(float[][] center, FineSamples first, FineSamples rest) {
+    public static FineTile of(float @Nullable [][] center, FineSamples first, FineSamples rest) {
         return new FineTile(first, rest, film(center, first, SampleBlock::means, rest, SampleBlock::means));
     }
 
-    private static float[][] film(float[][] center, FineSamples first, Function<SampleBlock, float[][]> firstMeans, FineSamples rest,
-            Function<SampleBlock, float[][]> restMeans) {
+    private static float[][] film(float @Nullable [][] center, FineSamples first, Function<SampleBlock, float[][]> firstMeans,
+            FineSamples rest, Function<SampleBlock, float[][]> restMeans) {
         float[][] film = center == null ? new float[3][Film.TILE_PIXELS]
                 : new float[][] {center[0].clone(), center[1].clone(), center[2].clone()};
         first.forEachMean(firstMeans, (pixel, red, green, blue) -> {
@@ -51,7 +52,7 @@ public record FineTile(FineSamples first, FineSamples rest, float[][] film) {
      * @param center rows of the pixel centers, or null if all pixels have several samples
      * @param colors returns the colors of rows
      */
-    public float[][] film(CachedTile center, Function<CachedTile, float[][]> colors) {
+    public float[][] film(@Nullable CachedTile center, Function<CachedTile, float[][]> colors) {
         return film(center == null ? null : colors.apply(center), first, block -> first.means(block, colors.apply(block.rows())), rest,
                 block -> rest.means(block, colors.apply(block.rows())));
     }
@@ -74,10 +75,10 @@ public record FineTile(FineSamples first, FineSamples rest, float[][] film) {
     /**
      * Returns the tile with changed rows, which then have colors.
      *
-     * @param center  the changed rows of the pixel centers, or null
+     * @param center  the changed rows of the pixel centers
      * @param centers positions of the tile
      */
-    public FineTile map(CachedTile center, SamplePositions centers, BiFunction<SamplePositions, CachedTile, CachedTile> change) {
+    public FineTile map(@Nullable CachedTile center, SamplePositions centers, BiFunction<SamplePositions, CachedTile, CachedTile> change) {
         return of(center == null ? null : center.film, first.map(centers, change), rest.map(centers, change));
     }
 }

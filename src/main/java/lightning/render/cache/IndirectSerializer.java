@@ -1,5 +1,7 @@
 package lightning.render.cache;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
@@ -7,6 +9,7 @@ import lightning.render.gather.GatherStructure;
 import lightning.render.gather.RowWeights;
 import lightning.render.shading.IndirectLight;
 import lightning.render.trace.HitRows;
+import org.jspecify.annotations.Nullable;
 
 /** Serializer of cached indirect light: its paths, the layers of its surfels, the weights of rows, and the light. */
 final class IndirectSerializer {
@@ -31,16 +34,16 @@ final class IndirectSerializer {
     /**
      * Indirect light of an image.
      *
-     * @param scene    that of the scene; null for none
-     * @param mirrored that in mirrors; null for none
+     * @param scene    that of the scene
+     * @param mirrored that in mirrors
      */
-    record Pair(IndirectCache scene, IndirectCache mirrored) {
+    record Pair(@Nullable IndirectCache scene, @Nullable IndirectCache mirrored) {
         static Pair of(PixelCache cache) {
             return new Pair(cache.indirect(), cache.mirrored().indirect());
         }
 
         /** Returns the light to which weights belong; {@link #NO_PATHS} for none. */
-        private int index(RowWeights weights) {
+        private int index(@Nullable RowWeights weights) {
             return weights == null ? NO_PATHS : scene != null && weights.structure() == scene.structure() ? 0
                     : mirrored != null && weights.structure() == mirrored.structure() ? 1 : NO_PATHS;
         }
@@ -57,10 +60,10 @@ final class IndirectSerializer {
             writeLayers(cache.indirect(), out);
         }
         if (mirrored == Mirrored.OWN_PATHS) {
-            cache.mirrored().indirect().structure().writeTo(out);
+            requireNonNull(cache.mirrored().indirect()).structure().writeTo(out);
         }
         if (mirrored.isOfItsOwn()) {
-            writeLayers(cache.mirrored().indirect(), out);
+            writeLayers(requireNonNull(cache.mirrored().indirect()), out);
         }
     }
 
@@ -78,9 +81,11 @@ final class IndirectSerializer {
         return new Pair(scene, switch (mirrored) {
             case NONE -> null;
             case SAME -> scene;
-            case SAME_PATHS -> readLayers(metadata.mirroredIndirect(), scene.structure(), in);
-            case OWN_PATHS -> readLayers(metadata.mirroredIndirect(),
-                    GatherStructure.readFrom(in, metadata.mirroredIndirect().metadata()), in);
+            case SAME_PATHS -> readLayers(requireNonNull(metadata.mirroredIndirect()), requireNonNull(scene).structure(), in);
+            case OWN_PATHS -> {
+                CacheMetadata.Paths paths = requireNonNull(metadata.mirroredIndirect());
+                yield readLayers(paths, GatherStructure.readFrom(in, paths.metadata()), in);
+            }
         });
     }
 
@@ -90,22 +95,23 @@ final class IndirectSerializer {
         for (int b = 0; b < rows.length; b++) {
             surfels[b] = new TileLevel(rows[b], LayerSerializer.read(in));
         }
-        return new IndirectCache(metadata.settings(), surfels, new IndirectLight(structure, null, null));
+        return new IndirectCache(metadata.settings(), surfels, new IndirectLight(structure, new float[3][0], null));
     }
 
     /** Writes the weights of rows. Weights of other paths are of no use and left out. */
-    static void writeWeights(RowWeights weights, Pair indirect, ColumnWriter out) throws IOException {
+    static void writeWeights(@Nullable RowWeights weights, Pair indirect, ColumnWriter out) throws IOException {
         int index = indirect.index(weights);
         out.writeInt(index);
-        if (index != NO_PATHS) {
+        if (weights != null && index != NO_PATHS) {
             weights.writeTo(out);
         }
     }
 
-    /** Reads weights of rows; null for none. */
-    static RowWeights readWeights(Pair indirect, ColumnReader in) throws IOException {
+    /** Reads weights of rows. */
+    static @Nullable RowWeights readWeights(Pair indirect, ColumnReader in) throws IOException {
         int index = in.readInt();
-        return index == NO_PATHS ? null : RowWeights.readFrom(in, (index == 0 ? indirect.scene : indirect.mirrored).structure());
+        return index == NO_PATHS ? null
+                : RowWeights.readFrom(in, requireNonNull(index == 0 ? indirect.scene : indirect.mirrored).structure());
     }
 
     /** Writes the light at gather points. */
@@ -114,7 +120,7 @@ final class IndirectSerializer {
             write(cache.indirect().light(), out);
         }
         if (Mirrored.of(cache).isOfItsOwn()) {
-            write(cache.mirrored().indirect().light(), out);
+            write(requireNonNull(cache.mirrored().indirect()).light(), out);
         }
     }
 
@@ -132,7 +138,7 @@ final class IndirectSerializer {
 
     private static IndirectCache withLight(IndirectCache dark, ColumnReader in) throws IOException {
         return new IndirectCache(dark.settings(), dark.surfels(),
-                new IndirectLight(dark.structure(), in.readFloatArrays(), in.readFloatArrays()));
+                new IndirectLight(dark.structure(), in.readFloatArrays(), in.readOptionalFloatArrays()));
     }
 
     /** Returns whether two images have the same paths and layers of surfels, and differ at most in the light. */
@@ -141,7 +147,7 @@ final class IndirectSerializer {
                 && hasSamePaths(a.mirrored().indirect(), b.mirrored().indirect());
     }
 
-    private static boolean hasSamePaths(IndirectCache a, IndirectCache b) {
+    private static boolean hasSamePaths(@Nullable IndirectCache a, @Nullable IndirectCache b) {
         if (a == null || b == null) {
             return a == b;
         }

@@ -7,6 +7,7 @@ import lightning.render.image.Film;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Pixel cache of an image, with the scenes that it shows.
@@ -95,7 +96,7 @@ public final class PixelCache {
     }
 
     /** Returns the indirect light of the scene of the film; null if it has none. */
-    public IndirectCache indirect() {
+    public @Nullable IndirectCache indirect() {
         return shown.indirect();
     }
 
@@ -122,6 +123,7 @@ public final class PixelCache {
         float[][] blue = new float[count][];
         for (int i = 0; i < count; i++) {
             float[][] film = fineTiles.length > 0 ? fineTiles[i].film() : tiles[i].film;
+            assert film != null;
             red[i] = film[0];
             green[i] = film[1];
             blue[i] = film[2];

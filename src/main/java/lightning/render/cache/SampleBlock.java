@@ -2,6 +2,7 @@ package lightning.render.cache;
 
 import lightning.render.trace.SampleCells;
 import lightning.render.trace.SamplePositions;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Samples of some pixels of a tile that are traced together.
@@ -10,7 +11,7 @@ import lightning.render.trace.SamplePositions;
  * @param rows   the samples; all of the first pixel come first
  * @param means  mean color of each pixel's samples: red, green and blue, {@code float[pixels]} each
  */
-public record SampleBlock(short[] pixels, CachedTile rows, float[][] means) {
+public record SampleBlock(short[] pixels, CachedTile rows, float @Nullable [][] means) {
     // Arrays in a record: written once by their creator.
 
     /** Returns the positions of the samples in a tile. */

@@ -7,6 +7,7 @@ import lightning.render.shading.ClearTerms;
 import lightning.render.shading.composition.BranchSums;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.HitRows;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Hit rows of one level of a tile with one layer per light over them.
@@ -15,10 +16,11 @@ import lightning.render.trace.HitRows;
  * @param layers layers of the lights of the scene that the level was lit for, in order; null for lights that were never on
  * @param branches optional partial sums that speed up composing while one light is edited, or null; valid only if their key is
  *     that of the update
- * @param clearTerms optional terms of the clear rows that speed up composing, or null
- * @param weights weights of gather points for the rows, or null
+ * @param clearTerms optional terms of the clear rows that speed up composing
+ * @param weights weights of gather points for the rows
  */
-public record TileLevel(HitRows rows, LightLayer[] layers, BranchSums branches, ClearTerms clearTerms, RowWeights weights) {
+public record TileLevel(HitRows rows, LightLayer[] layers, @Nullable BranchSums branches, @Nullable ClearTerms clearTerms,
+        @Nullable RowWeights weights) {
     // An array in a record: written once by its creator.
 
     /** Creates a level without partial sums, terms of clear rows and weights. */
@@ -27,17 +29,17 @@ public record TileLevel(HitRows rows, LightLayer[] layers, BranchSums branches, 
     }
 
     /** Returns this level with other partial sums and terms of clear rows. */
-    public TileLevel withCached(BranchSums sums, ClearTerms terms) {
+    public TileLevel withCached(@Nullable BranchSums sums, @Nullable ClearTerms terms) {
         return sums == branches && terms == clearTerms ? this : new TileLevel(rows, layers, sums, terms, weights);
     }
 
     /** Returns this level with other owners of its rows, or none. */
-    public TileLevel withOwner(int[] owner) {
+    public TileLevel withOwner(int @Nullable [] owner) {
         return new TileLevel(rows.withOwner(owner), layers, branches, clearTerms, weights);
     }
 
     /** Returns this level with other weights of gather points, or none. */
-    public TileLevel withWeights(RowWeights to) {
+    public TileLevel withWeights(@Nullable RowWeights to) {
         return to == weights ? this : new TileLevel(rows, layers, branches, clearTerms, to);
     }
 

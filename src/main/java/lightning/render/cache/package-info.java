@@ -5,4 +5,7 @@
  * level has its hit rows and, for each light, one layer over them. Rows map many-to-one to pixels. All objects are immutable:
  * an update creates new tiles that share every unchanged column, so that a canceled update has no effect.
  */
+@NullMarked
 package lightning.render.cache;
+
+import org.jspecify.annotations.NullMarked;

@@ -6,6 +6,7 @@ import java.lang.foreign.MemorySegment;
 import java.lang.foreign.ValueLayout;
 import java.nio.ByteOrder;
 import java.util.zip.CRC32C;
+import org.jspecify.annotations.Nullable;
 
 /** Reader for the output of a {@link ColumnWriter}. Verifies the checksum first, so that damaged data is never read. */
 public final class ColumnReader {
@@ -60,7 +61,7 @@ public final class ColumnReader {
     }
 
     /** Reads an array of elements of a type, or null. */
-    public Object readArray(ElementType element) throws IOException {
+    public @Nullable Object readArray(ElementType element) throws IOException {
         int length = readInt();
         if (length == ColumnWriter.ABSENT) {
             return null;
@@ -93,8 +94,16 @@ public final class ColumnReader {
         };
     }
 
+    private Object readExistingArray(ElementType element) throws IOException {
+        Object array = readArray(element);
+        if (array == null) {
+            throw new IOException("expected an array, found none");
+        }
+        return array;
+    }
+
     public byte[] readBytes() throws IOException {
-        return (byte[]) readArray(ElementType.BYTE);
+        return (byte[]) readExistingArray(ElementType.BYTE);
     }
 
     /** Reads an array of characters that is not null. */
@@ -116,19 +125,33 @@ public final class ColumnReader {
     }
 
     public int[] readInts() throws IOException {
+        return (int[]) readExistingArray(ElementType.INT);
+    }
+
+    /** Reads an array of integers, or null. */
+    public int @Nullable [] readOptionalInts() throws IOException {
         return (int[]) readArray(ElementType.INT);
     }
 
     public float[] readFloats() throws IOException {
-        return (float[]) readArray(ElementType.FLOAT);
+        return (float[]) readExistingArray(ElementType.FLOAT);
     }
 
     public short[] readShorts() throws IOException {
-        return (short[]) readArray(ElementType.SHORT);
+        return (short[]) readExistingArray(ElementType.SHORT);
+    }
+
+    /** Reads several columns of floats. */
+    public float[][] readFloatArrays() throws IOException {
+        float[][] columns = readOptionalFloatArrays();
+        if (columns == null) {
+            throw new IOException("expected columns, found none");
+        }
+        return columns;
     }
 
     /** Reads several columns of floats, or null. */
-    public float[][] readFloatArrays() throws IOException {
+    public float @Nullable [][] readOptionalFloatArrays() throws IOException {
         int count = readInt();
         if (count == ColumnWriter.ABSENT) {
             return null;
@@ -146,6 +169,7 @@ public final class ColumnReader {
     /** Reads all columns of a class of kinds. */
     public <C extends Enum<C> & ColumnKind> ColumnSet<C> readColumns(Class<C> kinds) throws IOException {
         C[] kindValues = kinds.getEnumConstants();
+        @Nullable
         Object[] columns = new Object[kindValues.length];
         for (C kind : kindValues) {
             columns[kind.ordinal()] = readArray(kind.element());

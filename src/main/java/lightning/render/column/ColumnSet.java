@@ -1,7 +1,10 @@
 package lightning.render.column;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Columns of some rows, by kind. Each entry is fixed after construction. Hot code reads the arrays from fields of the rows,
@@ -21,9 +24,9 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
     /** All kinds, by ordinal. */
     private final C[] kinds;
     /** Columns by the kind's ordinal; null for missing ones. Ends with the last existing one, since there are millions of sets. */
-    private final Object[] columns;
+    private final @Nullable Object[] columns;
 
-    private ColumnSet(C[] kinds, Object[] columns) {
+    private ColumnSet(C[] kinds, @Nullable Object[] columns) {
         this.kinds = kinds;
         int length = columns.length;
         while (length > 0 && columns[length - 1] == null) {
@@ -33,7 +36,7 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
     }
 
     /** Returns a copy of the columns with a place for each kind. */
-    private Object[] copy() {
+    private @Nullable Object[] copy() {
         return Arrays.copyOf(columns, kinds.length);
     }
 
@@ -48,7 +51,7 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
      *
      * @param columns one array for each of the first kinds, in their order; null for missing ones
      */
-    public static <C extends Enum<C> & ColumnKind> ColumnSet<C> of(Class<C> kinds, Object... columns) {
+    public static <C extends Enum<C> & ColumnKind> ColumnSet<C> of(Class<C> kinds, @Nullable Object... columns) {
         C[] allKinds = kindsOf(kinds);
         if (columns.length > allKinds.length) {
             throw new IllegalArgumentException("expected at most " + allKinds.length + " columns, found " + columns.length);
@@ -59,6 +62,7 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
     /** Allocates columns of some kinds for {@code rows} rows, all 0. */
     public static <C extends Enum<C> & ColumnKind> ColumnSet<C> allocate(Class<C> kinds, Set<C> selected, int rows) {
         C[] allKinds = kindsOf(kinds);
+        @Nullable
         Object[] columns = new Object[allKinds.length];
         for (C kind : selected) {
             columns[kind.ordinal()] = kind.element().column(rows);
@@ -68,6 +72,7 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
 
     /** Returns these columns; columns of {@code source} take precedence. */
     public ColumnSet<C> with(ColumnSet<C> source) {
+        @Nullable
         Object[] merged = copy();
         for (C kind : kinds) {
             if (source.has(kind)) {
@@ -78,7 +83,8 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
     }
 
     /** Returns these columns with another array of a kind, or without it if null. */
-    public ColumnSet<C> with(C kind, Object column) {
+    public ColumnSet<C> with(C kind, @Nullable Object column) {
+        @Nullable
         Object[] changed = copy();
         changed[kind.ordinal()] = column;
         return new ColumnSet<>(kinds, changed);
@@ -86,6 +92,7 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
 
     /** Returns these columns without some kinds. */
     public ColumnSet<C> without(Set<C> removed) {
+        @Nullable
         Object[] kept = copy();
         for (C kind : removed) {
             kept[kind.ordinal()] = null;
@@ -99,28 +106,36 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
     }
 
     /** Returns the array of a kind, typed by its element type; null if missing. */
-    public Object get(C kind) {
+    public @Nullable Object find(C kind) {
         int i = kind.ordinal();
         return i < columns.length ? columns[i] : null;
     }
 
+    /** Returns the array of a kind that is not missing. */
+    public Object get(C kind) {
+        return requireNonNull(find(kind));
+    }
+
     public boolean has(C kind) {
-        return get(kind) != null;
+        return find(kind) != null;
     }
 
     /** Returns these columns; replaces float columns of some kinds by shared ones if {@code count} rows have one value. */
     public ColumnSet<C> withUniform(Set<C> candidates, int count) {
         ColumnSet<C> set = this;
         for (C kind : candidates) {
-            float[] column = (float[]) get(kind);
-            float[] shared = UniformColumns.share(column, count);
-            set = shared == column ? set : set.with(kind, shared);
+            if (has(kind)) {
+                float[] column = (float[]) get(kind);
+                float[] shared = UniformColumns.share(column, count);
+                set = shared == column ? set : set.with(kind, shared);
+            }
         }
         return set;
     }
 
     /** Returns copies of these columns for {@code count} rows; shared columns stay shared. */
     public ColumnSet<C> deepCopy(int count) {
+        @Nullable
         Object[] copies = copy();
         for (C kind : kinds) {
             if (has(kind)) {
@@ -148,7 +163,7 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
     public long newBytes(ColumnSet<C> previous) {
         long bytes = 0;
         for (C kind : kinds) {
-            bytes += get(kind) == previous.get(kind) ? 0 : bytes(kind);
+            bytes += find(kind) == previous.find(kind) ? 0 : bytes(kind);
         }
         return bytes;
     }

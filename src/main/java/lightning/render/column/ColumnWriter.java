@@ -5,6 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.channels.WritableByteChannel;
 import java.util.zip.CRC32C;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Writer of consecutive columns: numbers, and arrays after their lengths, little-endian. The output ends with a checksum of
@@ -35,7 +36,7 @@ public final class ColumnWriter {
     }
 
     /** Writes an array of a type of {@link ElementType}, of characters or of long integers, or null. */
-    public void writeArray(Object column) throws IOException {
+    public void writeArray(@Nullable Object column) throws IOException {
         switch (column) {
             case null -> writeInt(ABSENT);
             case byte[] a -> {
@@ -88,7 +89,7 @@ public final class ColumnWriter {
     }
 
     /** Writes several columns of floats, or null. */
-    public void writeFloatArrays(float[][] columns) throws IOException {
+    public void writeFloatArrays(float @Nullable [][] columns) throws IOException {
         writeInt(columns == null ? ABSENT : columns.length);
         for (float[] column : columns == null ? new float[0][] : columns) {
             writeArray(column);
@@ -98,7 +99,7 @@ public final class ColumnWriter {
     /** Writes all columns of a set, and which of them are missing. */
     public <C extends Enum<C> & ColumnKind> void writeColumns(ColumnSet<C> columns) throws IOException {
         for (C kind : columns.kinds()) {
-            writeArray(columns.get(kind));
+            writeArray(columns.find(kind));
         }
     }
 

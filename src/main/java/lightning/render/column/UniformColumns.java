@@ -25,11 +25,10 @@ public final class UniformColumns {
     private UniformColumns() {}
 
     /**
-     * Returns the shared column for the value of the first {@code count} rows; returns the given column if these differ, or
-     * null for null.
+     * Returns the shared column for the value of the first {@code count} rows; returns the given column if these differ.
      */
     public static float[] share(float[] column, int count) {
-        if (column == null || count < MIN_ROWS || Arrays.mismatch(column, 0, count - 1, column, 1, count) >= 0) {
+        if (count < MIN_ROWS || Arrays.mismatch(column, 0, count - 1, column, 1, count) >= 0) {
             return column;
         }
         int bits = Float.floatToRawIntBits(column[0]);

@@ -24,6 +24,7 @@ import lightning.scene.AntialiasMode;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
+import org.jspecify.annotations.Nullable;
 
 /** Computes the indirect light of a scene for a full trace: stores nothing but the light of gather points. */
 final class IndirectTracer {
@@ -57,7 +58,7 @@ final class IndirectTracer {
         }
 
         /** Computes the light of a block; {@code edges} is null without edge detection. */
-        void shade(HitRows rows, int[] numbers, WeightedLight[] edgeLights, float[][] direct, float[][] edges, float[][] albedo,
+        void shade(HitRows rows, int[] numbers, WeightedLight[] edgeLights, float[][] direct, float @Nullable [][] edges, float[][] albedo,
                 float[][] glow) {
             columns.reset();
             LightLayer[] layers = new LightLayer[lights.length];
@@ -79,6 +80,7 @@ final class IndirectTracer {
      *
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
+    @Nullable
     IndirectLight trace() {
         Optional<IndirectSettings> settings = scene.picture().indirect();
         if (settings.isEmpty()) {

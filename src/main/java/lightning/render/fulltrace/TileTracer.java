@@ -1,5 +1,7 @@
 package lightning.render.fulltrace;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.function.BiConsumer;
@@ -34,6 +36,7 @@ import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
+import org.jspecify.annotations.Nullable;
 
 /** Traces tiles one after the other and stores only their pixels. Use one instance per thread and engine. */
 final class TileTracer {
@@ -46,11 +49,11 @@ final class TileTracer {
     private final HitRows[] centerLevels;
     private final HitRows[] sampleLevels;
     /** Those of the current rays. */
-    private HitRows[] levels;
+    private HitRows[] levels = {};
     private final LightLayer[] layers;
-    private final float[][] samples;
+    private final float @Nullable [][] samples;
     /** Colors by which edges are detected; null without edge detection. */
-    private final float[][] edgeColors;
+    private final float @Nullable [][] edgeColors;
     private final SampleCells firstCells;
     private final SampleCells restCells;
     private long eyeRays;
@@ -64,14 +67,15 @@ final class TileTracer {
      * @param indirect         indirect light of the first level; null if the scene has none
      * @param mirroredIndirect indirect light of the levels in mirrors; null if their scene has none
      */
-    record SceneLights(WeightedLight[] direct, WeightedLight[] mirrored, IndirectLight indirect, IndirectLight mirroredIndirect) {
+    record SceneLights(WeightedLight[] direct, WeightedLight[] mirrored, @Nullable IndirectLight indirect,
+            @Nullable IndirectLight mirroredIndirect) {
         static SceneLights of(RenderedScenes scenes) {
             WeightedLight[] lights = WeightedLight.ofScene(scenes.scene());
             return new SceneLights(lights, scenes.mirrored() == scenes.scene() ? lights : WeightedLight.ofScene(scenes.mirrored()), null,
                     null);
         }
 
-        SceneLights withIndirect(IndirectLight light, IndirectLight inMirrors) {
+        SceneLights withIndirect(@Nullable IndirectLight light, @Nullable IndirectLight inMirrors) {
             return new SceneLights(direct, mirrored, light, inMirrors);
         }
     }
@@ -89,10 +93,11 @@ final class TileTracer {
         /** Composes the colors by which edges are detected. */
         private final TileComposer edgeComposer;
         /** Null if the scene has no indirect light, as the weigher. */
-        private final IndirectLight indirect;
-        private final RowWeigher weigher;
+        private final @Nullable IndirectLight indirect;
+        private final @Nullable RowWeigher weigher;
 
-        LevelContext(Geometry geometry, Scene scene, WeightedLight[] lights, IndirectLight indirect, Engine engine, Tracer tracer) {
+        LevelContext(Geometry geometry, Scene scene, WeightedLight[] lights, @Nullable IndirectLight indirect, Engine engine,
+                Tracer tracer) {
             this.lights = lights;
             this.indirect = indirect;
             weigher = indirect == null ? null : new RowWeigher(indirect.structure());
@@ -112,7 +117,7 @@ final class TileTracer {
      *
      * @param edges the same as edge detection sees them; null without edge detection
      */
-    private record BouncedColors(BounceImages colors, BounceImages edges) {}
+    private record BouncedColors(@Nullable BounceImages colors, @Nullable BounceImages edges) {}
 
     /** @param lights lights of both scenes, shared by all threads and not modified */
     TileTracer(Geometry geometry, Geometry mirroredGeometry, RenderedScenes scenes, SceneLights lights, SamplingSettings sampling,
@@ -148,7 +153,7 @@ final class TileTracer {
     /** Traces the centers of a tile's pixels; returns the colors by which edges are detected. */
     EdgeColors traceCentersWithEdges(Film film, int tile, Progress progress) {
         traceCenters(film, tile, true, progress);
-        return new EdgeColors(EdgeColors.pack(edgeColors), null);
+        return new EdgeColors(EdgeColors.pack(requireNonNull(edgeColors)), null);
     }
 
     private void traceCenters(Film film, int tile, boolean detectEdges, Progress progress) {
@@ -171,12 +176,12 @@ final class TileTracer {
         forEachBatch(film, tile, pixels, firstCells, refines, (batch, colors) -> {
             float[][] pixel = tileColors(film, tile);
             float[][] means = SampleMean.ofPixels(batch.length, firstCells.count(), colors);
-            int[] packed = refines ? EdgeColors.pack(edgeColors) : null;
+            int[] packed = refines ? EdgeColors.pack(requireNonNull(edgeColors)) : null;
             for (int i = 0; i < batch.length; i++) {
                 for (int c = 0; c < 3; c++) {
                     pixel[c][batch[i]] = means[c][i];
                 }
-                refined.set(batch[i], refines && EdgeColors.needMore(packed, i * firstCells.count(), firstCells.count()));
+                refined.set(batch[i], packed != null && EdgeColors.needMore(packed, i * firstCells.count(), firstCells.count()));
             }
         }, progress);
         forEachBatch(film, tile, EdgeDetector.toPixels(refined), restCells, false, (batch, colors) -> {
@@ -196,13 +201,14 @@ final class TileTracer {
             BiConsumer<short[], float[][]> consumer, Progress progress) {
         int batchSize = pixels.length == 0 ? 0 : SampleMean.pixelsPerBatch(cells.count());
         levels = sampleLevels;
+        float[][] colors = requireNonNull(samples);
         for (int from = 0; from < pixels.length && !progress.isCanceled(); from += batchSize) {
             short[] batch = Arrays.copyOfRange(pixels, from, Math.min(pixels.length, from + batchSize));
             var places = new SamplePositions(tile % film.tilesX() * Film.TILE_SIZE, tile / film.tilesX() * Film.TILE_SIZE, batch, cells);
             eyeLevel.visibility.traceSamples(places, (count, textured, clear) -> levelRows(0));
             eyeRays += places.count();
-            composeTile(places, detectEdges, samples, progress);
-            consumer.accept(batch, samples);
+            composeTile(places, detectEdges, colors, progress);
+            consumer.accept(batch, colors);
         }
     }
 
@@ -211,7 +217,7 @@ final class TileTracer {
         BouncedColors images = traceImages(0, detectEdges, progress);
         eyeLevel.composer.fillBackground(levels[0], eyeLevel.scene, places, colors);
         if (detectEdges) {
-            eyeLevel.edgeComposer.fillBackground(levels[0], eyeLevel.scene, places, edgeColors);
+            eyeLevel.edgeComposer.fillBackground(levels[0], eyeLevel.scene, places, requireNonNull(edgeColors));
         }
         compose(eyeLevel, 0, images, colors, detectEdges ? edgeColors : null, progress);
     }
@@ -230,25 +236,29 @@ final class TileTracer {
                 mirrorLevels.visibility.traceBounceRays(rows, bounce, null, (count, textured, clear) -> levelRows(level + 1));
                 bounceRays += mirrorLevels.visibility.rayCount();
                 BouncedColors below = traceImages(level + 1, detectEdges, progress);
-                compose(mirrorLevels, level + 1, below, images.forBounce(bounce), detectEdges ? edges.forBounce(bounce) : null, progress);
+                assert images != null;
+                compose(mirrorLevels, level + 1, below, images.forBounce(bounce), edges != null ? edges.forBounce(bounce) : null, progress);
             }
         }
         return new BouncedColors(images, edges);
     }
 
     /** @param edgeTo receives the colors by which edges are detected; null without edge detection */
-    private void compose(LevelContext side, int level, BouncedColors images, float[][] to, float[][] edgeTo, Progress progress) {
+    private void compose(LevelContext side, int level, BouncedColors images, float[][] to, float @Nullable [][] edgeTo, Progress progress) {
         columns.reset();
         for (int l = 0; l < side.lights.length && !progress.isCanceled(); l++) {
             layers[l] = side.lights[l].isDark() ? null : side.kernel.recompute(levels[level], side.lights[l].source(), columns);
         }
         if (!progress.isCanceled()) {
-            RowWeights weights = side.indirect == null ? null : side.weigher.weigh(levels[level]);
+            RowWeights weights = side.weigher == null ? null : side.weigher.weigh(levels[level]);
             side.composer.composeLevel(levels[level], side.lights, layers, side.world,
-                    weights == null ? null : new IndirectRows(weights, side.indirect.light()), images.colors(), to);
+                    weights == null || side.indirect == null ? null : new IndirectRows(weights, side.indirect.light()), images.colors(),
+                    to);
             if (edgeTo != null) {
                 side.edgeComposer.composeLevel(levels[level], side.edgeLights, layers, side.world,
-                        weights == null ? null : new IndirectRows(weights, side.indirect.edgeLight()), images.edges(), edgeTo);
+                        weights == null || side.indirect == null ? null
+                                : new IndirectRows(weights, requireNonNull(side.indirect.edgeLight())),
+                        images.edges(), edgeTo);
             }
         }
     }

@@ -18,6 +18,7 @@ import lightning.render.shading.composition.EdgeDetector;
 import lightning.render.trace.Geometry;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Fastest full tracer without a cache, tile by tile: the baseline of all measured savings. */
 public final class TraditionalTracer {
@@ -86,7 +87,7 @@ public final class TraditionalTracer {
      *
      * @throws java.util.concurrent.CancellationException if {@code progress} requested cancellation
      */
-    public IndirectLight traceIndirect(WorkerPool workers, Progress progress) {
+    public @Nullable IndirectLight traceIndirect(WorkerPool workers, Progress progress) {
         return new IndirectTracer(geometry, scene, WeightedLight.ofScene(scene), engines, workers, progress).trace();
     }
 

@@ -86,6 +86,7 @@ final class CandidateTracer {
                 rowByPixel[pixels[row]] = (short) row;
             }
         }
+        assert rows.owner != null;
         SurfaceColumns sorted = new SurfaceColumns(rows.count);
         for (int row : rowByPixel) {
             if (row != NONE) {

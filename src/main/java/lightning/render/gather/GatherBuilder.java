@@ -16,6 +16,7 @@ import lightning.render.trace.Tracer;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Builds the {@link GatherStructure} of a scene on all threads. The result does not depend on their number or order. */
 public final class GatherBuilder {
@@ -38,10 +39,10 @@ public final class GatherBuilder {
     private final Tracer[] tracers;
     private final CellKeys keys;
     private final GlowShapes glows;
-    /** Paths before an edit, or null. */
-    private GatherStructure before;
-    private PathMemo memo;
-    private IntFunction<Tracer> memoTracers;
+    /** Paths before an edit. */
+    private @Nullable GatherStructure before;
+    private @Nullable PathMemo memo;
+    private @Nullable IntFunction<Tracer> memoTracers;
     private final long memoryBytes;
 
     /**
@@ -132,8 +133,8 @@ public final class GatherBuilder {
      *
      * @param after paths after the edit
      */
-    public PointChanges changes(GatherStructure after) {
-        return memo == null ? null : PointChanges.between(before, after, memo.points());
+    public @Nullable PointChanges changes(GatherStructure after) {
+        return memo == null || before == null ? null : PointChanges.between(before, after, memo.points());
     }
 
     private PathCaster caster(DirectionTable directions, PathMemory memory, boolean ofPoints) {

@@ -5,6 +5,7 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.RayBatch;
 import lightning.render.trace.Tracer;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Casts the rays by which points on surfaces gather light. Holds scratch memory: use one instance per thread. */
 final class GatherCaster {
@@ -47,7 +48,7 @@ final class GatherCaster {
      * @param links          receives the cell that each ray hit
      * @param inverseLengths receives the sum of the {@link InverseLengths} of each point's rays; null if not wanted
      */
-    void cast(RaySources points, int from, int to, RayLinks links, long[] inverseLengths) {
+    void cast(RaySources points, int from, int to, RayLinks links, long @Nullable [] inverseLengths) {
         int rays = directions.rays();
         for (int p = from; p < to; p++) {
             aim(points, p, (p - from) * rays);

@@ -6,6 +6,7 @@ import lightning.render.column.ColumnWriter;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Paths of diffuse indirect light: from surfels to surfels to gather points to rows. Determined by shapes, camera and settings alone.
@@ -21,13 +22,13 @@ public final class GatherStructure {
     /** Normals of the surfaces of surfels that cast rays. */
     private final TiltedNormals surfelNormals;
     private final GlowPaths glow;
-    private final int[] kept;
+    private final int @Nullable [] kept;
     private final int bounces;
     private final long rays;
 
     /** @param kept for each surfel before an edit its number now, −1 if its row is not the same; null after a first build */
     GatherStructure(GatherPoints points, RayLinks pointLinks, RayLinks surfelLinks, SurfelRows surfels, TiltedNormals surfelNormals,
-            GlowPaths glow, int[] kept, int bounces, long rays) {
+            GlowPaths glow, int @Nullable [] kept, int bounces, long rays) {
         this.glow = glow;
         this.points = points;
         this.pointLinks = pointLinks;
@@ -90,7 +91,7 @@ public final class GatherStructure {
      * Returns for each surfel before an edit its number now, −1 if its row is not the same. Null if this structure contains all rows;
      * otherwise it lacks those of these surfels.
      */
-    public int[] kept() {
+    public int @Nullable [] kept() {
         return kept;
     }
 

@@ -6,6 +6,7 @@ import lightning.render.trace.RayBatch;
 import lightning.render.trace.Tracer;
 import lightning.render.trace.tree.BoxRay;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Repeats the rays of points after an edit: takes those that cannot differ from a memo, and casts the others. Holds scratch memory: use
@@ -57,7 +58,7 @@ final class MemoCaster {
      * @param links          receives the cell that each ray hit
      * @param inverseLengths receives the sum of the {@link InverseLengths} of each point's rays; null if not wanted
      */
-    void cast(RaySources points, int from, int to, KnownRays known, RayLinks links, long[] inverseLengths) {
+    void cast(RaySources points, int from, int to, KnownRays known, RayLinks links, long @Nullable [] inverseLengths) {
         links.clear(from * directions.rays(), to * directions.rays());
         for (int p = from; p < to; p++) {
             int old = known.find(points, p);
@@ -107,7 +108,7 @@ final class MemoCaster {
         batch.directionZ[ray] = z[k];
     }
 
-    private void flush(SurfaceColumns points, RayLinks links, long[] inverseLengths) {
+    private void flush(SurfaceColumns points, RayLinks links, long @Nullable [] inverseLengths) {
         if (count > 0) {
             now.trace(count);
             rays += count;
@@ -125,6 +126,7 @@ final class MemoCaster {
             }
         }
         if (knownCount > 0) {
+            assert inverseLengths != null;
             before.trace(knownCount);
             rays += knownCount;
             for (int ray = 0; ray < knownCount; ray++) {

@@ -29,10 +29,10 @@ final class NearPoints {
     private int[] kept = new int[4096];
     /** Columns of the points near one place, ascending. */
     int[] near = new int[4096];
-    private float[] placesX;
-    private float[] placesY;
-    private float[] placesZ;
-    private int[] places;
+    private float[] placesX = {};
+    private float[] placesY = {};
+    private float[] placesZ = {};
+    private int[] places = {};
 
     /** Receives a place after the points near it were found. */
     interface Visitor {

@@ -10,6 +10,7 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.Tracer;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Casts the rays of gather points or surfels on all threads; after an edit only those that a memo does not know. */
 final class PathCaster {
@@ -17,13 +18,13 @@ final class PathCaster {
     private static final int MEMO_POINTS = 256;
 
     private final WorkerPool workers;
-    private final PathMemo memo;
-    private final KnownRays known;
+    private final @Nullable PathMemo memo;
+    private final @Nullable KnownRays known;
     private final boolean ofPoints;
     private final int pointsPerBatch;
     final int raysPerPoint;
     private final GatherCaster[] casters;
-    /** Null without a memo. */
+    /** None without a memo. */
     private final MemoCaster[] memoCasters;
     /** None without glowing objects. */
     private final GlowCaster[] glowCasters;
@@ -33,13 +34,13 @@ final class PathCaster {
 
     /**
      * @param tracers       one for each thread
-     * @param memo          paths before an edit, or null
+     * @param memo          paths before an edit
      * @param memoTracers   one for each thread, of the geometry before the edit
      * @param glows         glowing objects at which rays are aimed
      * @param ofPoints      whether gather points cast the rays
      */
-    PathCaster(Geometry geometry, Scene scene, WorkerPool workers, Tracer[] tracers, PathMemo memo,
-            IntFunction<Tracer> memoTracers, CellKeys keys, DirectionTable directions, GlowShapes glows, PathMemory memory,
+    PathCaster(Geometry geometry, Scene scene, WorkerPool workers, Tracer[] tracers, @Nullable PathMemo memo,
+            @Nullable IntFunction<Tracer> memoTracers, CellKeys keys, DirectionTable directions, GlowShapes glows, PathMemory memory,
             boolean ofPoints) {
         this.memory = memory;
         this.workers = workers;
@@ -50,8 +51,8 @@ final class PathCaster {
         pointsPerBatch = memo == null ? GatherCaster.pointsPerBatch(directions) : MEMO_POINTS;
         casters = new GatherCaster[tracers.length];
         Arrays.setAll(casters, worker -> new GatherCaster(geometry, scene, tracers[worker], keys, directions, glows));
-        memoCasters = memo == null ? null : new MemoCaster[tracers.length];
-        if (memo != null) {
+        memoCasters = new MemoCaster[memo == null ? 0 : tracers.length];
+        if (memo != null && memoTracers != null) {
             Arrays.setAll(memoCasters, worker -> new MemoCaster(memo, geometry, scene, tracers[worker], memoTracers.apply(worker), keys,
                     directions, glows));
         }
@@ -66,13 +67,13 @@ final class PathCaster {
      * @param inverseLengths receives the sum of the {@link InverseLengths} of each point's rays; null if not wanted
      * @param progress       receives the finished share of the points
      */
-    void cast(RaySources points, int from, int to, RayLinks links, long[] inverseLengths, Progress progress) {
+    void cast(RaySources points, int from, int to, RayLinks links, long @Nullable [] inverseLengths, Progress progress) {
         points.reserveNormals(to);
         workers.run(Math.ceilDiv(to - from, pointsPerBatch), (worker, job) -> {
             int first = from + job * pointsPerBatch;
             int end = Math.min(to, first + pointsPerBatch);
             casters[worker].findNormals(points, first, end);
-            if (memo == null) {
+            if (known == null) {
                 casters[worker].cast(points, first, end, links, inverseLengths);
             } else {
                 memoCasters[worker].cast(points, first, end, known, links, inverseLengths);
@@ -101,12 +102,12 @@ final class PathCaster {
 
     /** Returns the surfel of the memo that is the hit of a ray; {@link RayLinks#MISS} for none. */
     int knownSurfel(int worker, RaySources points, int ray) {
-        return memo == null ? RayLinks.MISS : memoCasters[worker].knownSurfel(points, ray, known, ofPoints);
+        return known == null ? RayLinks.MISS : memoCasters[worker].knownSurfel(points, ray, known, ofPoints);
     }
 
     /** Returns the number of rays cast so far. */
     long rayCount() {
         return rays + Arrays.stream(glowCasters).mapToLong(GlowCaster::rayCount).sum()
-                + (memo == null ? 0 : Arrays.stream(memoCasters).mapToLong(MemoCaster::rayCount).sum());
+                + Arrays.stream(memoCasters).mapToLong(MemoCaster::rayCount).sum();
     }
 }

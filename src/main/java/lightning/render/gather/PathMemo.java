@@ -1,5 +1,7 @@
 package lightning.render.gather;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
@@ -7,6 +9,7 @@ import lightning.render.trace.MaterialTable;
 import lightning.render.trace.ShapeChange;
 import lightning.render.trace.tree.BoxRay;
 import lightning.render.trace.tree.BoxSet;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Paths of indirect light before an edit of objects or materials. A ray that meets no changed object, before or after, hits what it hit,
@@ -82,7 +85,7 @@ public final class PathMemo {
     }
 
     private void addPlaces(HitRows rows, int[] numbers, GatherStructure before, ShapeChange shapes, CellKeys cells) {
-        int[] primitives = shapes.mapIndices(rows.owner);
+        int[] primitives = shapes.mapIndices(requireNonNull(rows.owner));
         for (int row = 0; row < rows.count; row++) {
             int surfel = numbers[rows.parent[row]];
             places.set(surfel, rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], primitives[row]);
@@ -99,7 +102,7 @@ public final class PathMemo {
      * @param shapes   edit of the shapes
      * @param after    geometry after the edit
      */
-    public static PathMemo of(GatherStructure before, HitRows[] rows, Geometry geometry, ShapeChange shapes, Geometry after,
+    public static @Nullable PathMemo of(GatherStructure before, HitRows[] rows, Geometry geometry, ShapeChange shapes, Geometry after,
             CellKeys cells) {
         BoxSet changes =
                 shapes.visibleChanges().union(changedMaterials(geometry, geometry, after)).union(changedMaterials(after, geometry, after));

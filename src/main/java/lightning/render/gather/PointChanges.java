@@ -2,6 +2,7 @@ package lightning.render.gather;
 
 import java.util.Arrays;
 import lightning.render.trace.HitRows;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Difference between the gather points before and after an edit. Points with the same place, normal, radius and barriers are unchanged if they
@@ -68,7 +69,7 @@ public final class PointChanges {
      * @param weights of the same rows before
      * @return null if they may differ
      */
-    public RowWeights keep(RowWeights weights, HitRows rows) {
+    public @Nullable RowWeights keep(RowWeights weights, HitRows rows) {
         if (weights.structure() != before || before.pointCount() == 0 || rows.count == 0) {
             return null;
         }

@@ -1,9 +1,12 @@
 package lightning.render.gather;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.Arrays;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
+import org.jspecify.annotations.Nullable;
 
 /** Surfels that the rays of points hit, by ray. First they are known by the keys of their cells, later by their numbers. */
 public final class RayLinks {
@@ -21,7 +24,7 @@ public final class RayLinks {
     private static final int MAX_RAYS = Integer.MAX_VALUE - 64;
 
     private final int raysPerPoint;
-    private final PathMemory memory;
+    private final @Nullable PathMemory memory;
     private int rays;
     private long[] keys = {};
     /** Kind of each ray's hit while links are built. */
@@ -32,13 +35,13 @@ public final class RayLinks {
     /** Surfels of the numbers after {@link #miss}: those without glow. */
     private int[] dark = {};
     /** Tint of each ray while links are built: red, green, blue; null if none is tinted. */
-    private float[][] tint;
+    private float @Nullable [][] tint;
     private boolean wasTinted;
     /** Tinted rays; null if there are none. */
-    private RayTints tints;
+    private @Nullable RayTints tints;
 
     /** @param memory null for links that are read */
-    RayLinks(int raysPerPoint, PathMemory memory) {
+    RayLinks(int raysPerPoint, @Nullable PathMemory memory) {
         this.raysPerPoint = raysPerPoint;
         this.memory = memory;
     }
@@ -52,7 +55,7 @@ public final class RayLinks {
         long count = (long) points * raysPerPoint;
         // More rays than an array holds never fit.
         int bytes = BUILD_BYTES + Integer.BYTES + (tint == null ? 0 : TINT_BUILD_BYTES);
-        memory.reserve(count - rays, count > MAX_RAYS ? Integer.MAX_VALUE : bytes);
+        requireNonNull(memory).reserve(count - rays, count > MAX_RAYS ? Integer.MAX_VALUE : bytes);
         rays = (int) count;
         if (rays > keys.length) {
             int length = (int) Math.min(MAX_RAYS, Math.max(rays, keys.length * 3L / 2));
@@ -94,7 +97,7 @@ public final class RayLinks {
 
     private synchronized float[][] allocateTints() {
         if (tint == null) {
-            memory.reserve(rays, TINT_BUILD_BYTES);
+            requireNonNull(memory).reserve(rays, TINT_BUILD_BYTES);
             float[][] all = new float[3][keys.length];
             for (float[] channel : all) {
                 Arrays.fill(channel, 1);
@@ -200,6 +203,7 @@ public final class RayLinks {
 
     private void sumTinted(int from, int firstTint, float[] light, float[] to) {
         Arrays.fill(to, 0);
+        assert tints != null;
         int tinted = firstTint;
         for (int ray = from; ray < from + raysPerPoint; ray++) {
             int at = 4 * surfel.get(ray);

@@ -3,6 +3,7 @@ package lightning.render.gather;
 import java.io.IOException;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
+import org.jspecify.annotations.Nullable;
 
 /** Numbers below a limit, one for each ray: 16 bits each, and as many more as the limit needs, rounded to a power of two. */
 final class RayNumbers {
@@ -13,7 +14,7 @@ final class RayNumbers {
 
     private final char[] low;
     /** Higher bits of all rays in words; null if there are none. */
-    private final int[] high;
+    private final int @Nullable [] high;
     /** Logarithm of the number of higher bits per ray. */
     private final int shift;
 
@@ -25,7 +26,7 @@ final class RayNumbers {
         high = bits <= 0 ? null : new int[(int) ((((long) rays << shift) + Integer.SIZE - 1) / Integer.SIZE)];
     }
 
-    private RayNumbers(char[] low, int[] high, int shift) {
+    private RayNumbers(char[] low, int @Nullable [] high, int shift) {
         this.low = low;
         this.high = high;
         this.shift = shift;
@@ -38,7 +39,7 @@ final class RayNumbers {
     }
 
     static RayNumbers readFrom(ColumnReader in) throws IOException {
-        return new RayNumbers(in.readChars(), in.readInts(), in.readInt());
+        return new RayNumbers(in.readChars(), in.readOptionalInts(), in.readInt());
     }
 
     int count() {

@@ -1,9 +1,12 @@
 package lightning.render.gather;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.Arrays;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
+import org.jspecify.annotations.Nullable;
 
 /** Points that cast rays: gather points or surfels. */
 final class RaySources {
@@ -17,7 +20,7 @@ final class RaySources {
     float[] geometricY = {};
     float[] geometricZ = {};
     /** Null while the points cast rays for the first time. */
-    private TiltedNormals tilted;
+    private @Nullable TiltedNormals tilted;
 
     RaySources(CellKeys keys, SurfaceColumns surface, boolean areSurfels) {
         this.keys = keys;
@@ -34,7 +37,7 @@ final class RaySources {
     void writeTo(ColumnWriter out) throws IOException {
         surface.writeTo(out);
         out.writeArray(levelStart);
-        tilted.writeTo(out);
+        requireNonNull(tilted).writeTo(out);
     }
 
     static RaySources readFrom(ColumnReader in, CellKeys keys) throws IOException {
@@ -46,8 +49,9 @@ final class RaySources {
 
     /** Keeps only the normals of points that are shaded by another normal, and returns them. */
     TiltedNormals packNormals() {
-        setNormals(TiltedNormals.of(geometricX, geometricY, geometricZ));
-        return tilted;
+        TiltedNormals normals = TiltedNormals.of(geometricX, geometricY, geometricZ);
+        setNormals(normals);
+        return normals;
     }
 
     void setNormals(TiltedNormals normals) {
@@ -58,7 +62,7 @@ final class RaySources {
     }
 
     long normalBytes() {
-        return tilted.bytes();
+        return requireNonNull(tilted).bytes();
     }
 
     /** Returns the index of a point's geometric normal; negative if it is shaded by that normal. */

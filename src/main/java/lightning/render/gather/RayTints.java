@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Tints of the rays that pass transparent surfaces. Immutable.
@@ -15,7 +16,7 @@ record RayTints(int[] ray, float[][] tint) {
     // Arrays in a record: written once by their creator, never after.
 
     /** Returns the tints of {@code rays} rays other than white; null if there are none. */
-    static RayTints of(float[][] dense, int rays) {
+    static @Nullable RayTints of(float[][] dense, int rays) {
         int[] ray = new int[rays];
         int count = 0;
         for (int i = 0; i < rays; i++) {
@@ -40,17 +41,16 @@ record RayTints(int[] ray, float[][] tint) {
         return found >= 0 ? found : -found - 1;
     }
 
-    /** @param tints null for none */
-    static void write(RayTints tints, ColumnWriter out) throws IOException {
+    static void write(@Nullable RayTints tints, ColumnWriter out) throws IOException {
         out.writeArray(tints == null ? null : tints.ray);
         out.writeFloatArrays(tints == null ? null : tints.tint);
     }
 
     /** Reads tints; returns null for none. */
-    static RayTints read(ColumnReader in) throws IOException {
-        int[] ray = in.readInts();
-        float[][] tint = in.readFloatArrays();
-        return ray == null ? null : new RayTints(ray, tint);
+    static @Nullable RayTints read(ColumnReader in) throws IOException {
+        int[] ray = in.readOptionalInts();
+        float[][] tint = in.readOptionalFloatArrays();
+        return ray == null || tint == null ? null : new RayTints(ray, tint);
     }
 
     int count() {

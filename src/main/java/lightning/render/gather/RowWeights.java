@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
+import org.jspecify.annotations.Nullable;
 
 /** Weights of the gather points near each row of a level: at most eight for each, fixed like the rows. Immutable. */
 public final class RowWeights {
@@ -176,6 +177,7 @@ public final class RowWeights {
     }
 
     /** Returns these weights with other numbers of the points; null if one has none. */
+    @Nullable
     RowWeights renumbered(GatherStructure to, int[] newNumber) {
         WeightedPoints renumbered = near.renumbered(newNumber);
         return renumbered == null ? null : new RowWeights(to, rows, counts, renumbered);

@@ -7,6 +7,7 @@ import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RayBatch;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Divides what rays hit into surfels, and links surfels by rays of their own for further bounces. Surfels that only a later bounce meets
@@ -20,7 +21,7 @@ final class SurfelBuilder {
     private final ProgressPart progress;
     private final CellKeys cellKeys;
     private final PathCaster caster;
-    private final PathMemo memo;
+    private final @Nullable PathMemo memo;
     private final CellTable cells = new CellTable();
     private final SurfaceColumns surfels = new SurfaceColumns();
     private final RaySources sources;
@@ -30,7 +31,7 @@ final class SurfelBuilder {
     /** Surfel of each row's parent in each block. */
     int[][] numbers = {};
     /** For each surfel of the memo its number now, −1 for none; null without a memo. */
-    final int[] kept;
+    final int @Nullable [] kept;
     final RayLinks links;
     private final GlowShapes glows;
     /** Surfels on glowing objects, ascending. */
@@ -40,12 +41,12 @@ final class SurfelBuilder {
 
     /**
      * @param caster of the surfels' rays
-     * @param memo   paths before an edit, or null
+     * @param memo   paths before an edit
      * @param memory for surfels and their rays
      * @param bytesPerSurfel bytes of a surfel without its rays
      */
-    SurfelBuilder(WorkerPool workers, ProgressPart progress, CellKeys cellKeys, PathCaster caster, PathMemo memo, PathMemory memory,
-            long bytesPerSurfel, GlowShapes glows) {
+    SurfelBuilder(WorkerPool workers, ProgressPart progress, CellKeys cellKeys, PathCaster caster, @Nullable PathMemo memo,
+            PathMemory memory, long bytesPerSurfel, GlowShapes glows) {
         this.glows = glows;
         this.memory = memory;
         this.bytesPerSurfel = bytesPerSurfel;
@@ -116,6 +117,7 @@ final class SurfelBuilder {
         }, progress.cancellationOnly());
         for (int i = 0; i < firsts.length; i++) {
             if (known[i] >= 0) {
+                assert kept != null && memo != null;
                 kept[known[i]] = before + i;
                 surfels.set(before + i, memo.places(), known[i]);
             }
@@ -163,6 +165,7 @@ final class SurfelBuilder {
             int first = job * RayBatch.MAX_RAYS;
             int end = Math.min(added.length, first + RayBatch.MAX_RAYS);
             HitRows rows = itsCaster.hits(worker, from, rays, first, end);
+            assert rows.owner != null;
             int[] number = Arrays.stream(added, first, end).map(i -> before + i).toArray();
             blocks[blocksBefore + job] = rows;
             numbers[blocksBefore + job] = number;

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Lists of weighted gather points in little more than two bytes per entry. Lists follow each other, and consecutive entries share a table
@@ -51,6 +52,7 @@ final class WeightedPoints {
     }
 
     /** Returns these lists with other numbers of the points; null if one has none. */
+    @Nullable
     WeightedPoints renumbered(int[] newNumber) {
         int[] renumbered = new int[points.length];
         for (int i = 0; i < points.length; i++) {

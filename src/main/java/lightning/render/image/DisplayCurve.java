@@ -4,6 +4,7 @@ import java.util.function.DoubleUnaryOperator;
 import lightning.base.math.CurveTable;
 import lightning.base.math.SrgbCurve;
 import lightning.render.image.aces.Aces2Table;
+import org.jspecify.annotations.Nullable;
 
 /** Tone curve from linear light to 8- or 16-bit display codes, correctly rounded. */
 public enum DisplayCurve {
@@ -31,8 +32,8 @@ public enum DisplayCurve {
     private final String title;
     private final DoubleUnaryOperator curve;
     private final double white;
-    private CodeTable table;
-    private CurveTable valueTable;
+    private @Nullable CodeTable table;
+    private @Nullable CurveTable valueTable;
 
     DisplayCurve(String word, String title, DoubleUnaryOperator curve, double white) {
         this.keyword = word;

@@ -4,4 +4,7 @@
  * <p>Colors are linear RGB of the sRGB primaries, unclamped, until {@link lightning.render.image.ViewTransform} clamps them. Pixel
  * (0, 0) is the top left one.
  */
+@NullMarked
 package lightning.render.image;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,5 +1,7 @@
 package lightning.render.measure;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
 import lightning.base.work.HeapBudget;
@@ -13,6 +15,7 @@ import lightning.render.relight.MemoryEstimate;
 import lightning.render.shading.RenderedScenes;
 import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Meter of all accuracy settings for an edit, in turns with a full trace.
@@ -25,8 +28,8 @@ public final class AccuracySweepMeter implements AutoCloseable {
     private final WorkerPool workers;
     private final InterleavedTimer timer;
     private final List<SettingRenderer> renderers = new ArrayList<>();
-    private Scene startScene;
-    private PixelCache startCache;
+    private @Nullable Scene startScene;
+    private @Nullable PixelCache startCache;
 
     /**
      * @param threads     number of threads of each setting, ≥ 1
@@ -81,11 +84,12 @@ public final class AccuracySweepMeter implements AutoCloseable {
         tasks.add(() -> InterleavedTimer.timeMs(() -> tracer.trace(workers, silent)));
         boolean isWarm = timer.warmUp(tasks, silent);
         List<Timing> times = timer.measure(tasks, progress);
-        return new AccuracySweep(before, after, startCache.film(), points(renderers, times, full.film(), silent), full.rays(), isWarm);
+        return new AccuracySweep(before, after, requireNonNull(startCache).film(), points(renderers, times, full.film(), silent),
+                full.rays(), isWarm);
     }
 
     /** Returns the cache of the scene that the last measured edit started from. */
-    public PixelCache startCache() {
+    public @Nullable PixelCache startCache() {
         return startCache;
     }
 
@@ -99,7 +103,7 @@ public final class AccuracySweepMeter implements AutoCloseable {
         long memory = HeapBudget.availableBytes();
         for (SettingRenderer renderer : renderers.stream().filter(g -> g.setting().appliesTo(before)).toList()) {
             if (renderer.setting().startsFromExact()) {
-                renderer.startFrom(startCache);
+                renderer.startFrom(requireNonNull(startCache));
             } else {
                 PixelCache cache = renderer.renderStart(before, memory, progress);
                 memory -= MemoryEstimate.usedBytes(cache);

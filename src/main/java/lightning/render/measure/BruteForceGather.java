@@ -22,6 +22,7 @@ import lightning.render.trace.Tracer;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Indirect light at single points by brute force: {@value #RAYS} cosine-distributed rays from the point, {@value #HIT_RAYS} from each hit,
@@ -61,7 +62,7 @@ final class BruteForceGather {
     private final GatherPaths point = new GatherPaths(1);
     private GatherPaths from = new GatherPaths(BATCH_RAYS);
     private GatherPaths to = new GatherPaths(BATCH_RAYS);
-    private SplittableRandom random;
+    private SplittableRandom random = new SplittableRandom(0);
 
     /** @param scene its indirect settings decide only whether the background counts */
     BruteForceGather(Scene scene, Geometry geometry) {
@@ -86,7 +87,7 @@ final class BruteForceGather {
      * @param ray  camera ray
      * @param seed selects the directions
      */
-    double[] luminances(Ray ray, long seed) {
+    double @Nullable [] luminances(Ray ray, long seed) {
         int shape = geometry.nearest(ray);
         if (shape < 0) {
             return null;

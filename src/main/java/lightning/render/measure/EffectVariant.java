@@ -1,5 +1,7 @@
 package lightning.render.measure;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
 import lightning.base.work.Progress;
@@ -15,6 +17,7 @@ import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
+import org.jspecify.annotations.Nullable;
 
 /** Variant of a scene and its edit for effect costs: plain, without one effect, or with one forced on. */
 final class EffectVariant implements AutoCloseable {
@@ -24,11 +27,11 @@ final class EffectVariant implements AutoCloseable {
     private final Scene before;
     private final Scene after;
     private final Renderer renderer;
-    private PixelCache cache;
-    private UpdateResult firstPass;
-    private UpdateResult lastUpdate;
-    private Timing firstTiming;
-    private Timing updateTiming;
+    private @Nullable PixelCache cache;
+    private @Nullable UpdateResult firstPass;
+    private @Nullable UpdateResult lastUpdate;
+    private @Nullable Timing firstTiming;
+    private @Nullable Timing updateTiming;
 
     EffectVariant(Scene before, Scene after, RenderOptions options) {
         this.before = before;
@@ -86,28 +89,28 @@ final class EffectVariant implements AutoCloseable {
     }
 
     Timing firstTiming() {
-        return firstTiming;
+        return requireNonNull(firstTiming);
     }
 
     Timing updateTiming() {
-        return updateTiming;
+        return requireNonNull(updateTiming);
     }
 
     String plan() {
-        return lastUpdate.plan().description();
+        return requireNonNull(lastUpdate).plan().description();
     }
 
     /** Returns the cache of the first pass. */
     PixelCache cache() {
-        return cache;
+        return requireNonNull(cache);
     }
 
     long bytes() {
-        return cache.bytes();
+        return cache().bytes();
     }
 
     RayCounts rays() {
-        return firstPass.rays();
+        return requireNonNull(firstPass).rays();
     }
 
     @Override

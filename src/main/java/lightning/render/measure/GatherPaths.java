@@ -3,6 +3,7 @@ package lightning.render.measure;
 import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.SurfacePoint;
+import org.jspecify.annotations.Nullable;
 
 /** Ends of paths from a point, with the share of the light that each sends back to it. */
 final class GatherPaths {
@@ -34,7 +35,7 @@ final class GatherPaths {
      *
      * @param geometric normal of the surface, facing the viewer; null if the point is shaded by it
      */
-    void start(SurfacePoint at, Vec3 geometric) {
+    void start(SurfacePoint at, @Nullable Vec3 geometric) {
         count = 0;
         add(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz(), geometric, 1, 1, 1);
     }
@@ -44,11 +45,11 @@ final class GatherPaths {
      *
      * @param geometric normal of the surface, facing the ray; null if the row is shaded by it
      */
-    void add(HitRows rows, int row, Vec3 geometric, float red, float green, float blue) {
+    void add(HitRows rows, int row, @Nullable Vec3 geometric, float red, float green, float blue) {
         add(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], geometric, red, green, blue);
     }
 
-    private void add(float x, float y, float z, float normalX, float normalY, float normalZ, Vec3 normal, float red, float green,
+    private void add(float x, float y, float z, float normalX, float normalY, float normalZ, @Nullable Vec3 normal, float red, float green,
             float blue) {
         px[count] = x;
         py[count] = y;

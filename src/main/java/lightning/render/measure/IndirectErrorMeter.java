@@ -1,5 +1,7 @@
 package lightning.render.measure;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -10,6 +12,7 @@ import lightning.base.work.WorkerPool;
 import lightning.render.cache.PixelCache;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.choice.Engines;
+import lightning.render.gather.GatherStructure;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
@@ -18,6 +21,7 @@ import lightning.render.trace.PixelRays;
 import lightning.scene.IndirectSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Meter of the error of indirect light: renders a scene with any settings and compares random pixels with brute force by the same tracer
@@ -97,7 +101,7 @@ public final class IndirectErrorMeter implements AutoCloseable {
     }
 
     /** Returns the reference of a pixel for each number of bounces; null if it shows the background. */
-    private double[] reference(BruteForceGather gather, PixelRays rays, int pixel) {
+    private double @Nullable [] reference(BruteForceGather gather, PixelRays rays, int pixel) {
         int width = scene.picture().width();
         return gather.luminances(rays.ray(pixel % width, pixel / width), pixel);
     }
@@ -130,8 +134,8 @@ public final class IndirectErrorMeter implements AutoCloseable {
             exact[i] = references.get(i)[settings.bounces() - 1];
             complete[i] = references.get(i)[BruteForceGather.BOUNCES - 1];
         }
-        return new Measured(IndirectError.of(light, exact, complete), time, cache.indirect().structure().pointCount(),
-                cache.indirect().structure().surfelCount());
+        GatherStructure paths = requireNonNull(cache.indirect()).structure();
+        return new Measured(IndirectError.of(light, exact, complete), time, paths.pointCount(), paths.surfelCount());
     }
 
     private Timing time(Scene timed, int repetitions, Progress progress) {
@@ -153,7 +157,7 @@ public final class IndirectErrorMeter implements AutoCloseable {
     private double luminance(PixelCache cache, int pixel) {
         TileLevel level = level(cache, pixel);
         float[][] light = new float[3][Film.TILE_SIZE * Film.TILE_SIZE];
-        level.weights().interpolate(cache.indirect().light().light(), light);
+        requireNonNull(level.weights()).interpolate(requireNonNull(cache.indirect()).light().light(), light);
         int row = row(level.rows(), pixel);
         return BruteForceGather.luminance(light[0][row], light[1][row], light[2][row]);
     }

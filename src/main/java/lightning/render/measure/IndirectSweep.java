@@ -16,6 +16,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.IndirectSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Time and difference of a scene's indirect light for several spacings and numbers of rays, without anti-aliasing. The differences are
@@ -42,7 +43,7 @@ public record IndirectSweep(double directMilliseconds, List<Point> points) {
     public record Point(IndirectSettings settings, boolean fits, double milliseconds, double meanDifference, double difference95) {}
 
     /** Settings, and their time and luminance if they fit into memory. */
-    private record Trial(IndirectSettings settings, double milliseconds, double[] luminance) {}
+    private record Trial(IndirectSettings settings, double milliseconds, double @Nullable [] luminance) {}
 
     /**
      * Measures all settings.
@@ -106,11 +107,13 @@ public record IndirectSweep(double directMilliseconds, List<Point> points) {
 
     private static List<Point> compare(List<Trial> trials) {
         double[] densest = trials.stream().map(Trial::luminance).filter(l -> l != null).reduce(null, (_, last) -> last);
-        return trials.stream().map(trial -> trial.luminance == null ? new Point(trial.settings, false, 0, 0, 0)
-                : compare(trial, densest)).toList();
+        return trials.stream().map(trial -> compare(trial, densest)).toList();
     }
 
-    private static Point compare(Trial trial, double[] densest) {
+    private static Point compare(Trial trial, double @Nullable [] densest) {
+        if (trial.luminance == null || densest == null) {
+            return new Point(trial.settings, false, 0, 0, 0);
+        }
         RelativeErrors differences = RelativeErrors.of(trial.luminance, densest);
         return new Point(trial.settings, true, trial.milliseconds, differences.mean(), differences.percentile(IndirectError.HIGH));
     }

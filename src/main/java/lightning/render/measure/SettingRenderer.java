@@ -1,5 +1,7 @@
 package lightning.render.measure;
 
+import static java.util.Objects.requireNonNull;
+
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.cache.PixelCache;
@@ -9,15 +11,16 @@ import lightning.render.relight.UpdateResult;
 import lightning.render.trace.Geometry;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Renderer of an accuracy setting that repeats an edit from the same start. */
 final class SettingRenderer implements AutoCloseable {
     private final AccuracySetting setting;
     private final Renderer renderer;
     private final WorkerPool workers;
-    private PixelCache startCache;
-    private UpdateResult update;
-    private Film film;
+    private @Nullable PixelCache startCache;
+    private @Nullable UpdateResult update;
+    private @Nullable Film film;
 
     SettingRenderer(AccuracySetting setting, WorkerPool workers) {
         this.setting = setting;
@@ -61,7 +64,7 @@ final class SettingRenderer implements AutoCloseable {
             film = renderer.film();
         } else if (setting == AccuracySetting.HALF_RESOLUTION) {
             PictureSettings full = after.picture();
-            ms += InterleavedTimer.timeMs(() -> film = FilmUpscaler.upscale(film, full.width(), full.height(), workers, progress));
+            ms += InterleavedTimer.timeMs(() -> film = FilmUpscaler.upscale(film(), full.width(), full.height(), workers, progress));
         }
         return ms;
     }
@@ -80,12 +83,12 @@ final class SettingRenderer implements AutoCloseable {
      * @throws GuaranteeViolation if the setting's guarantee is violated
      */
     void verify(Progress progress) {
-        GuaranteeViolation.require(AccuracyGuarantee.of(renderer, update).verify(renderer.film(), workers, progress), setting);
+        GuaranteeViolation.require(AccuracyGuarantee.of(renderer, update()).verify(renderer.film(), workers, progress), setting);
     }
 
     /** Returns the image after the last edit, at full size. */
     Film film() {
-        return film;
+        return requireNonNull(film);
     }
 
     Geometry geometry() {
@@ -96,7 +99,7 @@ final class SettingRenderer implements AutoCloseable {
      * Returns the last update. For {@link AccuracySetting#EXACT_UPDATED}, it has the plan of the reflections' update and the work of both.
      */
     UpdateResult update() {
-        return update;
+        return requireNonNull(update);
     }
 
     @Override

@@ -2,6 +2,7 @@ package lightning.render.measure;
 
 import lightning.render.image.Film;
 import lightning.render.relight.UpdateResult;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Cost and image of one accuracy setting.
@@ -12,4 +13,4 @@ import lightning.render.relight.UpdateResult;
  * @param update work of the re-render; null for {@link AccuracySetting#FULL_TRACE}. For {@link AccuracySetting#EXACT_UPDATED}, the plan of
  *         the reflections' update and the work of both
  */
-public record SweepPoint(AccuracySetting setting, Timing time, PictureError error, Film film, UpdateResult update) {}
+public record SweepPoint(AccuracySetting setting, Timing time, PictureError error, Film film, @Nullable UpdateResult update) {}

@@ -12,6 +12,7 @@ import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Saving of an update relative to a full trace of its image, measured with warmed-up code. The first run of an edit often executes cold
@@ -44,7 +45,7 @@ public record WarmSaving(UpdateResult measuredUpdate, Timing update, Timing full
     public record RepeatableEdit(UpdateResult update, PixelCache start, RenderOptions options, UpdateStep step) {
 
         /** Returns the repeatable edit; empty for a first pass or an unchanged image, which save nothing. */
-        public static Optional<RepeatableEdit> of(UpdateResult update, PixelCache start, RenderOptions options, UpdateStep step) {
+        public static Optional<RepeatableEdit> of(UpdateResult update, @Nullable PixelCache start, RenderOptions options, UpdateStep step) {
             return start == null || !(update.plan() instanceof UpdatePlan.Relight) ? Optional.empty()
                     : Optional.of(new RepeatableEdit(update, start, options, step));
         }
@@ -80,7 +81,7 @@ public record WarmSaving(UpdateResult measuredUpdate, Timing update, Timing full
     }
 
     /** Returns whether it is the saving of this update, by identity. */
-    public boolean isOf(UpdateResult shownUpdate) {
+    public boolean isOf(@Nullable UpdateResult shownUpdate) {
         return measuredUpdate == shownUpdate;
     }
 

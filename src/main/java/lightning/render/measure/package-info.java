@@ -1,2 +1,5 @@
 /** Measurements of cost and exactness of pictures: verification against a full trace, guarantees, savings, and what accuracy and effects cost. */
+@NullMarked
 package lightning.render.measure;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,5 +1,7 @@
 package lightning.render.relight;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
@@ -29,6 +31,7 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Converts a pixel cache from one accuracy to the other without casting rays. Both accuracies store each row's state: contributions
@@ -111,9 +114,10 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
                     .toArray(LightLayer[]::new));
         }
 
-        private LightLayer convert(TileLevel old, CachedLight light, Scene scene) {
+        private @Nullable LightLayer convert(TileLevel old, CachedLight light, Scene scene) {
             LightLayer before = light.layer(old);
-            return before == null ? null : updater.convert(old.rows(), WeightedLight.ofSwitchedOn(light.stamp().light(), scene), before);
+            return before == null ? null
+                    : updater.convert(old.rows(), WeightedLight.ofSwitchedOn(requireNonNull(light.stamp()).light(), scene), before);
         }
 
         WorkCounts work(long rowsComposed) {

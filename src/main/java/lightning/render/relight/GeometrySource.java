@@ -9,18 +9,20 @@ import lightning.render.trace.MaterialTable;
 import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
 import lightning.scene.material.Material;
+import org.jspecify.annotations.Nullable;
 
 /** Supplies first passes with geometry; reuses cached or shared geometry that serves the scene. */
 final class GeometrySource {
-    /** Geometry shared by another renderer; may be null. */
-    private Geometry shared;
+    /** Geometry shared by another renderer. */
+    private @Nullable Geometry shared;
 
     /** Sets shared geometry; null removes it. */
-    void set(Geometry geometry) {
+    void set(@Nullable Geometry geometry) {
         shared = geometry;
     }
 
     /** Returns the shared geometry; null if there is none. */
+    @Nullable
     Geometry shared() {
         return shared;
     }
@@ -29,9 +31,9 @@ final class GeometrySource {
      * Returns the geometry of a scene: the cached or shared geometry if it serves the scene, otherwise a new one.
      *
      * @param target scene as the view shows it
-     * @param cache  cache of a picture, or null
+     * @param cache  cache of a picture
      */
-    Geometry get(Scene target, PixelCache cache, ViewEffects view) {
+    Geometry get(Scene target, @Nullable PixelCache cache, ViewEffects view) {
         // Anti-aliasing finds edges in mirrors, so rays must then not be followed from materials that do not mirror.
         Predicate<Material> mirrors =
                 RenderJob.needsEdges(target) ? MaterialTable.CASTS_REFLECTIONS : RequiredWork.of(view).mirrorMaterials();

@@ -15,6 +15,7 @@ import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
 import lightning.scene.World;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Indirect light of each light of a cached picture alone. It is linear in the lights, so it takes look-ups along the cached paths only.
@@ -32,7 +33,7 @@ public final class IndirectByLight {
     /**
      * Light at gather points, red, green and blue, of the first level and of mirrors; each null if its scene has no indirect light.
      */
-    record Solution(float[][] shown, float[][] mirrored) {
+    record Solution(float @Nullable [][] shown, float @Nullable [][] mirrored) {
         // Arrays in a record: written once by their creator, never after.
         static final Solution NONE = new Solution(null, null);
     }
@@ -73,8 +74,8 @@ public final class IndirectByLight {
     }
 
     /** @param name name of a light; null for those of the environment */
-    private static float[][] solve(IndirectCache indirect, Geometry geometry, Scene scene, String name, WorkerPool workers,
-            Progress progress) {
+    private static float @Nullable [][] solve(@Nullable IndirectCache indirect, Geometry geometry, Scene scene, @Nullable String name,
+            WorkerPool workers, Progress progress) {
         if (indirect == null) {
             return null;
         }

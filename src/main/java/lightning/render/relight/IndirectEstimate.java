@@ -9,6 +9,7 @@ import lightning.render.image.Film;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Forecast of the memory of a picture's indirect light, without the weights of its rows. Gather points grow with the pixels, and a little
@@ -34,7 +35,7 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
 
     /** Measured indirect light of a small picture. */
     record Sample(double pixels, double side, long pointBytes, long surfelBytes, long pointBuildBytes, long surfelBuildBytes) {
-        static Sample of(PictureSettings picture, IndirectCache indirect) {
+        static Sample of(PictureSettings picture, @Nullable IndirectCache indirect) {
             double pixels = placedPixels(picture);
             double side = longerSide(picture);
             if (indirect == null) {

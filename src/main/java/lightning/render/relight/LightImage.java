@@ -24,6 +24,7 @@ import lightning.scene.World;
 import lightning.scene.light.FaceVisibility;
 import lightning.scene.light.Light;
 import lightning.scene.material.Bulb;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Image of one light's contribution: the picture without all other lights, the ambience, the glow of materials and the background, in
@@ -83,8 +84,8 @@ public final class LightImage {
     }
 
     /** Returns the light at gather points that comes from some lights of a scene; null if it has no indirect light. */
-    private static float[][] indirect(IndirectCache indirect, Geometry geometry, WeightedLight[] lights, Scene scene, RenderOptions options,
-            WorkerPool workers, Progress progress) {
+    private static float @Nullable [][] indirect(@Nullable IndirectCache indirect, Geometry geometry, WeightedLight[] lights, Scene scene,
+            RenderOptions options, WorkerPool workers, Progress progress) {
         return indirect == null ? null
                 : new SurfelSolver(indirect, geometry.materials(), options.engines(), workers, progress).solveWithoutGlow(lights, scene);
     }

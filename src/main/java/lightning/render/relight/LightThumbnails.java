@@ -1,5 +1,7 @@
 package lightning.render.relight;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -16,6 +18,7 @@ import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Thumbnails of every light's contribution to a picture, composed from its cache. No ray is cast, and only the rows of the
@@ -61,7 +64,7 @@ public final class LightThumbnails {
      * @throws IllegalStateException if mirror levels are stored as hit shapes
      * @throws java.util.concurrent.CancellationException if {@code progress} requested cancellation
      */
-    public static LightThumbnails of(PixelCache cache, int maxWidth, int maxHeight, IndirectByLight indirect, Progress progress) {
+    public static LightThumbnails of(PixelCache cache, int maxWidth, int maxHeight, @Nullable IndirectByLight indirect, Progress progress) {
         int w = cache.scene().picture().width();
         int h = cache.scene().picture().height();
         double shrink = Math.max(1, Math.max((double) w / maxWidth, (double) h / maxHeight));
@@ -81,7 +84,7 @@ public final class LightThumbnails {
         return places;
     }
 
-    private static LightThumbnails of(PixelCache cache, int[] columns, int[] rows, IndirectByLight indirect, Progress progress) {
+    private static LightThumbnails of(PixelCache cache, int[] columns, int[] rows, @Nullable IndirectByLight indirect, Progress progress) {
         WeightedLight[] top = WeightedLight.ofScene(cache.scene());
         var shares = new LightThumbnails(cache.scene(), columns.length, rows.length, top.length,
                 indirect != null || cache.indirect() == null && cache.mirrored().indirect() == null);
@@ -153,7 +156,7 @@ public final class LightThumbnails {
         private final int depth;
         private final List<SelectedPart> parts = new ArrayList<>();
         private IndirectByLight.Solution indirect = IndirectByLight.Solution.NONE;
-        private TileLevel[] levels;
+        private TileLevel[] levels = {};
         /** Next level of the walk. */
         private int nextLevel;
 
@@ -282,8 +285,8 @@ public final class LightThumbnails {
             float[][] indirect = equation == levels.eyeShader ? levels.indirect.shown() : levels.indirect.mirrored();
             float[] indirectRow = indirect == null ? null : new float[3];
             for (int i = 0; i < count; i++) {
-                if (indirect != null) {
-                    level.weights().interpolate(indirect, row[i], indirectRow);
+                if (indirect != null && indirectRow != null) {
+                    requireNonNull(level.weights()).interpolate(indirect, row[i], indirectRow);
                 }
                 equation.color(level.rows(), row[i], material[i], light, rows, indirectRow, mirrored, refracted, 3 * i, colors, 3 * i);
             }

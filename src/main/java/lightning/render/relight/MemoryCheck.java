@@ -9,13 +9,14 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.MeshMemory;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Check of a renderer's pictures against its memory limit. Stores the last forecast, because an editor checks a picture alone, then
  * next to the previous one, and once more when its first pass starts.
  */
 final class MemoryCheck {
-    private MemoryForecast lastForecast;
+    private @Nullable MemoryForecast lastForecast;
 
     /**
      * Rejects a picture that does not fit.
@@ -39,6 +40,7 @@ final class MemoryCheck {
         } catch (PathsTooLargeException e) {
             throw tooLarge(scene, options.withMemory(memory), parts, e.requiredBytes(), pictures);
         }
+        assert lastForecast != null;
         long required = lastForecast.bytes(scene.picture());
         if (required > memory) {
             List<PictureTooLargeException.Suggestion> suggestions =

@@ -1,5 +1,7 @@
 package lightning.render.relight;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import lightning.render.cache.CachedLight;
 import lightning.render.cache.PixelCache;
@@ -10,6 +12,7 @@ import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.ExactMethod;
 import lightning.render.relight.tile.WorkCounts;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Finer samples that a picture of pixel centers still lacks. They are not updated with every update of the centers, but in one step
@@ -20,12 +23,12 @@ import lightning.scene.Scene;
  * @param deferredWork  work of all updates since that picture
  * @param nanoseconds   time of all updates since that picture
  */
-record PendingSamples(PixelCache finishedCache, UpdatePlan plan, WorkCounts deferredWork, long nanoseconds) {
+record PendingSamples(@Nullable PixelCache finishedCache, UpdatePlan plan, WorkCounts deferredWork, long nanoseconds) {
     /** Samples can be deferred only if nothing is scaled. */
     private static final UpdateMethod EXACT = new ExactMethod();
 
     /** Creates the state before any update. */
-    PendingSamples(PixelCache finished, UpdatePlan plan) {
+    PendingSamples(@Nullable PixelCache finished, UpdatePlan plan) {
         this(finished, plan, WorkCounts.NONE, 0);
     }
 
@@ -46,7 +49,7 @@ record PendingSamples(PixelCache finishedCache, UpdatePlan plan, WorkCounts defe
      *
      * @param from the newest picture, or the finished one before it
      */
-    record Start(PixelCache from, UpdatePlan plan) {}
+    record Start(@Nullable PixelCache from, UpdatePlan plan) {}
 
     /**
      * Chooses the start of an update: the cached centers, or the finished picture if the samples could not follow otherwise.
@@ -95,10 +98,10 @@ record PendingSamples(PixelCache finishedCache, UpdatePlan plan, WorkCounts defe
 
     private boolean leadToSameLights(PixelCache centers, UpdatePlan.Relight next, UpdatePlan.Relight all) {
         return next.top().lightsAfter(EXACT, 1).equals(all.top().lightsAfter(EXACT, 1))
-                && mirroredLights(centers, next.mirrors()).equals(mirroredLights(finishedCache, all.mirrors()));
+                && mirroredLights(centers, next.mirrors()).equals(mirroredLights(requireNonNull(finishedCache), all.mirrors()));
     }
 
-    private static List<CachedLight> mirroredLights(PixelCache from, LevelPlan plan) {
+    private static List<CachedLight> mirroredLights(PixelCache from, @Nullable LevelPlan plan) {
         return plan == null ? from.mirrored().lights() : plan.lightsAfter(EXACT, 1);
     }
 }

@@ -1,7 +1,10 @@
 package lightning.render.relight;
 
+import static java.util.Objects.requireNonNull;
+
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.plan.UpdateMethod;
+import org.jspecify.annotations.Nullable;
 
 /** State of a renderer's picture. Immutable: an update makes the next state, and the renderer replaces its state in one assignment. */
 public sealed interface PictureState {
@@ -34,12 +37,12 @@ public sealed interface PictureState {
     }
 
     /** Returns the state that shows a cache, or no picture if it is null. */
-    static PictureState of(PixelCache finished, UpdateMethod method) {
+    static PictureState of(@Nullable PixelCache finished, UpdateMethod method) {
         return finished == null ? new Empty() : new Finished(finished, method);
     }
 
     /** Returns the cache of the newest picture; null if there is none. */
-    default PixelCache newest() {
+    default @Nullable PixelCache newest() {
         return switch (this) {
             case Empty _ -> null;
             case CentersOnly unfinished -> unfinished.centers();
@@ -47,8 +50,13 @@ public sealed interface PictureState {
         };
     }
 
+    /** Returns the cache of the newest picture of a state that is not empty. */
+    default PixelCache picture() {
+        return requireNonNull(newest());
+    }
+
     /** Returns the cache of the last picture with all its samples; null if there is none. */
-    default PixelCache lastFinished() {
+    default @Nullable PixelCache lastFinished() {
         return switch (this) {
             case Empty _ -> null;
             case CentersOnly unfinished -> unfinished.samples().finishedCache();

@@ -1,5 +1,7 @@
 package lightning.render.relight;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Optional;
 import java.util.function.Consumer;
 import lightning.base.work.Progress;
@@ -52,15 +54,15 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
         if (step.state().needsConversion(options.method()) && !(plan instanceof UpdatePlan.FirstPass)) {
             step = step.then(convert(step.state()));
             // Lights and rows are the same, but layers have another accuracy.
-            plan = Dispatcher.plan(step.state().newest(), planned.target, planned.updatesMirrors, options.method());
+            plan = Dispatcher.plan(step.state().picture(), planned.target, planned.updatesMirrors, options.method());
         }
         UpdatePlan reported = plan instanceof UpdatePlan.Nothing ? planned.update() : plan;
         step = step.then(updateTo(step.state(), plan, planned.target, centersOnly));
-        UpdatePlan refresh = options.method().refresh(step.state().newest(), exposure, curve);
+        UpdatePlan refresh = options.method().refresh(step.state().picture(), exposure, curve);
         if (refresh instanceof UpdatePlan.Relight relight) {
-            step = step.then(relight(step.state(), relight, step.state().newest().scene(), false));
+            step = step.then(relight(step.state(), relight, step.state().picture().scene(), false));
         }
-        double bound = options.method().errorBound(step.state().newest());
+        double bound = options.method().errorBound(step.state().picture());
         if (step.state() instanceof CentersOnly unfinished) {
             step = centersOnly ? step.then(defer(unfinished, step.work(), System.nanoTime() - start))
                     : step.then(renderSamples(unfinished, unfinished.samples().plan(unfinished.centers())));
@@ -91,7 +93,8 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
     /** Goes to the picture that an update was planned from; renders samples that could not follow the update. */
     private Step startFrom(PictureState from, PlannedUpdate planned) {
         if (planned.base != from.newest()) {
-            return Step.start(new Finished(planned.base, from instanceof Finished picture ? picture.method() : options.method()));
+            return Step.start(
+                    new Finished(requireNonNull(planned.base), from instanceof Finished picture ? picture.method() : options.method()));
         }
         return from instanceof CentersOnly unfinished && planned.difference instanceof UpdatePlan.Relight next
                 && !unfinished.samples().canReuseMirrors(unfinished.centers(), next, planned.target)
@@ -119,7 +122,7 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
     }
 
     private Step convert(PictureState from) {
-        CacheConversion.Result result = new CacheConversion(from.newest(), options).run(workers, progress);
+        CacheConversion.Result result = new CacheConversion(from.picture(), options).run(workers, progress);
         return new Step(new Finished(result.cache(), options.method()), result.work());
     }
 
@@ -143,7 +146,7 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
     }
 
     private Step relight(PictureState from, UpdatePlan.Relight plan, Scene target, boolean centersOnly) {
-        PixelCache old = from.newest();
+        PixelCache old = from.picture();
         if (plan.resampled() && RenderJob.needsEdges(target)) {
             checkSampleMemory(target, old, options.memory() - (from.bytes() - old.centerBytes() - old.indirectBytes()));
         }

@@ -3,6 +3,7 @@ package lightning.render.relight;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Planned update of a renderer, computed once for its current cache. It can be shown before {@link Renderer#render(PlannedUpdate,
@@ -16,19 +17,19 @@ public final class PlannedUpdate {
     /** Plan from the shown scene to the target scene. */
     final UpdatePlan difference;
     private final UpdatePlan update;
-    /** Start of the update: the current cache or an older picture; null for none. */
-    final PixelCache base;
-    private final PixelCache plannedFor;
+    /** Start of the update: the current cache or an older picture. */
+    final @Nullable PixelCache base;
+    private final @Nullable PixelCache plannedFor;
     /** Time taken by planning. */
     final long nanoseconds;
 
     /**
      * @param update plan to report: the difference, or the change of accuracy if there is none
-     * @param base   start of the update, or null
-     * @param known  cache that it was planned for, or null
+     * @param base   start of the update
+     * @param known  cache that it was planned for
      */
-    PlannedUpdate(Scene target, boolean mirrors, UpdatePlan difference, UpdatePlan update, PixelCache base, PixelCache known,
-            long nanoseconds) {
+    PlannedUpdate(Scene target, boolean mirrors, UpdatePlan difference, UpdatePlan update, @Nullable PixelCache base,
+            @Nullable PixelCache known, long nanoseconds) {
         this.target = target;
         this.updatesMirrors = mirrors;
         this.difference = difference;
@@ -44,7 +45,7 @@ public final class PlannedUpdate {
     }
 
     /** Returns whether it was planned for the current cache. */
-    boolean isPlannedFor(PixelCache current) {
+    boolean isPlannedFor(@Nullable PixelCache current) {
         return plannedFor == current;
     }
 }

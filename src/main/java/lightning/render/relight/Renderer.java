@@ -15,6 +15,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.render.relight.tile.RepeatedEditDetector;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Incremental renderer: owns the pixel cache of one picture and updates it to any target scene with the least work. Not thread-safe. */
 public final class Renderer implements AutoCloseable {
@@ -72,7 +73,7 @@ public final class Renderer implements AutoCloseable {
             workers = new WorkerPool(to.threads());
         }
         boolean canReuse = to.view().hasSameTrace(options.view()) && to.storage() == options.storage()
-                && (!state.needsConversion(to.method()) || CacheConversion.canConvert(state.newest()));
+                && (!state.needsConversion(to.method()) || CacheConversion.canConvert(state.picture()));
         options = to;
         if (!canReuse) {
             clear();
@@ -93,9 +94,9 @@ public final class Renderer implements AutoCloseable {
      * Plans the update of the film to the target scene, as {@link #planKeepingReflectionsCurrent}. Starts from an earlier picture if paths
      * of its indirect light can be kept and mirrors then show the target scene in any case.
      *
-     * @param earlier cache of a finished picture by this renderer with its current options; null for none
+     * @param earlier cache of a finished picture by this renderer with its current options
      */
-    public PlannedUpdate planFrom(PixelCache earlier, Scene target) {
+    public PlannedUpdate planFrom(@Nullable PixelCache earlier, Scene target) {
         PlannedUpdate planned = planKeepingReflectionsCurrent(target);
         if (earlier == null || !planned.updatesMirrors) {
             return planned;
@@ -112,10 +113,10 @@ public final class Renderer implements AutoCloseable {
         long start = System.nanoTime();
         PixelCache newest = state.newest();
         PendingSamples.Start base = state instanceof PictureState.CentersOnly unfinished
-                ? unfinished.samples().chooseStart(newest, target, mirrors)
+                ? unfinished.samples().chooseStart(unfinished.centers(), target, mirrors)
                 : new PendingSamples.Start(newest, Dispatcher.plan(newest, target, mirrors, options.method()));
         UpdatePlan reported = base.plan() instanceof UpdatePlan.Nothing && state.needsConversion(options.method())
-                ? new CacheConversion(newest, options).plan() : base.plan();
+                ? new CacheConversion(state.picture(), options).plan() : base.plan();
         return new PlannedUpdate(target, mirrors, base.plan(), reported, base.from(), newest, System.nanoTime() - start);
     }
 
@@ -261,7 +262,7 @@ public final class Renderer implements AutoCloseable {
      *
      * @param saved result of {@link #cache}, from this renderer or one that differs only in its reflection mode or threads
      */
-    public void restore(PixelCache saved) {
+    public void restore(@Nullable PixelCache saved) {
         state = PictureState.of(saved, options.method());
         repeatedEdits.reset();
     }
@@ -293,7 +294,7 @@ public final class Renderer implements AutoCloseable {
     }
 
     /** Sets geometry for first passes to reuse if it has the same shapes; null removes it. */
-    public void setSharedGeometry(Geometry geometry) {
+    public void setSharedGeometry(@Nullable Geometry geometry) {
         geometrySource.set(geometry);
     }
 

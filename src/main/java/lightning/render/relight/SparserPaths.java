@@ -7,6 +7,7 @@ import lightning.render.gather.PathsTooLargeException;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Finds settings of indirect light whose paths fit into memory if those of a scene are denser than the defaults. */
 final class SparserPaths {
@@ -39,7 +40,7 @@ final class SparserPaths {
     }
 
     /** Returns the next sparser settings; null after the defaults. */
-    private static IndirectSettings next(IndirectSettings settings) {
+    private static @Nullable IndirectSettings next(IndirectSettings settings) {
         IndirectSettings defaults = IndirectSettings.DEFAULT;
         return settings.rays() > defaults.rays() ? settings.withRays(settings.rays() / 4)
                 : settings.bounces() > defaults.bounces() ? settings.withBounces(defaults.bounces())

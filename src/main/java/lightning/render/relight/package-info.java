@@ -13,4 +13,7 @@
  * }
  * }</pre>
  */
+@NullMarked
 package lightning.render.relight;
+
+import org.jspecify.annotations.NullMarked;

@@ -9,6 +9,7 @@ import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
 import lightning.scene.value.BarnDoors;
 import lightning.scene.value.Photometry;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Angular mask of a light: the product of its barn doors, gobo and photometric profile in a direction. It multiplies the falloff.
@@ -44,8 +45,8 @@ public final class AngularMask {
     private final Vec3 up;
     private final BarnDoors doors;
     private final double feather;
-    private final Texture gobo;
-    private final Photometry photometry;
+    private final @Nullable Texture gobo;
+    private final @Nullable Photometry photometry;
     /** Half the gobo's side at distance 1 along the axis. */
     private final double goboHalfSize;
     private final float[] color = new float[3];
@@ -81,7 +82,7 @@ public final class AngularMask {
     }
 
     /** Returns the mask of a light, or null if it has none. */
-    public static AngularMask of(LightSource source) {
+    public static @Nullable AngularMask of(LightSource source) {
         return isActive(source) ? new AngularMask(source) : null;
     }
 
@@ -102,6 +103,7 @@ public final class AngularMask {
     /** Returns the gobo's factor; {@code extent} is half its side at the point's distance. */
     private double goboFactor(double side, double height, double extent) {
         // A cone without an opening passes all light through the middle of the gobo.
+        assert gobo != null;
         boolean middle = !(extent > 0);
         double x = middle ? 0.5 * gobo.width() : (1 + side / extent) / 2 * gobo.width();
         double y = middle ? 0.5 * gobo.height() : (1 - height / extent) / 2 * gobo.height();
@@ -114,6 +116,7 @@ public final class AngularMask {
     }
 
     private double profileFactor(double side, double height, double forward) {
+        assert photometry != null;
         return switch (photometry.type()) {
             case C -> {
                 double around = degrees(height, side);

@@ -13,6 +13,7 @@ import lightning.scene.asset.Texture;
 import lightning.scene.light.AreaShape;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Sample points of an area light in render space, or unit vectors towards a directional light. The light is the mean of its
@@ -53,12 +54,12 @@ public final class AreaSamples {
     public final double[] y;
     public final double[] z;
     /** Colors by the same index: red, green and blue; null if all are white. Must not be modified. */
-    public final float[][] color;
+    public final float @Nullable [][] color;
     private final double extent;
     private final Vec3 min;
     private final Vec3 max;
 
-    private AreaSamples(Vec3 center, Vec3[] offsets, int patterns, float[][] colors) {
+    private AreaSamples(Vec3 center, Vec3[] offsets, int patterns, float @Nullable [][] colors) {
         this.patterns = patterns;
         count = offsets.length / patterns;
         x = new double[offsets.length];
@@ -129,7 +130,7 @@ public final class AreaSamples {
                         yield toward.normalized().minus(source);
                     }
                 };
-                if (image != null) {
+                if (image != null && colors != null) {
                     boolean disc = light.type() == LightType.DISC;
                     double across = disc ? 0.5 + 0.5 * Math.sqrt(u) * Transform.cosDegrees(360 * v) : u;
                     double up = disc ? 0.5 + 0.5 * Math.sqrt(u) * Transform.sinDegrees(360 * v) : v;

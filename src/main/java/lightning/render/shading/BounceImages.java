@@ -1,8 +1,11 @@
 package lightning.render.shading;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Colors that bounced rays bring to a level's rows: red, green and blue columns each.
@@ -10,7 +13,7 @@ import lightning.render.trace.HitRows;
  * @param mirrored  Cr of the reflective rows
  * @param refracted Ct of the clear rows; null if there are none
  */
-public record BounceImages(float[][] mirrored, float[][] refracted) {
+public record BounceImages(float[][] mirrored, float @Nullable [][] refracted) {
     // Arrays in a record: written once by their creator, never after.
 
     /** Images of rays after which the recursion ended, for any number of rows. */
@@ -31,14 +34,14 @@ public record BounceImages(float[][] mirrored, float[][] refracted) {
     public float[][] forBounce(BounceKind bounce) {
         return switch (bounce) {
             case MIRRORED -> mirrored;
-            case REFRACTED -> refracted;
+            case REFRACTED -> requireNonNull(refracted);
         };
     }
 
     /** Returns copies that are just long enough for the rows. */
     public BounceImages compact(HitRows rows) {
         return new BounceImages(copy(mirrored, rows.reflectiveCount),
-                rows.transparentCount == 0 ? null : copy(refracted, rows.transparentCount));
+                rows.transparentCount == 0 ? null : copy(requireNonNull(refracted), rows.transparentCount));
     }
 
     private static float[][] copy(float[][] columns, int rows) {

@@ -1,5 +1,7 @@
 package lightning.render.shading;
 
+import static java.util.Objects.requireNonNull;
+
 /**
  * Factors of one color channel of a clear material, as {@link LightingEquation#clearColor} needs them.
  *
@@ -15,8 +17,9 @@ public record ClearChannel(float emitted, float diffuse, float specular, float t
 
     /** Returns the factors of channel {@code c} of a material. */
     static ClearChannel of(ShadingMaterial material, int c, float emitted) {
-        return new ClearChannel(emitted, material.diffuse()[c], material.specular()[c],
-                material.texturedF0() == null ? 0 : material.texturedF0()[c], material.reflective()[c], material.bodyShare(),
-                ClearMaterialShader.channel(material.clarity().color(), c));
+        float[] f0 = material.texturedF0();
+        return new ClearChannel(emitted, material.diffuse()[c], material.specular()[c], f0 == null ? 0 : f0[c], material.reflective()[c],
+                material.bodyShare(),
+                ClearMaterialShader.channel(requireNonNull(material.clarity()).color(), c));
     }
 }

@@ -1,11 +1,14 @@
 package lightning.render.shading;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.base.math.Rgb;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.Refraction;
 import lightning.scene.material.Transmission;
+import org.jspecify.annotations.Nullable;
 
 /** Evaluates the {@link LightingEquation} over the rows of a clear material. Holds scratch columns: use one instance per thread. */
 public final class ClearMaterialShader {
@@ -24,8 +27,8 @@ public final class ClearMaterialShader {
     }
 
     /** Returns whether the color of a clear material's rows depends on its {@link ClearTerms}; otherwise it is black. */
-    public static boolean needsTerms(ShadingMaterial material, BounceImages images) {
-        return material.takesLight() || !images.isBlack();
+    public static boolean needsTerms(ShadingMaterial material, @Nullable BounceImages images) {
+        return material.takesLight() || !requireNonNull(images).isBlack();
     }
 
     /**
@@ -34,9 +37,8 @@ public final class ClearMaterialShader {
      * @param emitted {@link EmittedLight#unmapped} of red, green and blue
      * @param cached  terms of the level's clear rows; computed if null
      */
-    public void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float[][] specular,
-            float[][] grazing,
-            ClearTerms cached, BounceImages images, float[][] to) {
+    public void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float @Nullable [][] specular,
+            float @Nullable [][] grazing, @Nullable ClearTerms cached, @Nullable BounceImages images, float[][] to) {
         int start = rows.runStart(run);
         int end = rows.runEnd[run];
         if (!needsTerms(material, images)) {
@@ -45,14 +47,17 @@ public final class ClearMaterialShader {
             }
             return;
         }
+        assert images != null && images.refracted() != null;
         ClearTerms terms = cached == null ? scratch : cached;
         if (cached == null) {
-            kernel.clearTerms(rows, start, end, material.clarity(), material.interior(), scratch.share, scratch.tint);
+            kernel.clearTerms(rows, start, end, requireNonNull(material.clarity()), requireNonNull(material.interior()), scratch.share,
+                    scratch.tint);
         }
         for (int c = 0; c < 3; c++) {
             ClearChannel channel = ClearChannel.of(material, c, emitted[c]);
             if (material.takesLight()) {
-                kernel.clearSurface(start, end, channel, material.isTextured() ? rows.texel(c) : ClearTerms.WHITE, diffuse[c],
+                kernel.clearSurface(start, end, channel, material.isTextured() ? requireNonNull(rows.texel(c)) : ClearTerms.WHITE,
+                        diffuse[c],
                         specular == null ? zeros : specular[c], grazing == null ? zeros : grazing[c], terms.share, to[c]);
             }
             kernel.clearColor(start, end, channel, material.takesLight(), images.mirrored()[c], images.refracted()[c], terms.share,
@@ -67,13 +72,13 @@ public final class ClearMaterialShader {
      * @param map    columns of its image
      * @param cached terms of the level's clear rows; those of {@link #shade} if null
      */
-    public void addMapped(HitRows rows, int run, ShadingMaterial material, float[] amount, ColumnGroup map, ClearTerms cached,
+    public void addMapped(HitRows rows, int run, ShadingMaterial material, float[] amount, ColumnGroup map, @Nullable ClearTerms cached,
             float[][] to) {
         float body = material.bodyShare();
         // Without a body there may be no terms.
         ClearTerms terms = cached == null ? scratch : cached;
         for (int c = 0; body > 0 && c < 3; c++) {
-            float[] texel = rows.texel(map, c);
+            float[] texel = requireNonNull(rows.texel(map, c));
             float kr = material.reflective()[c];
             for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
                 float weight = (1 - Refraction.mirrorShare(kr, terms.share[i])) * body * terms.tint[c][i];

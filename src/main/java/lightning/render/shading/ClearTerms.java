@@ -1,8 +1,11 @@
 package lightning.render.shading;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.render.trace.HitRows;
 import lightning.scene.material.Transmission;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Terms of a level's clear rows that no light changes: Fresnel reflectance and interior tint. They are computed whenever a level is
@@ -17,13 +20,13 @@ public final class ClearTerms {
     }
 
     /** Transmission of each run of clear rows. */
-    private final Transmission[] transmissions;
+    private final Transmission @Nullable [] transmissions;
     /** Fresnel reflectance of each clear row. */
     final float[] share;
     /** Interior tint of each clear row: red, green and blue columns. */
     final float[][] tint;
 
-    private ClearTerms(Transmission[] transmissions, float[] share, float[][] tint) {
+    private ClearTerms(Transmission @Nullable [] transmissions, float[] share, float[][] tint) {
         this.transmissions = transmissions;
         this.share = share;
         this.tint = tint;
@@ -49,7 +52,8 @@ public final class ClearTerms {
             transmissions[run] = material.clarity();
             int start = rows.runStart(run);
             int end = rows.runEnd[run];
-            kernel.clearTerms(rows, start, end, material.clarity(), material.interior(), scratch.share, scratch.tint);
+            kernel.clearTerms(rows, start, end, requireNonNull(material.clarity()), requireNonNull(material.interior()), scratch.share,
+                    scratch.tint);
             System.arraycopy(scratch.share, start, share, start, end - start);
             for (int c = 0; c < 3; c++) {
                 System.arraycopy(scratch.tint[c], start, tint[c], start, end - start);
@@ -73,6 +77,7 @@ public final class ClearTerms {
 
     /** Returns whether these terms, of the same rows, are those of other materials too. */
     public boolean isFor(HitRows rows, ShadingMaterial[] materials) {
+        assert transmissions != null;
         for (int run = 0; run < transmissions.length; run++) {
             if (!transmissions[run].equals(materials[rows.runMaterial[run]].clarity())) {
                 return false;

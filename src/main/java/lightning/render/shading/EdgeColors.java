@@ -1,6 +1,7 @@
 package lightning.render.shading;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Colors of a tile's pixel centers, or of the first samples of some pixels, by which anti-aliasing decides where it needs more
@@ -9,7 +10,7 @@ import java.util.Arrays;
  * @param colors packed colors, {@code int[1024]} ({@link #pack})
  * @param images colors of the rays that bounce from the first level's rows; null if there are none
  */
-public record EdgeColors(int[] colors, BounceImages images) {
+public record EdgeColors(int[] colors, @Nullable BounceImages images) {
     // An array in a record: written once by its creator.
 
     private static final int BITS = 10;
@@ -68,8 +69,8 @@ public record EdgeColors(int[] colors, BounceImages images) {
         return false;
     }
 
-    /** Returns {@code known}, which may be null, if its colors are equal, so that later comparisons can compare references. */
-    public EdgeColors reuseIfEqual(EdgeColors known) {
+    /** Returns {@code known} if its colors are equal, so that later comparisons can compare references. */
+    public EdgeColors reuseIfEqual(@Nullable EdgeColors known) {
         return known != null && Arrays.equals(colors, known.colors) ? new EdgeColors(known.colors, images) : this;
     }
 

@@ -3,6 +3,7 @@ package lightning.render.shading;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.RowWeigher;
 import lightning.render.trace.SurfacePoint;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Indirect light of a scene.
@@ -11,7 +12,7 @@ import lightning.render.trace.SurfacePoint;
  * @param light     light at each gather point: red, green, blue; in the units of the lights' diffuse sum
  * @param edgeLight the same as edge detection sees it; null without edge detection
  */
-public record IndirectLight(GatherStructure structure, float[][] light, float[][] edgeLight) {
+public record IndirectLight(GatherStructure structure, float[][] light, float @Nullable [][] edgeLight) {
     // Arrays in a record: written once by their creator, never after.
 
     /**

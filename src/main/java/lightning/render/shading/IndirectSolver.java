@@ -1,5 +1,7 @@
 package lightning.render.shading;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
@@ -122,7 +124,7 @@ public final class IndirectSolver {
             });
             radiosity = after;
         }
-        return radiosity;
+        return requireNonNull(radiosity);
     }
 
     private interface Part {

@@ -1,5 +1,7 @@
 package lightning.render.shading;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Objects;
 import java.util.stream.Stream;
 import lightning.base.math.Transform;
@@ -8,6 +10,7 @@ import lightning.render.trace.HitRows;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Geometry of a light in render space: everything that decides which rows it reaches and with which terms, except its weight.
@@ -21,8 +24,8 @@ import lightning.scene.light.LightType;
  *     position
  * @param fineSamples   samples that rows of finer samples use; null for a point light, and without anti-aliasing
  */
-public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle, double dropoff, AreaSamples centerSamples,
-        AreaSamples fineSamples) {
+public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle, double dropoff, @Nullable AreaSamples centerSamples,
+        @Nullable AreaSamples fineSamples) {
 
     /** Returns a light's source in the camera's render space. */
     public static LightSource of(Light light, Scene scene) {
@@ -66,7 +69,7 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
 
     /** Returns the samples of an area light that some rows use. */
     public AreaSamples samples(HitRows rows) {
-        return rows.pattern == null ? centerSamples : fineSamples;
+        return requireNonNull(rows.pattern == null ? centerSamples : fineSamples);
     }
 
     /** Returns the points at which shadow rays to a light with a position end. */
@@ -77,7 +80,8 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
 
     /** Returns the largest distance of any sample of an area light from its center. */
     public double extent() {
-        return fineSamples == null ? centerSamples.extent() : Math.max(centerSamples.extent(), fineSamples.extent());
+        double extent = requireNonNull(centerSamples).extent();
+        return fineSamples == null ? extent : Math.max(extent, fineSamples.extent());
     }
 
     /** Returns a sample of an area light at a position as a light of its own. */

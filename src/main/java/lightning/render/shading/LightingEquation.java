@@ -3,6 +3,7 @@ package lightning.render.shading;
 import lightning.base.math.PowerFunction;
 import lightning.render.trace.Refraction;
 import lightning.scene.value.Attenuation;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Lighting equation (paper §2.2), term by term, for one row and one light.
@@ -39,7 +40,7 @@ public final class LightingEquation {
     private double ly;
     private double lz;
     private double distance;
-    private final AngularMask angularMask;
+    private final @Nullable AngularMask angularMask;
     private double maskFactor;
 
     public LightingEquation(LightSource source) {

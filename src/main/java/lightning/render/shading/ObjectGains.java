@@ -5,6 +5,7 @@ import lightning.render.trace.ShapeChange;
 import lightning.scene.Stage;
 import lightning.scene.light.Light;
 import lightning.scene.value.ShapeGains;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Gains of one light on the shapes of a scene: factors of its contributions, which composition applies. An edit of a gain therefore casts no
@@ -22,7 +23,7 @@ public final class ObjectGains {
     }
 
     /** Returns the gains of a light; null if it has none. */
-    public static ObjectGains of(Light light, Stage stage) {
+    public static @Nullable ObjectGains of(Light light, Stage stage) {
         ShapeGains gains = light.contribution().gains();
         if (gains.isNone()) {
             return null;
@@ -55,7 +56,7 @@ public final class ObjectGains {
      * @param a gains before the change, or null for none
      * @param b gains after it, or null for none
      */
-    public static boolean areSame(ObjectGains a, ObjectGains b, ShapeChange change) {
+    public static boolean areSame(@Nullable ObjectGains a, @Nullable ObjectGains b, ShapeChange change) {
         if (a == b) {
             return true;
         }
@@ -72,7 +73,7 @@ public final class ObjectGains {
      * @param owners shape of each row
      * @param tint   one channel of the rows' tints; null if all are 1
      */
-    public void write(int[] owners, int from, int to, float[] tint, float[] out) {
+    public void write(int[] owners, int from, int to, float @Nullable [] tint, float[] out) {
         for (int i = from; i < to; i++) {
             float gain = gains[entries[owners[i]]];
             out[i] = tint == null ? gain : tint[i] * gain;

@@ -3,6 +3,7 @@ package lightning.render.shading;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.TexelColumns;
 import lightning.scene.material.Transmission;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Material properties as the {@link LightingEquation} needs them: red, green, blue each.
@@ -22,9 +23,8 @@ import lightning.scene.material.Transmission;
  * @param hasSpecular  true if it has specular terms: k<sub>specular</sub> is above 0 in any channel, or the material is metallic
  * @param isReflective true if k<sub>reflective</sub> is above 0 in any channel
  */
-public record ShadingMaterial(float[] ambient, float[] glow, float[] diffuse, float[] specular, float[] texturedF0, float[] reflective,
-        Transmission clarity, InteriorTint interior, float bodyShare,
-        boolean isTextured,
+public record ShadingMaterial(float[] ambient, float[] glow, float[] diffuse, float[] specular, float @Nullable [] texturedF0,
+        float[] reflective, @Nullable Transmission clarity, @Nullable InteriorTint interior, float bodyShare, boolean isTextured,
         boolean hasImage,
         TexelColumns texels,
         boolean hasSpecular,

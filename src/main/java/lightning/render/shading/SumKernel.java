@@ -2,6 +2,7 @@ package lightning.render.shading;
 
 import lightning.render.trace.HitRows;
 import lightning.scene.material.Transmission;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Adds lights' contributions over the rows of a tile and evaluates the {@link LightingEquation}. Columns have {@link
@@ -24,8 +25,8 @@ public interface SumKernel {
      * @param mirrored Cr; unread if the material is not reflective
      * @param to       receives the colors
      */
-    void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float[][] specular, float[][] grazing,
-            float[][] mirrored, float[][] to);
+    void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float @Nullable [][] specular,
+            float @Nullable [][] grazing, float @Nullable [][] mirrored, float[][] to);
 
     /**
      * Writes the terms of rows {@code from … to − 1} of a transparent material that no light changes.

@@ -1,5 +1,7 @@
 package lightning.render.shading;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * Operands of one of the lights' two sums, diffuse or specular, over the rows of a tile. Their order gives the bits of the tree of
  * {@link LightingEquation#sum}: two chains of lights are added up separately, then the second sum is added to the first, then known
@@ -56,7 +58,7 @@ public final class SumOperands {
     }
 
     /** Appends a light with the weight of one of its contributions. */
-    public void addLight(LightWeight weight, float[] lightTerm, float[] lightFalloff, float[][] tint) {
+    public void addLight(LightWeight weight, float[] lightTerm, float @Nullable [] lightFalloff, float @Nullable [][] tint) {
         tinted |= tint != null;
         tintRed[lightCount] = tint == null ? ONES : tint[0];
         tintGreen[lightCount] = tint == null ? ONES : tint[1];

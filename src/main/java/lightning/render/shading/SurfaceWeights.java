@@ -61,6 +61,7 @@ public final class SurfaceWeights {
     /** Returns one channel of the color of a clear surface by the {@link LightingEquation}. */
     public float color(int c, float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr,
             float mirroredColor, float refractedColor) {
+        assert hit.backSide() != null;
         return LightingEquation.clearColor(emitted, kd, diffuse, ks, specular, grazing, kr, mirroredColor,
                 ClearMaterialShader.bodyShare(hit.backSide().transmission()), fresnel,
                 ClearMaterialShader.channel(hit.backSide().transmission().color(), c), refractedColor,

@@ -3,6 +3,7 @@ package lightning.render.shading;
 import lightning.render.shading.layer.RowBits;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Kernel that computes the terms of the {@link LightingEquation} for one light over all rows of a tile, with the bits of the
@@ -97,7 +98,7 @@ public interface TermKernel {
      *
      * @param falloff null if it is 1
      */
-    void accumulate(float[] term, float[] falloff, int[] rowSet, int rows, double[] sum);
+    void accumulate(float[] term, float @Nullable [] falloff, int[] rowSet, int rows, double[] sum);
 
     /** Writes the falloff before it is rounded to float. */
     void unroundedFalloffs(HitRows rows, LightSource source, double[] to);

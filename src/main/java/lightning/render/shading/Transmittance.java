@@ -1,5 +1,7 @@
 package lightning.render.shading;
 
+import static java.util.Objects.requireNonNull;
+
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.trace.Geometry;
@@ -54,7 +56,7 @@ public final class Transmittance {
         Transmission entered = null;
         for (int i = crossings.first(0); i != ShadowRayHits.END; i = crossings.next(i)) {
             double t = crossings.t[i];
-            Material material = primitives.shadowTint(crossings.primitive[i]);
+            Material material = requireNonNull(primitives.shadowTint(crossings.primitive[i]));
             Transmission clarity = material.transmission();
             surface.computeNormal(primitives, crossings.primitive[i], crossings.part[i], from.x(), from.y(), from.z(), dx, dy, dz, t);
             boolean isExit = surface.isInside() && !clarity.thin();

@@ -1,5 +1,7 @@
 package lightning.render.shading;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.render.trace.Refraction;
 import lightning.render.trace.ShadowRayBatch;
@@ -47,7 +49,7 @@ public final class TransmittanceBatch {
     private ClearSurface surface(int s) {
         ClearSurface known = surfaces[s];
         if (known == null) {
-            known = ClearSurface.of(primitives.shadowTint(s));
+            known = ClearSurface.of(requireNonNull(primitives.shadowTint(s)));
             surfaces[s] = known;
         }
         return known;

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Light of a scene with its weights and source, as the equation needs it. Owns a layer. The layer contains neither weights nor gains, so it
@@ -15,7 +16,7 @@ import lightning.scene.light.Light;
  * @param gains    its gains on single shapes; null if it has none
  * @param source   the light's geometry
  */
-public record WeightedLight(Light light, LightWeight diffuse, LightWeight specular, ObjectGains gains, LightSource source) {
+public record WeightedLight(Light light, LightWeight diffuse, LightWeight specular, @Nullable ObjectGains gains, LightSource source) {
 
     /** Prepares a light of a scene, before or after its light group is applied. */
     public static WeightedLight of(Light light, Scene scene) {

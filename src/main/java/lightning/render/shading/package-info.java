@@ -8,4 +8,7 @@
  * roundings all arithmetic is in double. After the last rounding it is in float, grouped as {@code weight·(cosine·falloff)} and
  * summed over the lights as a balanced pairwise tree in scene order.
  */
+@NullMarked
 package lightning.render.shading;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,5 +1,7 @@
 package lightning.render.trace;
 
+import static java.util.Objects.requireNonNull;
+
 /** Kind of secondary ray that leaves a hit row: reflected or refracted. */
 public enum BounceKind {
     /** Reflected ray, cast from every row of a reflective or transparent material. */
@@ -45,17 +47,17 @@ public enum BounceKind {
 
         @Override
         float[] originX(HitRows from) {
-            return from.backX;
+            return requireNonNull(from.backX);
         }
 
         @Override
         float[] originY(HitRows from) {
-            return from.backY;
+            return requireNonNull(from.backY);
         }
 
         @Override
         float[] originZ(HitRows from) {
-            return from.backZ;
+            return requireNonNull(from.backZ);
         }
     };
 

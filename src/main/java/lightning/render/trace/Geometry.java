@@ -1,5 +1,7 @@
 package lightning.render.trace;
 
+import static java.util.Objects.requireNonNull;
+
 import java.lang.ref.SoftReference;
 import java.lang.ref.WeakReference;
 import java.util.Map;
@@ -23,6 +25,7 @@ import lightning.scene.Stage;
 import lightning.scene.material.Material;
 import lightning.scene.node.Shape;
 import lightning.scene.value.ShapeLinks;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A scene's shapes and materials in render space, without its lights, as rays intersect them.
@@ -53,7 +56,7 @@ public final class Geometry {
      * Latest result of {@link #changeTo}, while another object still references it. Any thread may write it, since all compute
      * equal results.
      */
-    private volatile WeakReference<ShapeChange> lastChange;
+    private volatile @Nullable WeakReference<ShapeChange> lastChange;
 
     private Geometry(ShapeSurfaces surfaces, Bvh bvh, PrimitiveTable primitives, ShadowBlockers blockers) {
         this.surfaces = surfaces;
@@ -91,7 +94,7 @@ public final class Geometry {
     }
 
     /** Returns a version in which only some primitives cast shadows; the BVH contains only these. */
-    private Geometry withBlockers(boolean[] newShadowCasters, boolean[] newTintCasters) {
+    private Geometry withBlockers(boolean[] newShadowCasters, boolean @Nullable [] newTintCasters) {
         var changed = new ShadowBlockers(newShadowCasters, newTintCasters, newTintCasters == null ? null : bvh.subset(newTintCasters));
         return new Geometry(surfaces, changed.castShadows() ? bvh.subset(newShadowCasters) : bvh, primitives, changed);
     }
@@ -137,7 +140,7 @@ public final class Geometry {
     }
 
     /** Returns for each primitive whether it tints light with these shadow links; null if none does. */
-    boolean[] tintCasters(ShapeLinks links) {
+    boolean @Nullable [] tintCasters(ShapeLinks links) {
         if (!primitives.hasShadowTints()) {
             return null;
         }
@@ -153,12 +156,12 @@ public final class Geometry {
     /**
      * Returns for each primitive whether it transmits and tints light, or null if none does; callers must not modify the array.
      */
-    public boolean[] tintCasters() {
+    public boolean @Nullable [] tintCasters() {
         return blockers.tintCasters();
     }
 
     /** Returns the BVH over the primitives that transmit and tint light; null if there are none. */
-    public Bvh tintBvh() {
+    public @Nullable Bvh tintBvh() {
         return blockers.tintBvh();
     }
 
@@ -168,7 +171,7 @@ public final class Geometry {
      *
      * @param x coordinates in render space, with {@code y} and {@code z}: the same arrays for the same area
      */
-    public LightBuffers tintLightBuffers(double[] x, double[] y, double[] z) {
+    public @Nullable LightBuffers tintLightBuffers(double[] x, double[] y, double[] z) {
         if (tintMeshes.length == 0 || tintMeshes.length > MAX_BUFFERED_MESHES) {
             return null;
         }
@@ -185,7 +188,10 @@ public final class Geometry {
 
     private int[] tintMeshes() {
         boolean[] tintCasters = tintCasters();
-        return IntStream.range(0, tintCasters == null ? 0 : tintCasters.length)
+        if (tintCasters == null) {
+            return new int[0];
+        }
+        return IntStream.range(0, tintCasters.length)
                 .filter(s -> tintCasters[s] && primitives.mesh(s) != null && !primitives.isEyeOnSurface(s))
                 .toArray();
     }
@@ -237,7 +243,8 @@ public final class Geometry {
         }
         Map<String, Material> thisMaterials = stage.materialsByName();
         Map<String, Material> otherMaterials = otherStage.materialsByName();
-        return stage.usedMaterials().stream().allMatch(m -> thisMaterials.get(m).hasSameRays(otherMaterials.get(m)));
+        return stage.usedMaterials().stream()
+                .allMatch(m -> requireNonNull(thisMaterials.get(m)).hasSameRays(requireNonNull(otherMaterials.get(m))));
     }
 
     /**
@@ -504,7 +511,7 @@ public final class Geometry {
      * @param side of the square, scene units
      * @throws IllegalArgumentException if the ray misses the primitive
      */
-    public float[] meanGlowTexelBruteForce(int primitive, Ray ray, double side) {
+    public float @Nullable [] meanGlowTexelBruteForce(int primitive, Ray ray, double side) {
         double t = hitDistance(primitive, ray);
         return new SurfacePointBuilder(primitives, materials).meanGlowTexel(primitive, hitPart(primitive, ray), ray, t, side);
     }
@@ -528,7 +535,7 @@ public final class Geometry {
      *
      * @throws IllegalArgumentException if the ray misses the primitive
      */
-    public NormalSteps normalSteps(int primitive, Ray ray) {
+    public @Nullable NormalSteps normalSteps(int primitive, Ray ray) {
         RayTraversal traversal = bvh.traversal(ray);
         if (traversal.intersectPrimitive(primitive) < 0) {
             throwMissed(primitive);

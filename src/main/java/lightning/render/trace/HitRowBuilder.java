@@ -3,6 +3,7 @@ package lightning.render.trace;
 import java.util.Arrays;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.SurfaceHit;
+import org.jspecify.annotations.Nullable;
 
 /** Builds hit rows from traced rays. Holds scratch memory: use one per thread. */
 final class HitRowBuilder {
@@ -14,7 +15,7 @@ final class HitRowBuilder {
     /** Rank of the material that each ray hit, −1 for a miss. */
     private final int[] ranks = new int[RayColumns.MAX_RAYS];
     /** Created on first use. */
-    private SurfaceHit surface;
+    private @Nullable SurfaceHit surface;
 
     HitRowBuilder(Geometry geometry, Tracer tracer) {
         primitives = geometry.primitives();
@@ -29,12 +30,12 @@ final class HitRowBuilder {
      *
      * @param patterns sample patterns by the slots of the rays; unread if the rows have none
      */
-    HitRows build(RayColumns rays, byte[] patterns, TileVisibility.Allocator allocator) {
+    HitRows build(RayColumns rays, byte @Nullable [] patterns, TileVisibility.Allocator allocator) {
         return build(rays, patterns, true, allocator);
     }
 
     /** @param withTexels whether to look up the textures of the hits */
-    HitRows build(RayColumns rays, byte[] patterns, boolean withTexels, TileVisibility.Allocator allocator) {
+    HitRows build(RayColumns rays, byte @Nullable [] patterns, boolean withTexels, TileVisibility.Allocator allocator) {
         Arrays.fill(starts, 0);
         rankHits(rays);
         for (int i = 0; i < rays.count; i++) {
@@ -76,7 +77,7 @@ final class HitRowBuilder {
         }
     }
 
-    private void writeRows(RayColumns rays, byte[] patterns, HitRows rows, boolean textured) {
+    private void writeRows(RayColumns rays, byte @Nullable [] patterns, HitRows rows, boolean textured) {
         tracer.writeSurfaces(rays, rows, textured);
         for (int row = 0; row < rows.count; row++) {
             int ray = rays.order[row];
@@ -91,8 +92,11 @@ final class HitRowBuilder {
         if (textured) {
             texels.write(rows, 0, rays);
         }
-        for (int row = 0; rows.pattern != null && row < rows.count; row++) {
-            rows.pattern[row] = patterns[rows.parent[row]];
+        if (rows.pattern != null) {
+            assert patterns != null;
+            for (int row = 0; row < rows.count; row++) {
+                rows.pattern[row] = patterns[rows.parent[row]];
+            }
         }
         for (int row = 0; rows.owner != null && row < rows.count; row++) {
             rows.owner[row] = rays.primitive[rays.order[row]];
@@ -107,6 +111,7 @@ final class HitRowBuilder {
         surface.compute(primitives, primitive, rays.part[ray], rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray],
                 rays.dy[ray], rays.dz[ray], rays.t[ray]);
         surface.computeBackPoint();
+        assert rows.backX != null && rows.backY != null && rows.backZ != null && rows.insideDistance != null;
         rows.backX[row] = surface.backX;
         rows.backY[row] = surface.backY;
         rows.backZ[row] = surface.backZ;

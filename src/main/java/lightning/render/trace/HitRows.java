@@ -1,5 +1,7 @@
 package lightning.render.trace;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.EnumSet;
@@ -15,6 +17,7 @@ import lightning.render.trace.tree.PointBox;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Hits of one tile at one level as columns that share one index: the cached result of the visibility pass.
@@ -42,13 +45,13 @@ public final class HitRows {
         public static final List<ColumnGroup> TEXELS = Arrays.stream(values()).filter(group -> group.map != null).toList();
 
         /** Image whose colors the columns contain; null if they contain something else. */
-        private final MaterialAttribute<Optional<TextureMap>> map;
+        private final @Nullable MaterialAttribute<Optional<TextureMap>> map;
 
         ColumnGroup() {
             this(null);
         }
 
-        ColumnGroup(MaterialAttribute<Optional<TextureMap>> map) {
+        ColumnGroup(@Nullable MaterialAttribute<Optional<TextureMap>> map) {
             this.map = map;
         }
 
@@ -59,7 +62,7 @@ public final class HitRows {
 
         /** Returns a material's image for the columns of one of {@link #TEXELS}. */
         Optional<TextureMap> map(Material material) {
-            return map.get(material);
+            return requireNonNull(map).get(material);
         }
 
         /** Returns the columns of this group. */
@@ -136,21 +139,21 @@ public final class HitRows {
     public final float[] vy;
     public final float[] vz;
     /** Texture color, 0…1, of rows with textured materials; null if the tile has none. */
-    public final float[] texelRed;
-    public final float[] texelGreen;
-    public final float[] texelBlue;
+    public final float @Nullable [] texelRed;
+    public final float @Nullable [] texelGreen;
+    public final float @Nullable [] texelBlue;
     /** Destination of the row's color: a pixel of the tile at the first level, a row of the previous level at others. */
     public final short[] parent;
     /** Pattern of area light samples of each row of finer samples, unsigned ({@link SamplePattern}); null for pixel centers. */
-    public final byte[] pattern;
+    public final byte @Nullable [] pattern;
     /** Primitive that was hit; null if unused. */
-    public final int[] owner;
+    public final int @Nullable [] owner;
     /** Points behind the surface for rows of transparent materials, offset from it, render space; null if the tile has none. */
-    public final float[] backX;
-    public final float[] backY;
-    public final float[] backZ;
+    public final float @Nullable [] backX;
+    public final float @Nullable [] backY;
+    public final float @Nullable [] backZ;
     /** Length of the ray inside the body for rows of transparent materials, scene units; below 0 if it came from outside. */
-    public final float[] insideDistance;
+    public final float @Nullable [] insideDistance;
     /** Number of runs. */
     public int runCount;
     /** Material of each run. */
@@ -162,6 +165,7 @@ public final class HitRows {
     /** Number of rows with transparent materials; they come first, and all of them are reflective. */
     public int transparentCount;
     /** Bounds of the points, computed on first use; code that overwrites the points must reset it. */
+    @Nullable
     PointBox bounds;
 
     private final ColumnSet<Column> columns;
@@ -188,16 +192,16 @@ public final class HitRows {
         vx = (float[]) columns.get(Column.VX);
         vy = (float[]) columns.get(Column.VY);
         vz = (float[]) columns.get(Column.VZ);
-        texelRed = (float[]) columns.get(Column.TEXEL_RED);
-        texelGreen = (float[]) columns.get(Column.TEXEL_GREEN);
-        texelBlue = (float[]) columns.get(Column.TEXEL_BLUE);
+        texelRed = (float[]) columns.find(Column.TEXEL_RED);
+        texelGreen = (float[]) columns.find(Column.TEXEL_GREEN);
+        texelBlue = (float[]) columns.find(Column.TEXEL_BLUE);
         parent = (short[]) columns.get(Column.PARENT);
-        pattern = (byte[]) columns.get(Column.PATTERN);
-        owner = (int[]) columns.get(Column.OWNER);
-        backX = (float[]) columns.get(Column.BACK_X);
-        backY = (float[]) columns.get(Column.BACK_Y);
-        backZ = (float[]) columns.get(Column.BACK_Z);
-        insideDistance = (float[]) columns.get(Column.INSIDE_DISTANCE);
+        pattern = (byte[]) columns.find(Column.PATTERN);
+        owner = (int[]) columns.find(Column.OWNER);
+        backX = (float[]) columns.find(Column.BACK_X);
+        backY = (float[]) columns.find(Column.BACK_Y);
+        backZ = (float[]) columns.find(Column.BACK_Z);
+        insideDistance = (float[]) columns.find(Column.INSIDE_DISTANCE);
     }
 
     private static Set<Column> columns(TexelColumns texels, boolean transparent, boolean hasPatterns, boolean hasOwners) {
@@ -257,7 +261,7 @@ public final class HitRows {
     }
 
     /** Returns these rows with other owners, or null for none. */
-    public HitRows withOwner(int[] to) {
+    public HitRows withOwner(int @Nullable [] to) {
         return withColumns(columns.with(Column.OWNER, to), reflectiveCount);
     }
 
@@ -266,6 +270,7 @@ public final class HitRows {
      * that now hit nothing.
      */
     public int[] ownersFor(HitRows otherRows) {
+        assert owner != null;
         int[] ownerByParent = new int[RayColumns.MAX_RAYS];
         for (int i = 0; i < count; i++) {
             ownerByParent[parent[i]] = owner[i];
@@ -292,12 +297,12 @@ public final class HitRows {
      *
      * @param group one of {@link ColumnGroup#TEXELS}
      */
-    public float[] texel(ColumnGroup group, int channel) {
-        return (float[]) columns.get(COLUMNS[group.ordinal()][channel]);
+    public float @Nullable [] texel(ColumnGroup group, int channel) {
+        return (float[]) columns.find(COLUMNS[group.ordinal()][channel]);
     }
 
     /** Returns the red, green or blue texels for channel 0, 1, 2; null if the tile has none. */
-    public float[] texel(int channel) {
+    public float @Nullable [] texel(int channel) {
         return switch (channel) {
             case 0 -> texelRed;
             case 1 -> texelGreen;
@@ -358,6 +363,7 @@ public final class HitRows {
 
     /** Returns whether the ray reached a row of a transparent material from inside. */
     public boolean isInside(int row) {
+        assert insideDistance != null;
         return insideDistance[row] >= 0;
     }
 

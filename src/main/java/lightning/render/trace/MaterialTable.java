@@ -1,5 +1,7 @@
 package lightning.render.trace;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -16,6 +18,7 @@ import lightning.scene.material.Material;
 import lightning.scene.material.Transmission;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Materials in use as columns, in which the file's doubles become the floats of the lighting equation. Colors are
@@ -47,7 +50,7 @@ public final class MaterialTable {
     private final float[] specular;
     private final float[] reflective;
     /** Part of F0 of metallic materials that a texture multiplies; null if there are none. */
-    private final float[] metalF0;
+    private final float @Nullable [] metalF0;
 
     /**
      * @param names unique material names; the index of a name is the index of the material
@@ -56,12 +59,12 @@ public final class MaterialTable {
      * @param previous provides materials that no shape uses and the scene lacks; null if there are none
      * @param castsReflections selects the materials that cast reflected rays: all reflective ones, and possibly others
      */
-    MaterialTable(List<String> names, Set<String> vertexColorMaterials, Scene scene, MaterialTable previous,
+    MaterialTable(List<String> names, Set<String> vertexColorMaterials, Scene scene, @Nullable MaterialTable previous,
             Predicate<Material> castsReflections) {
         Map<String, Material> byName = scene.stage().rendered().materialsByName();
         materials = IntStream.range(0, names.size()).mapToObj(m -> {
             Material material = byName.get(names.get(m));
-            return material == null ? previous.material(m) : material;
+            return material == null ? requireNonNull(previous).material(m) : material;
         }).toList();
         int count = materials.size();
         this.vertexColored = new boolean[count];
@@ -94,7 +97,7 @@ public final class MaterialTable {
                     double dielectric = 1 - material.metalness();
                     store(material.base().times(dielectric * (1 - material.f0())), diffuse, 3 * m);
                     store(Rgb.gray(dielectric * material.f0()), specular, 3 * m);
-                    store(material.base().times(material.metalness()), metalF0, 3 * m);
+                    store(material.base().times(material.metalness()), requireNonNull(metalF0), 3 * m);
                 }
             }
             store(material.reflective(), reflective, 3 * m);
@@ -213,7 +216,7 @@ public final class MaterialTable {
     }
 
     /** Returns the texture of material {@code m}; null if it has none. */
-    public TextureMap texture(int m) {
+    public @Nullable TextureMap texture(int m) {
         return materials.get(m).texture().orElse(null);
     }
 
@@ -256,7 +259,7 @@ public final class MaterialTable {
      *
      * @param group one of {@link ColumnGroup#TEXELS}
      */
-    public TextureMap map(ColumnGroup group, int m) {
+    public @Nullable TextureMap map(ColumnGroup group, int m) {
         return group.map(materials.get(m)).orElse(null);
     }
 

@@ -7,6 +7,7 @@ import lightning.scene.Scene;
 import lightning.scene.node.Mesh;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
+import org.jspecify.annotations.Nullable;
 
 /** Estimate of the memory that a scene's meshes need, before any BVH is built. Each mesh counts once. */
 public final class MeshMemory {
@@ -35,7 +36,7 @@ public final class MeshMemory {
                 + (long) Integer.BYTES * m.triangles().length + TREE_BYTES * m.triangleCount();
     }
 
-    private static long length(float[] column) {
+    private static long length(float @Nullable [] column) {
         return column == null ? 0 : column.length;
     }
 }

@@ -8,6 +8,7 @@ import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.tree.CandidateList;
 import lightning.scene.Scene;
 import lightning.scene.material.Transmission;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Up to 1024 rays with any origins and directions, which pass through transparent surfaces and faces of lights. Holds scratch memory:
@@ -212,7 +213,7 @@ public final class RayBatch {
      * Returns the normal of the surface that a ray hit, not bent by bump maps or vertex normals: of length 1, facing the ray; null if the
      * surface is shaded by this normal.
      */
-    public Vec3 geometricNormal(int ray) {
+    public @Nullable Vec3 geometricNormal(int ray) {
         computeSurface(ray, rays.primitive[ray]);
         return surface.hasShadingNormal() ? surface.geometricNormal() : null;
     }

@@ -2,6 +2,7 @@ package lightning.render.trace;
 
 import lightning.base.math.Vec3;
 import lightning.render.trace.tree.RayBeam;
+import org.jspecify.annotations.Nullable;
 
 /** Rays of one tile, up to 1024, and their hits, as columns that share one index. Reused; not thread-safe. */
 public final class RayColumns {
@@ -17,11 +18,12 @@ public final class RayColumns {
     /** Origin of camera rays, render space. */
     private final Vec3 eye;
     /** Rows that the rays start from; null for camera rays. */
+    @Nullable
     HitRows sourceRows;
     /** Origins of the rays by row; null for camera rays. */
-    public float[] startX;
-    public float[] startY;
-    public float[] startZ;
+    public float @Nullable [] startX;
+    public float @Nullable [] startY;
+    public float @Nullable [] startZ;
     /** Source of each ray: a row of {@link #sourceRows}, or a pixel or sample of the tile. */
     public final short[] slot = new short[MAX_RAYS];
     /** Directions, of any length. */

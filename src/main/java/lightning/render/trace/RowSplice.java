@@ -1,9 +1,12 @@
 package lightning.render.trace;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.BitSet;
 import lightning.render.column.ColumnKind;
 import lightning.render.column.ColumnSet;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Merge of a level's existing rows with newly traced ones; some existing rows may be removed. Lets a material become
@@ -13,7 +16,7 @@ import lightning.render.column.ColumnSet;
  */
 public final class RowSplice {
     private final HitRows old;
-    private final HitRows added;
+    private final @Nullable HitRows added;
     private HitRows rows;
     /** For each resulting row the old row, or {@code ~i} for added row i. */
     private final int[] source;
@@ -28,7 +31,7 @@ public final class RowSplice {
      * @param order rows in the order within one material, encoded as in {@link #source}
      * @param count number of rows
      */
-    private RowSplice(HitRows old, HitRows added, int[] order, int count, MaterialTable materials) {
+    private RowSplice(HitRows old, @Nullable HitRows added, int[] order, int count, MaterialTable materials) {
         this.old = old;
         this.added = added;
         int[] oldRanks = ranks(old, materials);
@@ -36,7 +39,7 @@ public final class RowSplice {
         int[] starts = new int[materials.count() + 1];
         for (int i = 0; i < count; i++) {
             int s = order[i];
-            starts[(s < 0 ? addedRanks[~s] : oldRanks[s]) + 1]++;
+            starts[(s < 0 ? requireNonNull(addedRanks)[~s] : oldRanks[s]) + 1]++;
         }
         for (int r = 0; r < materials.count(); r++) {
             starts[r + 1] += starts[r];
@@ -49,16 +52,14 @@ public final class RowSplice {
         Arrays.fill(newIndex, -1);
         for (int i = 0; i < count; i++) {
             int s = order[i];
-            int row = starts[s < 0 ? addedRanks[~s] : oldRanks[s]]++;
+            int row = starts[s < 0 ? requireNonNull(addedRanks)[~s] : oldRanks[s]]++;
             source[row] = s;
             if (s >= 0) {
                 newIndex[s] = row;
             }
         }
         end = ends(source);
-        if (!isUnchanged()) {
-            rows = allocateRows(ends, materials);
-        }
+        rows = isUnchanged() ? old : allocateRows(ends, materials);
     }
 
     /** Returns whether all old rows keep their positions and none were added; then columns are shared without copying. */
@@ -129,7 +130,7 @@ public final class RowSplice {
      * @param rays number of rows of the previous level that cast these rays now
      * @param retraced rows of the previous level, by new index, whose rays are traced again; their old hits are removed
      */
-    public static RowSplice mergeBounce(RowSplice parentSplice, int rays, HitRows old, BitSet retraced, MaterialTable materials) {
+    public static RowSplice mergeBounce(@Nullable RowSplice parentSplice, int rays, HitRows old, BitSet retraced, MaterialTable materials) {
         return mergeBounce(parentSplice, rays, old, retraced, null, materials);
     }
 
@@ -143,7 +144,7 @@ public final class RowSplice {
         return mergeBounce(null, rays, old, new BitSet(), added, materials);
     }
 
-    private static RowSplice mergeBounce(RowSplice parentSplice, int rays, HitRows old, BitSet retraced, HitRows added,
+    private static RowSplice mergeBounce(@Nullable RowSplice parentSplice, int rays, HitRows old, BitSet retraced, @Nullable HitRows added,
             MaterialTable materials) {
         int[] sources = new int[rays];
         Arrays.fill(sources, Integer.MIN_VALUE);
@@ -217,10 +218,10 @@ public final class RowSplice {
      * @param oldColumns columns over the old rows
      * @param addedColumns columns over the added rows; unused if there are none
      */
-    public <C extends Enum<C> & ColumnKind> void fill(ColumnSet<C> columns, ColumnSet<C> oldColumns, ColumnSet<C> addedColumns) {
+    public <C extends Enum<C> & ColumnKind> void fill(ColumnSet<C> columns, ColumnSet<C> oldColumns, @Nullable ColumnSet<C> addedColumns) {
         for (int i = 0; i < source.length; i = end[i]) {
             if (source[i] < 0) {
-                columns.copy(addedColumns, ~source[i], i, end[i] - i);
+                columns.copy(requireNonNull(addedColumns), ~source[i], i, end[i] - i);
             } else {
                 columns.copy(oldColumns, source[i], i, end[i] - i);
             }

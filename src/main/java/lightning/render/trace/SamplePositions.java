@@ -1,6 +1,7 @@
 package lightning.render.trace;
 
 import lightning.render.trace.tree.RayBeam;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Image positions of a tile's camera rays: the centers of its pixels, or finer samples of some of them.
@@ -11,7 +12,7 @@ import lightning.render.trace.tree.RayBeam;
  *     all pixels; then a ray's number is its pixel's index
  * @param cells  samples of each pixel
  */
-public record SamplePositions(int x0, int y0, short[] pixels, SampleCells cells) {
+public record SamplePositions(int x0, int y0, short @Nullable [] pixels, SampleCells cells) {
     static final int SIDE = 32;
 
     private static final SampleCells CENTER = SampleCells.all(1);
@@ -60,6 +61,7 @@ public record SamplePositions(int x0, int y0, short[] pixels, SampleCells cells)
 
     /** Writes the sample pattern of each ray of finer samples. */
     void writePatterns(byte[] patterns) {
+        assert pixels != null;
         int[] parts = SampleCells.parts(cells.grid());
         for (int i = 0, ray = 0; i < pixels.length; i++) {
             for (int cell : cells.cells()) {

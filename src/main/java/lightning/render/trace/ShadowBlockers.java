@@ -2,6 +2,7 @@ package lightning.render.trace;
 
 import java.util.stream.IntStream;
 import lightning.render.trace.tree.Bvh;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Primitives that block or tint shadow rays.
@@ -10,7 +11,7 @@ import lightning.render.trace.tree.Bvh;
  * @param tintCasters   those that transmit and tint light; null if none does
  * @param tintBvh       BVH over these; null if there are none
  */
-record ShadowBlockers(boolean[] shadowCasters, boolean[] tintCasters, Bvh tintBvh) {
+record ShadowBlockers(boolean @Nullable [] shadowCasters, boolean @Nullable [] tintCasters, @Nullable Bvh tintBvh) {
     static final ShadowBlockers ALL = new ShadowBlockers(null, null, null);
 
     boolean castShadows() {

@@ -3,6 +3,7 @@ package lightning.render.trace;
 import lightning.render.trace.mesh.LightBuffer;
 import lightning.render.trace.primitive.LightBuffers;
 import lightning.render.trace.tree.ShadowRayTarget;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Shadow rays through clear shapes, from rows of a tile to any samples of one light. They are traced together. Reused; not
@@ -30,9 +31,9 @@ public final class ShadowRayBatch {
     /** True if the rays end at distance 1; otherwise they have no end. */
     public boolean toPoints;
     /** Targets, null if no ray ends on a shape. */
-    public ShadowRayTarget[] targets;
-    /** Light buffers of all targets; null for none. They may be set only if {@link #toPoints} is true and no ray ends on a shape. */
-    public LightBuffers lightBuffers;
+    public ShadowRayTarget @Nullable [] targets;
+    /** Light buffers of all targets. They may be set only if {@link #toPoints} is true and no ray ends on a shape. */
+    public @Nullable LightBuffers lightBuffers;
 
     /** Removes all rays. */
     public void clear() {
@@ -67,6 +68,7 @@ public final class ShadowRayBatch {
     }
 
     /** Returns the light buffer of ray {@code k} for primitive {@code s}; null if there is none. */
+    @Nullable
     LightBuffer lightBuffer(int k, int s) {
         return lightBuffers == null ? null : lightBuffers.get(s, targetIndex[k]);
     }

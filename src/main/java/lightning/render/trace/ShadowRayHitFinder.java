@@ -1,5 +1,7 @@
 package lightning.render.trace;
 
+import static java.util.Objects.requireNonNull;
+
 import lightning.render.trace.mesh.LightBuffer;
 import lightning.render.trace.mesh.MeshRayQuery;
 import lightning.render.trace.primitive.PrimitiveTable;
@@ -64,7 +66,7 @@ public final class ShadowRayHitFinder {
             double dx = rays.dx[k];
             double dy = rays.dy[k];
             double dz = rays.dz[k];
-            Transmission clarity = primitives.shadowTint(hits.primitive[i]).transmission();
+            Transmission clarity = requireNonNull(primitives.shadowTint(hits.primitive[i])).transmission();
             surface.computeNormal(primitives, hits.primitive[i], hits.part[i], rays.ox[k], rays.oy[k], rays.oz[k], dx, dy, dz, hits.t[i]);
             double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
             hits.inside[i] = surface.isInside();

@@ -10,6 +10,7 @@ import lightning.render.trace.tree.BoxSet;
 import lightning.render.trace.tree.ShadowRayTarget;
 import lightning.scene.Scene;
 import lightning.scene.value.ShapeLinks;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Difference between the primitives of two geometries seen from the same position. A ray that touches none of the boxes here
@@ -28,8 +29,8 @@ public final class ShapeChange {
     /** No difference. */
     public static final ShapeChange NONE = new ShapeChange();
 
-    private final Geometry before;
-    private final Geometry after;
+    private final @Nullable Geometry before;
+    private final @Nullable Geometry after;
     /**
      * For each old primitive its new index, possibly with another material, other normals or without colors; −1 if it is
      * removed or changed.
@@ -60,7 +61,7 @@ public final class ShapeChange {
         this.after = after;
         Map<String, Integer> indexByName = new HashMap<>();
         int count = before.primitiveCount();
-        int prefixLength = commonPrefix();
+        int prefixLength = commonPrefix(before, after);
         for (int s = prefixLength; s < count; s++) {
             indexByName.put(before.shape(s).name(), s);
         }
@@ -168,7 +169,7 @@ public final class ShapeChange {
     }
 
     /** Returns the number of leading primitives with the same names. */
-    private int commonPrefix() {
+    private static int commonPrefix(Geometry before, Geometry after) {
         int minCount = Math.min(before.primitiveCount(), after.primitiveCount());
         int s = 0;
         while (s < minCount && before.shape(s).name().equals(after.shape(s).name())) {
@@ -263,7 +264,7 @@ public final class ShapeChange {
 
     /** Returns whether shadow rays to a point in render space end on the same unchanged primitives as before. */
     public boolean hasSameTarget(Vec3 point) {
-        return before == null
+        return before == null || after == null
                 || before.shadowRayTarget(point).hasSameContacts(after.shadowRayTarget(point), s -> newIndex[s], this::existedBefore);
     }
 

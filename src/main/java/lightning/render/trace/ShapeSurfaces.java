@@ -9,6 +9,7 @@ import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.scene.Scene;
 import lightning.scene.material.Material;
 import lightning.scene.node.Shape;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Shapes with the materials of a scene.
@@ -25,8 +26,8 @@ record ShapeSurfaces(Scene scene, List<Shape> shapes, List<String> materialNames
         return of(scene, shapes, MaterialTable.materialNames(shapes), null, castsReflections);
     }
 
-    /** @param known table of materials to reuse, or null */
-    private static ShapeSurfaces of(Scene scene, List<Shape> shapes, List<String> names, MaterialTable known,
+    /** @param known table of materials to reuse */
+    private static ShapeSurfaces of(Scene scene, List<Shape> shapes, List<String> names, @Nullable MaterialTable known,
             Predicate<Material> castsReflections) {
         Set<String> vertexColors = MaterialTable.vertexColorMaterials(shapes);
         return new ShapeSurfaces(scene, shapes, names, vertexColors, castsReflections,

@@ -5,6 +5,7 @@ import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.scene.material.Transmission;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Single hit with the data for shading: one row of {@link HitRows} as a record.
@@ -22,7 +23,7 @@ import lightning.scene.material.Transmission;
  */
 public record SurfacePoint(int primitive, int material, float px, float py, float pz, float nx, float ny, float nz,
         float vx, float vy, float vz, float[] diffuse, float[] specular, float[] texel, Map<ColumnGroup, float[]> maps,
-        BackSide backSide) {
+        @Nullable BackSide backSide) {
 
     /**
      * Start of a ray behind a transparent surface.
@@ -37,8 +38,9 @@ public record SurfacePoint(int primitive, int material, float px, float py, floa
         }
     }
 
-    /** Returns the refracted ray; null if reflection is total. */
-    public Ray refractedRay() {
+    /** Returns the refracted ray of a transparent material; null if reflection is total. */
+    public @Nullable Ray refractedRay() {
+        assert backSide != null;
         double[] d = new double[3];
         boolean passes = Refraction.writeDirection(nx, ny, nz, vx, vy, vz, Refraction.eta(backSide.transmission(), backSide.isInside()), d);
         return passes ? new Ray(new Vec3(backSide.x(), backSide.y(), backSide.z()), new Vec3(d[0], d[1], d[2])) : null;
@@ -46,6 +48,7 @@ public record SurfacePoint(int primitive, int material, float px, float py, floa
 
     /** Returns the reflected fraction of the light at a transparent surface. */
     public float reflectance() {
+        assert backSide != null;
         return Refraction.fresnelReflectance(backSide.transmission(), backSide.isInside(), nx, ny, nz, vx, vy, vz);
     }
 

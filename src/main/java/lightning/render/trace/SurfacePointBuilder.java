@@ -12,6 +12,7 @@ import lightning.render.trace.primitive.TextureLookup;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Transmission;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Computes the surface points of single rays with all data for lighting.
@@ -70,7 +71,7 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
     }
 
     /** Returns the mean color of the glow map in a square around a ray's hit; null if the material has none. */
-    float[] meanGlowTexel(int primitive, int part, Ray ray, double t, double side) {
+    float @Nullable [] meanGlowTexel(int primitive, int part, Ray ray, double t, double side) {
         TextureMap map = materials.map(ColumnGroup.GLOW_TEXEL, primitives.material[primitive]);
         if (map == null) {
             return null;
@@ -103,6 +104,7 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
     }
 
     /** Returns the steps from the geometric normal to the shading normal at a ray's hit; null if both are equal. */
+    @Nullable
     NormalSteps normalSteps(int primitive, int part, Ray ray, double t) {
         SurfaceHit surface = hit(primitive, part, ray, t);
         boolean isSmooth = surface.isSmooth(primitives, primitive);

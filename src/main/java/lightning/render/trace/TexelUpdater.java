@@ -46,7 +46,10 @@ public final class TexelUpdater {
      * @return the same object if nothing changes; all other columns are shared
      */
     public HitRows updateEyeRows(HitRows rows, SamplePositions positions, MaterialSet changed) {
-        return updateTexels(rows, null, null, positions, changed);
+        return updateTexels(rows, changed, () -> directEyeRays(positions), () -> {
+            rays.startAtEye();
+            setEyeDirections(positions);
+        });
     }
 
     /**
@@ -55,10 +58,25 @@ public final class TexelUpdater {
      * @param parentRows rows of the previous level
      */
     public HitRows updateBounceRows(HitRows rows, HitRows parentRows, BounceKind bounce, MaterialSet changed) {
-        return updateTexels(rows, parentRows, bounce, null, changed);
+        return updateTexels(rows, changed, () -> {}, () -> {
+            rays.startAtRows(parentRows, bounce);
+            setBounceDirections(parentRows, bounce);
+        });
     }
 
-    private HitRows updateTexels(HitRows rows, HitRows parentRows, BounceKind bounce, SamplePositions positions, MaterialSet changed) {
+    private void directEyeRays(SamplePositions positions) {
+        if (positions.pixels() == null) {
+            tracer.directEyeRays(camera, positions.x0(), positions.y0(), SamplePositions.SIDE, SamplePositions.SIDE, eyeRays);
+        } else {
+            tracer.directSampleRays(camera, positions, eyeRays);
+        }
+    }
+
+    /**
+     * @param prepare called once before the first run
+     * @param direct directs the rays of a run, whose slots are set
+     */
+    private HitRows updateTexels(HitRows rows, MaterialSet changed, Runnable prepare, Runnable direct) {
         if (!changed.intersects(rows)) {
             return rows;
         }
@@ -66,22 +84,18 @@ public final class TexelUpdater {
         if (needed.isNone()) {
             return rows.texels().isNone() ? rows : rows.withCopiedTexels(needed);
         }
-        if (parentRows == null && positions.pixels() == null) {
-            tracer.directEyeRays(camera, positions.x0(), positions.y0(), SamplePositions.SIDE, SamplePositions.SIDE, eyeRays);
-        } else if (parentRows == null) {
-            tracer.directSampleRays(camera, positions, eyeRays);
-        }
+        prepare.run();
         HitRows updated = rows.withCopiedTexels(needed);
         for (int r = 0; r < rows.runCount; r++) {
             int material = rows.runMaterial[r];
             if (changed.contains(material) && !materials.texels(material).isNone()) {
-                updateRun(updated, r, parentRows, bounce, positions);
+                updateRun(updated, r, direct);
             }
         }
         return updated;
     }
 
-    private void updateRun(HitRows rows, int run, HitRows parentRows, BounceKind bounce, SamplePositions positions) {
+    private void updateRun(HitRows rows, int run, Runnable direct) {
         int start = rows.runStart(run);
         rays.count = rows.runEnd[run] - start;
         rays.hitCount = rays.count;
@@ -90,13 +104,7 @@ public final class TexelUpdater {
             rays.slot[i] = rows.parent[start + i];
             rays.order[i] = (short) i;
         }
-        if (parentRows == null) {
-            rays.startAtEye();
-            setEyeDirections(positions);
-        } else {
-            rays.startAtRows(parentRows, bounce);
-            setBounceDirections(parentRows, bounce);
-        }
+        direct.run();
         candidates.collect(geometry.bvh(), beam);
         // A row's hit is the nearest of all shapes, and therefore of those with its material.
         candidates.retainMaterial(geometry.primitives(), rows.runMaterial[run]);

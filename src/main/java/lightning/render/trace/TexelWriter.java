@@ -1,5 +1,7 @@
 package lightning.render.trace;
 
+import static java.util.Objects.requireNonNull;
+
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.TextureFootprint;
@@ -31,9 +33,9 @@ final class TexelWriter {
     }
 
     private void write(ColumnGroup group, HitRows rows, int row, RayColumns rays) {
-        float[] red = rows.texel(group, 0);
-        float[] green = rows.texel(group, 1);
-        float[] blue = rows.texel(group, 2);
+        float[] red = requireNonNull(rows.texel(group, 0));
+        float[] green = requireNonNull(rows.texel(group, 1));
+        float[] blue = requireNonNull(rows.texel(group, 2));
         int lastPrimitive = -1;
         boolean isMapped = false;
         TextureMap map = null;
@@ -50,7 +52,8 @@ final class TexelWriter {
                 if (group == ColumnGroup.TEXEL) {
                     lookup.lookUp(primitives, primitive, rays.part[ray], map, rays.localX[i], rays.localY[i], rays.localZ[i], texel);
                 } else {
-                    lookup.lookUpMap(primitives, primitive, rays.part[ray], map, rays.localX[i], rays.localY[i], rays.localZ[i], texel);
+                    lookup.lookUpMap(primitives, primitive, rays.part[ray], requireNonNull(map), rays.localX[i], rays.localY[i],
+                            rays.localZ[i], texel);
                 }
                 red[row + i] = texel[0];
                 green[row + i] = texel[1];
@@ -74,15 +77,18 @@ final class TexelWriter {
     }
 
     private void writeMeans(ColumnGroup group, HitRows rows, RayColumns rays, double[] sides) {
+        float[] red = requireNonNull(rows.texel(group, 0));
+        float[] green = requireNonNull(rows.texel(group, 1));
+        float[] blue = requireNonNull(rows.texel(group, 2));
         for (int row = 0; row < rows.count; row++) {
             int ray = rays.order[row];
             int primitive = rays.primitive[ray];
             int material = primitives.material[primitive];
             if (materials.texels(material).has(group)) {
                 writeMean(group, primitive, rays.part[ray], rays, rows, row, sides[row]);
-                rows.texel(group, 0)[row] = texel[0];
-                rows.texel(group, 1)[row] = texel[1];
-                rows.texel(group, 2)[row] = texel[2];
+                red[row] = texel[0];
+                green[row] = texel[1];
+                blue[row] = texel[2];
             }
         }
     }
@@ -93,7 +99,8 @@ final class TexelWriter {
             footprint.lookUp(primitives, primitive, part, map, rays.localX[row], rays.localY[row], rays.localZ[row], rows.nx[row],
                     rows.ny[row], rows.nz[row], side, texel);
         } else {
-            footprint.lookUpMap(primitives, primitive, part, map, rays.localX[row], rays.localY[row], rays.localZ[row], rows.nx[row],
+            footprint.lookUpMap(primitives, primitive, part, requireNonNull(map), rays.localX[row], rays.localY[row], rays.localZ[row],
+                    rows.nx[row],
                     rows.ny[row], rows.nz[row], side, texel);
         }
     }

@@ -7,6 +7,7 @@ import lightning.render.trace.tree.BoxSet;
 import lightning.render.trace.tree.CandidateList;
 import lightning.render.trace.tree.RayBeam;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Visibility pass: traces the rays of one tile and writes the hit rows. Holds scratch memory: use one per thread. */
 public final class TileVisibility {
@@ -27,7 +28,7 @@ public final class TileVisibility {
     private final CandidateList candidates = new CandidateList();
     private final RayColumns rays;
     /** Sample patterns by the slots of the rays; undefined for rays of pixel centers. */
-    private byte[] patterns = {};
+    private byte @Nullable [] patterns = {};
     private final double[] direction = new double[3];
     private final HitRowBuilder rowBuilder;
 
@@ -74,11 +75,12 @@ public final class TileVisibility {
         rays.startAtEye();
         rays.count = positions.count();
         rays.columns = 0;
-        patterns = new byte[rays.count];
+        byte[] written = new byte[rays.count];
         for (int ray = 0; ray < rays.count; ray++) {
             rays.slot[ray] = (short) ray;
         }
-        positions.writePatterns(patterns);
+        positions.writePatterns(written);
+        patterns = written;
         tracer.directSampleRays(camera, positions, rays);
     }
 
@@ -201,7 +203,7 @@ public final class TileVisibility {
      * @param knownPrimitives shape that each ray hits, −1 for none, if known; otherwise null
      * @return hit rows; {@code parent} is the row that cast the ray
      */
-    public HitRows traceBounceRays(HitRows parentRows, BounceKind bounce, int[] knownPrimitives, Allocator allocator) {
+    public HitRows traceBounceRays(HitRows parentRows, BounceKind bounce, int @Nullable [] knownPrimitives, Allocator allocator) {
         setBounceRays(parentRows, bounce);
         if (knownPrimitives == null) {
             findNearest(bounce);
@@ -272,8 +274,10 @@ public final class TileVisibility {
     /** Sets the beam to bound the rays from rows; there must be at least one. */
     private void boundBeam(BounceKind bounce) {
         beam.clear();
-        if (rays.count == bounce.rowCount(rays.sourceRows)) {
-            beam.addOrigins(tracer.bounds(rays.startX, rays.startY, rays.startZ, 0, rays.count));
+        HitRows sourceRows = rays.sourceRows;
+        if (sourceRows != null && rays.count == bounce.rowCount(sourceRows)) {
+            beam.addOrigins(
+                    tracer.bounds(bounce.originX(sourceRows), bounce.originY(sourceRows), bounce.originZ(sourceRows), 0, rays.count));
         } else {
             for (int i = 0; i < rays.count; i++) {
                 beam.addOrigin(rays.originX(i), rays.originY(i), rays.originZ(i));

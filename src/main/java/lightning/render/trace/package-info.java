@@ -9,4 +9,7 @@
  * <p>Hits are rounded to float in one place ({@link lightning.render.trace.primitive.SurfaceHit}). All shading is computed from
  * those floats, which makes a re-render equal to a full trace.
  */
+@NullMarked
 package lightning.render.trace;
+
+import org.jspecify.annotations.NullMarked;

@@ -101,7 +101,7 @@ final class MedianCut {
         for (int position = vertical ? p.left + 1 : p.top + 1; position < (vertical ? p.right : p.bottom); position++) {
             Region a = vertical ? region(p.left, p.top, position, p.bottom) : region(p.left, p.top, p.right, position);
             Region b = vertical ? region(position, p.top, p.right, p.bottom) : region(p.left, position, p.right, p.bottom);
-            if (first == null || Math.abs(a.luminance - b.luminance) < Math.abs(first.luminance - second.luminance)) {
+            if (first == null || second == null || Math.abs(a.luminance - b.luminance) < Math.abs(first.luminance - second.luminance)) {
                 first = a;
                 second = b;
             }

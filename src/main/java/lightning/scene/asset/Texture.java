@@ -1,6 +1,7 @@
 package lightning.scene.asset;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Decoded image: linear RGB in 0…1, rows from the top, immutable. Used as a color texture, gobo, bump map or normal map; on the face of a light,
@@ -10,11 +11,11 @@ public final class Texture {
     private final int width;
     private final int height;
     /** Linear values; null if it stores codes. */
-    private final float[] rgb;
-    private final byte[] codes;
-    private final float[] values;
+    private final float @Nullable [] rgb;
+    private final byte @Nullable [] codes;
+    private final float @Nullable [] values;
     /** Created on first use. */
-    private volatile SummedAreaTable areas;
+    private volatile @Nullable SummedAreaTable areas;
 
     /**
      * Creates a texture of linear values.
@@ -37,7 +38,7 @@ public final class Texture {
         this(width, height, values.length == 256 ? codes.length : -1, null, codes, values);
     }
 
-    private Texture(int width, int height, int length, float[] rgb, byte[] codes, float[] values) {
+    private Texture(int width, int height, int length, float @Nullable [] rgb, byte @Nullable [] codes, float @Nullable [] values) {
         if (width < 1 || height < 1 || length != 3 * width * height) {
             throw new IllegalArgumentException("a texture of " + width + "×" + height + " with " + length + " values");
         }
@@ -62,7 +63,11 @@ public final class Texture {
     }
 
     private float value(int i) {
-        return codes != null ? values[codes[i] & 0xFF] : rgb[i];
+        if (codes != null && values != null) {
+            return values[codes[i] & 0xFF];
+        }
+        assert rgb != null;
+        return rgb[i];
     }
 
     /**
@@ -122,7 +127,7 @@ public final class Texture {
 
     /** Returns whether both have the same size and the same values, or the same codes with the same values. */
     @Override
-    public boolean equals(Object o) {
+    public boolean equals(@Nullable Object o) {
         return this == o || o instanceof Texture t && width == t.width && Arrays.equals(rgb, t.rgb) && Arrays.equals(codes, t.codes)
                 && Arrays.equals(values, t.values);
     }

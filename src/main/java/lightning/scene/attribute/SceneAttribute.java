@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Descriptor of one attribute of a scene record: name, kind, initial value, unit and access. The file format, the command line's edits, the
@@ -71,7 +72,7 @@ public class SceneAttribute<T, V> {
         return unit;
     }
 
-    public final V get(T record) {
+    public final V get(@Nullable T record) {
         return getter.apply(record);
     }
 
@@ -90,7 +91,7 @@ public class SceneAttribute<T, V> {
     }
 
     /** Returns {@code to} with the value of {@code from}. */
-    public final T copy(T from, T to) {
+    public final T copy(@Nullable T from, T to) {
         return with(to, get(from));
     }
 

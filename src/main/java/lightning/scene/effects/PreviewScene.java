@@ -14,6 +14,7 @@ import lightning.scene.light.LightAttribute;
 import lightning.scene.material.Material;
 import lightning.scene.value.SceneLimits;
 import lightning.scene.value.ShapeLinks;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Converts scenes for the editor's preview, which has a few levels of reflections, and shadows of one light at most: limits the depth, dims
@@ -32,8 +33,8 @@ public final class PreviewScene {
     /** Maximum bounces of a scene without transparent materials. Glass would be black where a ray needs more bounces to leave it. */
     private static final int MAX_DEPTH = 3;
 
-    private Stage stage;
-    private Stage previewStage;
+    private @Nullable Stage stage;
+    private @Nullable Stage previewStage;
     private List<EnvironmentLight> environmentLights = List.of();
     /** Maximum brightness of a white diffuse surface lit by these lights, over the orientations toward each light. */
     private double maxBrightness;
@@ -96,7 +97,7 @@ public final class PreviewScene {
     }
 
     private Stage withoutReflections(Scene scene) {
-        if (scene.stage() != stage) {
+        if (previewStage == null || scene.stage() != stage) {
             stage = scene.stage();
             // withMaterials returns the same stage for an equal list, so that caches stay valid.
             previewStage = stage.withMaterials(stage.materials().stream().map(PreviewScene::scatterReflections).toList());

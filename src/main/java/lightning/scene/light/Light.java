@@ -16,6 +16,7 @@ import lightning.scene.value.BarnDoors;
 import lightning.scene.value.SceneLimits;
 import lightning.scene.value.ShapeGains;
 import lightning.scene.value.ShapeLinks;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Light with the attributes of all types; its type decides which act (paper §4.5). {@link LightAttribute} has their ranges and units.
@@ -284,7 +285,7 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
     }
 
     /** Returns this light with another {@link Switches#lightGroup}. */
-    public Light withLightGroup(String v) {
+    public Light withLightGroup(@Nullable String v) {
         return withSwitches(switches.withLightGroup(v));
     }
 }

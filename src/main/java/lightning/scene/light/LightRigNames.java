@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import lightning.base.text.Quote;
 import lightning.scene.node.NodeNames;
+import org.jspecify.annotations.Nullable;
 
 /** Table of the names of a rig's lights and groups, shared by all rigs with the same names. */
 final class LightRigNames {
@@ -12,8 +13,8 @@ final class LightRigNames {
     private final List<LightGroup> lightGroups;
     private final Map<String, Integer> lightIndices;
     private final Map<String, Integer> groupIndices;
-    /** Last names of nodes found to have none of these; null for none. Any thread may set it to any such names. */
-    private NodeNames disjoint;
+    /** Last names of nodes found to have none of these. Any thread may set it to any such names. */
+    private @Nullable NodeNames disjoint;
 
     /** @throws IllegalArgumentException if two of them have the same name */
     LightRigNames(List<Light> lights, List<LightGroup> lightGroups) {

@@ -16,6 +16,7 @@ import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.attribute.ValueKind;
 import lightning.scene.light.Emission;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 
 /** Attributes of materials, in file order. */
 public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
@@ -155,17 +156,17 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     private final ValueKind.MaterialKind<V> kind;
     private final MaterialTerm term;
     /** The only shading model that has it; null if all have it. */
-    private final ShadingModel model;
+    private final @Nullable ShadingModel model;
     private final Section section;
     private final String help;
 
     private MaterialAttribute(String name, ValueKind.MaterialKind<V> kind, V initial, String unit, Function<Material, V> get,
-            BiFunction<Material, V, Material> with, MaterialTerm term, ShadingModel model, Section section, String help) {
+            BiFunction<Material, V, Material> with, MaterialTerm term, @Nullable ShadingModel model, Section section, String help) {
         this(name, name, kind, initial, unit, get, with, term, model, section, help);
     }
 
     private MaterialAttribute(String name, String title, ValueKind.MaterialKind<V> kind, V initial, String unit, Function<Material, V> get,
-            BiFunction<Material, V, Material> with, MaterialTerm term, ShadingModel model, Section section, String help) {
+            BiFunction<Material, V, Material> with, MaterialTerm term, @Nullable ShadingModel model, Section section, String help) {
         super(name, title, kind, initial, unit, get, with);
         this.kind = kind;
         this.term = term;
@@ -176,7 +177,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     }
 
     private static MaterialAttribute<Rgb> colorAttribute(String name, double max, Rgb initial, Function<Material, Rgb> get,
-            BiFunction<Material, Rgb, Material> with, ShadingModel model, Section section, String help) {
+            BiFunction<Material, Rgb, Material> with, @Nullable ShadingModel model, Section section, String help) {
         return new MaterialAttribute<>(name, NumericKind.color(max), initial, "linear red, green, blue", get, with, MaterialTerm.COLOR,
                 model, section, help);
     }

@@ -1,2 +1,5 @@
 /** Materials and their attributes. */
+@NullMarked
 package lightning.scene.material;
+
+import org.jspecify.annotations.NullMarked;

@@ -35,7 +35,7 @@ public final class MaterialUsers {
         Map<String, String> merged = new LinkedHashMap<>(users);
         int first = 0;
         for (Map.Entry<String, String> user : removed.users.entrySet()) {
-            if (users.get(user.getKey()).equals(user.getValue())) {
+            if (user.getValue().equals(users.get(user.getKey()))) {
                 String next = added.users.get(user.getKey());
                 if (next == null) {
                     return Optional.empty();

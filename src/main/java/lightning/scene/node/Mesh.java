@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import lightning.base.text.DecimalNumber;
 import lightning.scene.asset.Texture;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Triangle mesh over shared vertices. Hands out its arrays without copying; nothing may write to them after construction.
@@ -25,13 +26,13 @@ public final class Mesh {
 
     private final float[] positions;
     private final int[] triangles;
-    private final float[] normals;
-    private final float[] textureCoordinates;
-    private final float[] colors;
-    private final float[] tangents;
+    private final float @Nullable [] normals;
+    private final float @Nullable [] textureCoordinates;
+    private final float @Nullable [] colors;
+    private final float @Nullable [] tangents;
 
     /** Creates a mesh without tangents. */
-    public Mesh(float[] positions, int[] triangles, float[] normals, float[] coordinates, float[] colors) {
+    public Mesh(float[] positions, int[] triangles, float @Nullable [] normals, float @Nullable [] coordinates, float @Nullable [] colors) {
         this(positions, triangles, normals, coordinates, colors, null);
     }
 
@@ -42,13 +43,14 @@ public final class Mesh {
      * @param normals     x, y, z of each vertex's normal, of length 1, {@code float[3 * vertices]}; null if all triangles are flat
      * @param coordinates u, v of each vertex in a texture, v upwards, {@code float[2 * vertices]}, each of at most 1e6 in absolute value;
      *     null for none
-     * @param colors      linear red, green, blue of each vertex, {@code float[3 * vertices]}, from 0 to 1; null for none
+     * @param colors      linear red, green, blue of each vertex, {@code float[3 * vertices]}, from 0 to 1
      * @param tangents    x, y, z of the direction in which u grows along the surface, of length 1, or 0 for none, and the sign of v's
      *     direction against normal × tangent, 1 or −1, {@code float[4 * vertices]}; null if a normal map uses the texture coordinates
      * @throws IllegalArgumentException if an array has the wrong length, a triangle names a missing vertex, a number is out of range or
      *     NaN, or there are tangents without normals; the message says which
      */
-    public Mesh(float[] positions, int[] triangles, float[] normals, float[] coordinates, float[] colors, float[] tangents) {
+    public Mesh(float[] positions, int[] triangles, float @Nullable [] normals, float @Nullable [] coordinates, float @Nullable [] colors,
+            float @Nullable [] tangents) {
         if (positions.length % 3 != 0) {
             throw new IllegalArgumentException("positions must be three numbers for each vertex, were " + positions.length + " numbers");
         }
@@ -73,7 +75,7 @@ public final class Mesh {
             }
             checkLength("tangents", tangents, 4);
             checkUnitLength("tangent", tangents, 4, true);
-            checkHandedness();
+            checkHandedness(tangents);
         }
         if (coordinates != null) {
             checkLength("texture coordinates", coordinates, 2);
@@ -103,29 +105,29 @@ public final class Mesh {
         return triangles;
     }
 
-    /** Returns x, y, z of each vertex's normal, of length 1, {@code float[3 * vertexCount()]}, or null; read-only. */
-    public float[] normals() {
+    /** Returns x, y, z of each vertex's normal, of length 1, {@code float[3 * vertexCount()]}; read-only. */
+    public float @Nullable [] normals() {
         return normals;
     }
 
-    /** Returns u, v of each vertex, v upwards, {@code float[2 * vertexCount()]}, or null; read-only. */
-    public float[] coordinates() {
+    /** Returns u, v of each vertex, v upwards, {@code float[2 * vertexCount()]}; read-only. */
+    public float @Nullable [] coordinates() {
         return textureCoordinates;
     }
 
-    /** Returns linear red, green, blue of each vertex, {@code float[3 * vertexCount()]}, or null; read-only. */
-    public float[] colors() {
+    /** Returns linear red, green, blue of each vertex, {@code float[3 * vertexCount()]}; read-only. */
+    public float @Nullable [] colors() {
         return colors;
     }
 
-    /** Returns x, y, z of the direction in which u grows and 1 or −1, {@code float[4 * vertexCount()]}, or null; read-only. */
-    public float[] tangents() {
+    /** Returns x, y, z of the direction in which u grows and 1 or −1, {@code float[4 * vertexCount()]}; read-only. */
+    public float @Nullable [] tangents() {
         return tangents;
     }
 
     /** Compares all numbers bitwise: 0 and −0 differ. */
     @Override
-    public boolean equals(Object o) {
+    public boolean equals(@Nullable Object o) {
         return this == o || o instanceof Mesh m && Arrays.equals(positions, m.positions) && Arrays.equals(triangles, m.triangles)
                 && Arrays.equals(normals, m.normals) && Arrays.equals(textureCoordinates, m.textureCoordinates)
                 && Arrays.equals(colors, m.colors)
@@ -187,7 +189,7 @@ public final class Mesh {
         }
     }
 
-    private void checkHandedness() {
+    private static void checkHandedness(float[] tangents) {
         for (int i = 3; i < tangents.length; i += 4) {
             if (Math.abs(tangents[i]) != 1) {
                 throw new IllegalArgumentException("vertex " + i / 4 + ": the fourth number of its tangent must be 1 or -1, was "

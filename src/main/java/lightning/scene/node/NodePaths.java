@@ -1,6 +1,7 @@
 package lightning.scene.node;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Paths of nodes in a tree, as child indices from the outermost group. Remembers the last path, because an edit looks up one node many
@@ -23,7 +24,7 @@ public final class NodePaths {
     }
 
     /** Returns the path of the node of that name; null if there is none. */
-    public int[] find(List<SceneNode> nodes, String name) {
+    public int @Nullable [] find(List<SceneNode> nodes, String name) {
         int[] previous = lastPath;
         for (int attempt = 0; previous.length > 0 && attempt < 3; attempt++) {
             int[] path = previous.clone();
@@ -41,7 +42,7 @@ public final class NodePaths {
     }
 
     /** Returns the node at a path; null if there is none. */
-    public static SceneNode nodeAt(List<SceneNode> nodes, int... path) {
+    public static @Nullable SceneNode nodeAt(List<SceneNode> nodes, int... path) {
         List<SceneNode> siblings = nodes;
         SceneNode node = null;
         for (int index : path) {
@@ -54,7 +55,7 @@ public final class NodePaths {
         return node;
     }
 
-    private int[] search(List<SceneNode> nodes, String name, int depth) {
+    private int @Nullable [] search(List<SceneNode> nodes, String name, int depth) {
         for (int i = 0; i < nodes.size(); i++) {
             SceneNode node = nodes.get(i);
             visitedCount++;

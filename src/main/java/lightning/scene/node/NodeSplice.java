@@ -1,13 +1,14 @@
 package lightning.scene.node;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /** Replacement of one node by several. */
 public final class NodeSplice {
     final int[] path;
     final List<? extends SceneNode> replacement;
     /** The replaced node. */
-    public final SceneNode removed;
+    public final @Nullable SceneNode removed;
     /** Products of the scales of the enclosing groups. */
     final double minScale;
     final double maxScale;

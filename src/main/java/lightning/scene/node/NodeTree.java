@@ -5,6 +5,7 @@ import java.util.List;
 import lightning.scene.Stage;
 import lightning.scene.value.SceneLimits;
 import lightning.scene.value.ShapeLinks;
+import org.jspecify.annotations.Nullable;
 
 /** Checked tree of nodes, with the data needed when materials or lights change. */
 public final class NodeTree {
@@ -23,7 +24,7 @@ public final class NodeTree {
     private final LinkMasks linkMasks = new LinkMasks();
     private final GainEntries gainEntries = new GainEntries();
     /** Computed on demand; a race between threads computes the same list twice. */
-    private List<Shape> shapes;
+    private @Nullable List<Shape> shapes;
 
     /** @throws IllegalArgumentException as {@link Stage#Stage(List, List)}, except for materials */
     public NodeTree(List<SceneNode> nodes) {

@@ -1,5 +1,7 @@
 package lightning.scene.shot;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -12,6 +14,7 @@ import lightning.base.text.Quote;
 import lightning.scene.Scene;
 import lightning.scene.SceneDiff;
 import lightning.scene.attribute.SceneAttribute;
+import org.jspecify.annotations.Nullable;
 
 /** One-line summary of the changes of a scene and its keyframes: {@code key: intensity at frame 12}. */
 public final class ShotDiff {
@@ -73,11 +76,11 @@ public final class ShotDiff {
     }
 
     /**
-     * @param before the old track; null for none
-     * @param after  the new track; null for none
+     * @param before the old track
+     * @param after  the new track
      */
-    private String text(Track before, Track after) {
-        Track track = after == null ? before : after;
+    private String text(@Nullable Track before, @Nullable Track after) {
+        Track track = after == null ? requireNonNull(before) : after;
         String title = name(track.target()) + ": " + title(track);
         List<Keyframe> added = new ArrayList<>(after == null ? List.of() : after.keys());
         List<Keyframe> removed = new ArrayList<>(before == null ? List.of() : before.keys());

@@ -1,2 +1,5 @@
 /** Animation: keyframes of a scene's camera, lights, light groups, shapes and groups, and the scene at each frame. */
+@NullMarked
 package lightning.scene.shot;
+
+import org.jspecify.annotations.NullMarked;

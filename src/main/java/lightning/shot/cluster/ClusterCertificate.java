@@ -21,6 +21,7 @@ import javax.net.ssl.X509ExtendedTrustManager;
 import lightning.base.file.RegularFile;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import org.jspecify.annotations.Nullable;
 
 /** Key and certificate shared by all members of a cluster, in a PKCS #12 file. Anyone with the file can join. */
 final class ClusterCertificate {
@@ -80,7 +81,7 @@ final class ClusterCertificate {
             this.certificate = certificate;
         }
 
-        private void check(X509Certificate[] chain) throws CertificateException {
+        private void check(X509Certificate @Nullable [] chain) throws CertificateException {
             if (chain == null || chain.length == 0 || !MessageDigest.isEqual(chain[0].getEncoded(), certificate.getEncoded())) {
                 throw new CertificateException("the certificate is not that of this cluster");
             }

@@ -1,5 +1,7 @@
 package lightning.shot.cluster;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.FileAlreadyExistsException;
@@ -131,7 +133,7 @@ final class ContentFolder {
             }
             Path file = fetch(entry.getValue(), MeshLimits.FILE_BYTES, parts);
             Path link = folder.resolve(entry.getKey());
-            PrivateFolder.create(link.getParent());
+            PrivateFolder.create(requireNonNull(link.getParent()));
             link(link, file);
         }
         return folder;

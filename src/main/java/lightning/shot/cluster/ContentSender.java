@@ -7,6 +7,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.function.Consumer;
 import lightning.base.work.DedicatedThread;
 import lightning.shot.cluster.wire.Message;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Sends the content that one node requests, on a thread of its own: disks and slow links delay neither other nodes nor messages that this
@@ -22,7 +23,7 @@ final class ContentSender implements AutoCloseable {
     /** Requests that wait or are being answered. */
     private final Set<Message.RequestContent> waiting = ConcurrentHashMap.newKeySet();
     private final PartSize size = new PartSize();
-    private Message.RequestContent last;
+    private Message.@Nullable RequestContent last;
     private int lastBytes;
     private long lastSent;
 

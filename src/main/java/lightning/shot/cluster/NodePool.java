@@ -1,5 +1,7 @@
 package lightning.shot.cluster;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -134,7 +136,7 @@ public final class NodePool implements ClusterNetwork.Listener, AutoCloseable {
             offeredSessions.keySet().retainAll(others);
             for (ClusterMember lost : new HashSet<>(activeNodes.keySet())) {
                 if (!others.contains(lost)) {
-                    lostHosts.add(activeNodes.remove(lost).host);
+                    lostHosts.add(requireNonNull(activeNodes.remove(lost)).host);
                 }
             }
             for (ClusterMember other : others) {

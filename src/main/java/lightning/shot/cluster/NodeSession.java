@@ -1,5 +1,7 @@
 package lightning.shot.cluster;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -28,6 +30,7 @@ import lightning.shot.HostLostException;
 import lightning.shot.ShotRevision;
 import lightning.shot.cluster.wire.Message;
 import lightning.shot.cluster.wire.WireException;
+import org.jspecify.annotations.Nullable;
 
 /** Session of one coordinator at a node, with its frames. */
 final class NodeSession implements AutoCloseable {
@@ -58,7 +61,7 @@ final class NodeSession implements AutoCloseable {
     /** Locks by frame: one request at a time works on a frame. */
     private final Map<Integer, Object> locks = new HashMap<>();
     private long filmCall = -1;
-    private Film film;
+    private @Nullable Film film;
 
     private record ContentKey(ContentHash hash, long offset) {}
 
@@ -113,7 +116,7 @@ final class NodeSession implements AutoCloseable {
             return failure(request, Message.FailureReason.CANCELED, "");
         } catch (PictureTooLargeException e) {
             drop(request.frame());
-            return failure(request, Message.FailureReason.REJECTED, e.getMessage());
+            return failure(request, Message.FailureReason.REJECTED, String.valueOf(e.getMessage()));
         } catch (OutOfMemoryError e) {
             drop(request.frame());
             return failure(request, Message.FailureReason.REJECTED, "not enough memory");
@@ -156,7 +159,7 @@ final class NodeSession implements AutoCloseable {
             canceled.set(true);
             throw new CancellationException();
         } catch (ExecutionException e) {
-            switch (e.getCause()) {
+            switch (requireNonNull(e.getCause())) {
                 case HostLostException cause -> throw cause;
                 case RuntimeException cause -> throw cause;
                 case Error cause -> throw cause;
@@ -170,7 +173,7 @@ final class NodeSession implements AutoCloseable {
     }
 
     private synchronized boolean isSuperseded(Message.UpdateFrame request) {
-        return newestCalls.get(request.frame()) != request.call();
+        return requireNonNull(newestCalls.get(request.frame())) != request.call();
     }
 
     synchronized void cancel(long call) {
@@ -200,7 +203,7 @@ final class NodeSession implements AutoCloseable {
      */
     private Optional<Film> film(Message.RequestTiles request) {
         if (filmCall == request.call()) {
-            return Optional.of(film);
+            return Optional.ofNullable(film);
         }
         synchronized (lock(request.frame())) {
             synchronized (this) {

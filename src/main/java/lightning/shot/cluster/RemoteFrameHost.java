@@ -19,6 +19,7 @@ import lightning.shot.FrameUpdate;
 import lightning.shot.HostLostException;
 import lightning.shot.ShotRevision;
 import lightning.shot.cluster.wire.Message;
+import org.jspecify.annotations.Nullable;
 
 /** Frame host on a remote node, as seen by the coordinator. */
 final class RemoteFrameHost implements FrameHost {
@@ -160,7 +161,7 @@ final class RemoteFrameHost implements FrameHost {
         return lost(null);
     }
 
-    private HostLostException lost(Throwable cause) {
+    private HostLostException lost(@Nullable Throwable cause) {
         return new HostLostException(Messages.tr("lost node {0}; its frames are being rendered on other nodes", name), cause);
     }
 

@@ -13,15 +13,16 @@ import lightning.scene.shot.Shot;
 import lightning.shot.ShotRevision;
 import lightning.shot.cluster.wire.SceneManifest;
 import lightning.shot.cluster.wire.WireException;
+import org.jspecify.annotations.Nullable;
 
 /** Reader of revisions from manifests. Keeps the newest revision and its files, as long as the next one uses the same files. */
 final class RevisionReader {
     private final ContentFolder contents;
     private final ContentFolder.PartSource parts;
-    private ContentHash manifestHash;
-    private ShotRevision revision;
-    private Path folder;
-    private CachingJenReader reader;
+    private @Nullable ContentHash manifestHash;
+    private @Nullable ShotRevision revision;
+    private @Nullable Path folder;
+    private @Nullable CachingJenReader reader;
 
     RevisionReader(ContentFolder contents, ContentFolder.PartSource parts) {
         this.contents = contents;
@@ -37,12 +38,12 @@ final class RevisionReader {
      * @throws JenException     if its text is not a valid scene, or a file that it names cannot be used
      */
     synchronized ShotRevision read(ContentHash hash, int bytes) throws IOException, WireException, JenException {
-        if (hash.equals(manifestHash)) {
+        if (revision != null && hash.equals(manifestHash)) {
             return revision;
         }
         SceneManifest manifest = SceneManifest.decode(readManifest(hash, bytes));
         Path sceneFolder = contents.sceneFolder(manifest, parts);
-        if (!sceneFolder.equals(folder)) {
+        if (reader == null || !sceneFolder.equals(folder)) {
             reader = new CachingJenReader(sceneFolder);
             folder = sceneFolder;
         }

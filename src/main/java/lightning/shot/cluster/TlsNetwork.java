@@ -1,5 +1,7 @@
 package lightning.shot.cluster;
 
+import static java.util.Objects.requireNonNull;
+
 import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Set;
@@ -32,6 +34,7 @@ import org.jgroups.stack.DiagnosticsHandler;
 import org.jgroups.util.DefaultSocketFactory;
 import org.jgroups.util.DefaultThreadFactory;
 import org.jgroups.util.UUID;
+import org.jspecify.annotations.Nullable;
 
 /** Cluster network over JGroups and TLS, with mutual authentication: all members present the same certificate. */
 public final class TlsNetwork implements ClusterNetwork {
@@ -53,7 +56,7 @@ public final class TlsNetwork implements ClusterNetwork {
     private final NodeConfig config;
     private final ExecutorService inbox =
             Executors.newSingleThreadExecutor(Thread.ofPlatform().daemon().name("lightning-cluster").factory());
-    private JChannel channel;
+    private @Nullable JChannel channel;
 
     public TlsNetwork(NodeConfig config) {
         this.config = config;
@@ -166,7 +169,7 @@ public final class TlsNetwork implements ClusterNetwork {
 
         @Override
         public void viewAccepted(View view) {
-            Address self = channel.getAddress();
+            Address self = channel().getAddress();
             Set<ClusterMember> others =
                     view.getMembers().stream().filter(a -> !a.equals(self)).map(TlsNetwork::member).collect(Collectors.toUnmodifiableSet());
             dispatch(() -> listener.membersChanged(others));
@@ -194,24 +197,29 @@ public final class TlsNetwork implements ClusterNetwork {
     public void send(ClusterMember to, byte[] bytes) {
         try {
             Address address = address(to);
-            if (channel.getView().containsMember(address)) {
+            if (channel().getView().containsMember(address)) {
                 BytesMessage message = new BytesMessage(address, bytes);
                 if (bytes.length <= URGENT_MAX_BYTES) {
                     // Heartbeats bypass flow control, so that a flooded member can answer.
                     message.setFlag(Message.Flag.NO_FC);
                 }
-                channel.send(message);
+                channel().send(message);
             }
         } catch (Exception e) {
             // The member or this process left; a waiting caller retries, or fails when the loss is known.
         }
     }
 
+    /** Returns the channel, once the cluster was joined. */
+    private JChannel channel() {
+        return requireNonNull(channel);
+    }
+
     @Override
     public void rejoin() {
         try {
-            channel.disconnect();
-            channel.connect(CLUSTER);
+            channel().disconnect();
+            channel().connect(CLUSTER);
         } catch (Exception e) {
             // The caller retries as long as it finds no members.
         }
@@ -219,7 +227,7 @@ public final class TlsNetwork implements ClusterNetwork {
 
     @Override
     public String addressOf(ClusterMember member) {
-        return String.valueOf(channel.<Object>down(new Event(Event.GET_PHYSICAL_ADDRESS, address(member))));
+        return String.valueOf(channel().<Object>down(new Event(Event.GET_PHYSICAL_ADDRESS, address(member))));
     }
 
     @Override

@@ -3,4 +3,7 @@
  * nodes as hosts of a shot ({@link lightning.shot.cluster.RemoteFrameHost}). JGroups manages membership ({@link
  * lightning.shot.cluster.TlsNetwork}); only members with the same certificate can connect.
  */
+@NullMarked
 package lightning.shot.cluster;
+
+import org.jspecify.annotations.NullMarked;

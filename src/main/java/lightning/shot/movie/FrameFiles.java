@@ -22,9 +22,8 @@ public record FrameFiles(Path folder, String stem, String extension) {
         if (dot <= 0) {
             return new FrameFiles(output, sceneName, ".png");
         }
-        Path folder = output.toAbsolutePath().getParent();
-        return new FrameFiles(output.getParent() == null ? Path.of("") : folder == null ? output : output.getParent(),
-                file.substring(0, dot), file.substring(dot));
+        Path folder = output.getParent();
+        return new FrameFiles(folder == null ? Path.of("") : folder, file.substring(0, dot), file.substring(dot));
     }
 
     /** Returns the file of one frame, with at least four digits. */

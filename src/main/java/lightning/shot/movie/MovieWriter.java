@@ -1,5 +1,7 @@
 package lightning.shot.movie;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -13,6 +15,7 @@ import lightning.base.work.DedicatedThread;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.PictureSettings;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Writer of a video through ffmpeg, frame by frame. Pads odd sizes, which videos cannot have, by repeating the last column or row.
@@ -37,8 +40,8 @@ public final class MovieWriter implements AutoCloseable {
     private final double rate;
     private final ViewTransform view;
     private final Path file;
-    private Process process;
-    private Thread errorReader;
+    private @Nullable Process process;
+    private @Nullable Thread errorReader;
     private volatile String errorText = "";
     private byte[] pixels = new byte[0];
 
@@ -70,28 +73,28 @@ public final class MovieWriter implements AutoCloseable {
     public void add(Film film) throws IOException {
         int width = film.width() + (film.width() & 1);
         int height = film.height() + (film.height() & 1);
-        if (process == null) {
-            start(width, height);
-        }
+        Process running = process == null ? start(width, height) : process;
         packPixels(film, width, height);
         try {
-            process.getOutputStream().write(pixels);
+            running.getOutputStream().write(pixels);
         } catch (IOException e) {
-            throw new IOException(awaitExit(e.getMessage()), e);
+            throw new IOException(awaitExit(running, String.valueOf(e.getMessage())), e);
         }
     }
 
-    private void start(int width, int height) throws IOException {
+    private Process start(int width, int height) throws IOException {
         pixels = new byte[Math.multiplyExact(3, Math.multiplyExact(width, height))];
-        process = new ProcessBuilder(ffmpeg.command(format, width, height, rate, file.toAbsolutePath()))
+        Process started = new ProcessBuilder(ffmpeg.command(format, width, height, rate, file.toAbsolutePath()))
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD).start();
-        errorReader = DedicatedThread.create("lightning-ffmpeg", this::readErrors);
+        process = started;
+        errorReader = DedicatedThread.create("lightning-ffmpeg", () -> readErrors(started));
         errorReader.start();
+        return started;
     }
 
     /** Reads ffmpeg's error output and keeps its end; unread output would block it. */
-    private void readErrors() {
-        try (InputStream errors = process.getErrorStream()) {
+    private void readErrors(Process started) {
+        try (InputStream errors = started.getErrorStream()) {
             byte[] buffer = new byte[MAX_ERROR_CHARS];
             for (int read = errors.read(buffer); read >= 0; read = errors.read(buffer)) {
                 String more = errorText + new String(buffer, 0, read, Charset.defaultCharset());
@@ -127,26 +130,26 @@ public final class MovieWriter implements AutoCloseable {
         try (OutputStream in = process.getOutputStream()) {
             in.flush();
         } catch (IOException e) {
-            throw new IOException(awaitExit(e.getMessage()), e);
+            throw new IOException(awaitExit(process, String.valueOf(e.getMessage())), e);
         }
-        String problem = awaitExit("");
+        String problem = awaitExit(process, "");
         if (!problem.isEmpty()) {
             throw new IOException(problem);
         }
     }
 
     /** Waits for ffmpeg; returns a sentence that says why it failed. */
-    private String awaitExit(String fallback) {
+    private String awaitExit(Process running, String fallback) {
         try {
-            if (!process.waitFor(TIMEOUT_SECONDS, TimeUnit.SECONDS)) {
+            if (!running.waitFor(TIMEOUT_SECONDS, TimeUnit.SECONDS)) {
                 return Messages.tr("ffmpeg did not finish");
             }
-            errorReader.join(TimeUnit.SECONDS.toMillis(TIMEOUT_SECONDS));
+            requireNonNull(errorReader).join(TimeUnit.SECONDS.toMillis(TIMEOUT_SECONDS));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new CancellationException();
         }
-        if (process.exitValue() == 0 && fallback.isEmpty()) {
+        if (running.exitValue() == 0 && fallback.isEmpty()) {
             return "";
         }
         String last = errorText.strip().lines().reduce((_, line) -> line).orElse(fallback);

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.lang.foreign.MemorySegment;
 import java.nio.ByteBuffer;
 import java.nio.channels.Channels;
+import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
@@ -43,11 +44,23 @@ class ColumnWriterTest {
         assertThat(in.readArray(ElementType.BYTE)).isEqualTo(bytes);
         assertThat(in.readLong()).isEqualTo(ints.length);
         assertThat(in.readShorts()).isEqualTo(shorts);
-        assertThat(in.readInts()).isNull();
+        assertThat(in.readOptionalInts()).isNull();
         assertThat(in.readInts()).isEqualTo(ints);
         assertThat(in.readFloatArrays()).isDeepEqualTo(columns);
-        assertThat(in.readFloatArrays()).isNull();
+        assertThat(in.readOptionalFloatArrays()).isNull();
         in.expectEnd();
+    }
+
+    @Example
+    void missingColumns_areRejected_whereTheyAreNeeded() throws IOException {
+        ColumnReader in = reader(writeColumns(new byte[0], new short[0], new int[0], new float[0][]));
+        in.readArray(ElementType.BYTE);
+        in.readLong();
+        in.readShorts();
+        assertThatThrownBy(in::readInts).isInstanceOf(IOException.class).hasMessage("expected an array, found none");
+        in.readInts();
+        in.readFloatArrays();
+        assertThatThrownBy(in::readFloatArrays).isInstanceOf(IOException.class).hasMessage("expected columns, found none");
     }
 
     @Property(tries = 50)

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
+import lightning.base.file.ParentFolder;
 import lightning.base.file.RegularFile;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
@@ -44,7 +45,7 @@ public final class CueFolder {
 
     /** @param scene scene file */
     public CueFolder(Path scene) {
-        this(scene.toAbsolutePath().getParent(), LooksFolder.of(scene));
+        this(ParentFolder.of(scene), LooksFolder.of(scene));
     }
 
     /**
@@ -54,7 +55,7 @@ public final class CueFolder {
      * @param folder private folder, which may not exist
      */
     public static CueFolder ofUntitled(Path scene, Path folder) {
-        return new CueFolder(scene.toAbsolutePath().getParent(), folder.toAbsolutePath());
+        return new CueFolder(ParentFolder.of(scene), folder.toAbsolutePath());
     }
 
     /** Returns the folder, which may not exist. */
@@ -131,7 +132,7 @@ public final class CueFolder {
 
     /** Checks that no link leads out of the scene's folder. */
     private void checkInsideSceneFolder(Path file) throws IOException {
-        if (!file.toRealPath().startsWith(folder.getParent().toRealPath())) {
+        if (!file.toRealPath().startsWith(ParentFolder.of(folder).toRealPath())) {
             throw new IOException(Messages.tr("{0}: expected a file in the scene's folder", Quote.path(file)));
         }
     }

@@ -1,2 +1,5 @@
 /** Cues, which are saved looks of a scene with images, and light rigs as files. */
+@NullMarked
 package lightning.editor.document.cue;
+
+import org.jspecify.annotations.NullMarked;

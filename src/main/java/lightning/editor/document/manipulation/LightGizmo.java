@@ -162,8 +162,8 @@ public record LightGizmo(Light light, List<Segment> lines) {
             }
             Vec3 clipped = Math.min(a, b) < near
                     ? line.from().plus(line.to().minus(line.from()).times((near - a) / (b - a))) : null;
-            strokes.add(new Stroke(canvas.project(view, a < near ? clipped : line.from()),
-                    canvas.project(view, b < near ? clipped : line.to())));
+            strokes.add(new Stroke(canvas.project(view, clipped != null && a < near ? clipped : line.from()),
+                    canvas.project(view, clipped != null && b < near ? clipped : line.to())));
         }
         return strokes;
     }

@@ -1,5 +1,7 @@
 package lightning.editor.window.animation;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,6 +26,7 @@ import lightning.editor.window.command.PathPrompt;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.ExportTask;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
@@ -49,7 +52,7 @@ final class AnimationPane extends VBox {
     private final Label status = new Label();
     private final ProgressBar bar = new ProgressBar(0);
     private final List<Runnable> reasonUpdates = new ArrayList<>();
-    private ExportTask export;
+    private @Nullable ExportTask export;
     private boolean isUpdating;
 
     /**
@@ -122,7 +125,8 @@ final class AnimationPane extends VBox {
                         this::export, () -> export != null ? Optional.of(Messages.tr("an export is running")) : needsPath()),
                 button("cancel-export", Messages.tr("Cancel"), MaterialDesignC.CANCEL,
                         Messages.tr("Cancel the export; saved images are kept"),
-                        () -> export.cancel(false), () -> reasonUnless(export != null, Messages.tr("no export is running"))));
+                        () -> requireNonNull(export).cancel(false),
+                        () -> reasonUnless(export != null, Messages.tr("no export is running"))));
     }
 
     private HBox bottom(Runnable close, Node keysButton) {
@@ -172,7 +176,7 @@ final class AnimationPane extends VBox {
                         .orElse(Messages.tr("Press Record, then move {0} in the preview.", animation.light())));
     }
 
-    private void show(RecordedShot recorded) {
+    private void show(@Nullable RecordedShot recorded) {
         if (recorded != null) {
             pictures.set(Math.min(recorded.frameCount(), MotionExport.MAX_PICTURES));
             isUpdating = true;

@@ -18,7 +18,7 @@ final class IntegerField {
             try {
                 SceneLimits.checkRange(title, rounded, 1, max);
             } catch (IllegalArgumentException e) {
-                return Optional.of(e.getMessage());
+                return Optional.of(String.valueOf(e.getMessage()));
             }
             if (rounded != Math.rint(rounded)) {
                 return Optional.of(Messages.tr("{0}: expected a whole number, found {1}", title, SceneLimits.format(rounded)));

@@ -1,5 +1,7 @@
 package lightning.editor.window.animation;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -21,6 +23,7 @@ import lightning.editor.window.model.FramePlayer;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
+import org.jspecify.annotations.Nullable;
 
 /** Animation of one light, from Make Animation to Close, without its window. */
 final class LightAnimation {
@@ -32,7 +35,7 @@ final class LightAnimation {
     private final IntegerProperty frame = new SimpleIntegerProperty();
     private final ChangeListener<Number> frameListener = (_, _, _) -> recordFrame();
     private final FramePlayer player;
-    private MotionRecorder recorder;
+    private @Nullable MotionRecorder recorder;
     private boolean isClosed;
 
     /** Starts an animation of the selected light, which must exist. */
@@ -119,8 +122,8 @@ final class LightAnimation {
 
     private void recordFrame() {
         if (recording.get()) {
-            editor.scene().light(light).ifPresent(recorder::recordFrame);
-            frame.set(recorder.frameCount() - 1);
+            editor.scene().light(light).ifPresent(currentRecorder()::recordFrame);
+            frame.set(currentRecorder().frameCount() - 1);
         }
     }
 
@@ -136,7 +139,7 @@ final class LightAnimation {
     void stop() {
         player.stop();
         if (recording.get()) {
-            recorded.set(recorder.recordedShot().orElse(null));
+            recorded.set(currentRecorder().recordedShot().orElse(null));
             frame.set(lastFrame());
             recording.set(false);
         }
@@ -197,5 +200,10 @@ final class LightAnimation {
         recording.set(false);
         model.previewSettings().framesProperty().removeListener(frameListener);
         editor.endAnimation();
+    }
+
+    /** Returns the recorder of the running recording. */
+    private MotionRecorder currentRecorder() {
+        return requireNonNull(recorder);
     }
 }

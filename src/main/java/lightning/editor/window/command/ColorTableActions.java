@@ -3,6 +3,7 @@ package lightning.editor.window.command;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Optional;
+import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.editor.document.Command;
@@ -41,7 +42,7 @@ public final class ColorTableActions {
         if (view.lut().isPresent()) {
             setTable(Optional.empty());
         } else {
-            prompt.tableToOpen(model.editor().document().proposedFile("lut").toAbsolutePath().getParent()).ifPresent(file -> model.files()
+            prompt.tableToOpen(ParentFolder.of(model.editor().document().proposedFile("lut"))).ifPresent(file -> model.files()
                     .runConcurrently(() -> CubeLutReader.read(file), table -> {
                         setTable(Optional.of(table));
                         model.editor().message()

@@ -10,6 +10,7 @@ import javafx.util.Duration;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.window.model.CommandRegistry;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /**
@@ -76,7 +77,7 @@ public final class CommandButton extends StackPane {
         return new CommandButton(commands, command).withStyle("", new FontIcon(command.icon()), "view-button");
     }
 
-    private CommandButton withStyle(String text, FontIcon icon, String styleClass) {
+    private CommandButton withStyle(String text, @Nullable FontIcon icon, String styleClass) {
         button.setText(text);
         button.setGraphic(icon);
         button.getStyleClass().add(styleClass);

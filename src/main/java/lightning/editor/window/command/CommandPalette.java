@@ -23,6 +23,7 @@ import lightning.base.text.Messages;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.KeyBindings;
 import lightning.editor.window.widget.ColorTheme;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /** Command palette: finds commands by letters of their titles. Enter runs the selected entry; a disabled one shows its reason. */
@@ -92,7 +93,7 @@ public final class CommandPalette extends Stage {
         matches.scrollTo(0);
     }
 
-    private void showDescription(PaletteEntry entry) {
+    private void showDescription(@Nullable PaletteEntry entry) {
         description.setText(
                 entry == null ? ""
                         : entry.command().help() + "."
@@ -120,7 +121,7 @@ public final class CommandPalette extends Stage {
         matches.scrollTo(Math.max(0, to - 3));
     }
 
-    private void runEntry(PaletteEntry entry) {
+    private void runEntry(@Nullable PaletteEntry entry) {
         if (entry != null && entry.disabledReason().isEmpty()) {
             close();
             entry.action().run();

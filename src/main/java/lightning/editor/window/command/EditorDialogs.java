@@ -25,6 +25,7 @@ import lightning.editor.window.widget.WindowPlacement;
 import lightning.format.exchange.ImportPreviews;
 import lightning.format.jen.JenException;
 import lightning.format.jen.Problem;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
@@ -204,7 +205,7 @@ public final class EditorDialogs {
     /** Cell that shows the position and message of a problem. */
     private static final class ProblemCell extends ListCell<Problem> {
         @Override
-        protected void updateItem(Problem problem, boolean empty) {
+        protected void updateItem(@Nullable Problem problem, boolean empty) {
             super.updateItem(problem, empty);
             setWrapText(true);
             setPrefWidth(0);

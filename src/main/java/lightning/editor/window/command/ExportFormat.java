@@ -5,6 +5,7 @@ import lightning.base.text.Messages;
 import lightning.format.exr.ExrType;
 import lightning.format.image.ImageFormat;
 import lightning.format.layer.ExrContent;
+import org.jspecify.annotations.Nullable;
 
 /** File format for exporting the picture. */
 enum ExportFormat {
@@ -18,9 +19,9 @@ enum ExportFormat {
     private final String title;
     private final ImageFormat format;
     private final int bits;
-    private final ExrContent content;
+    private final @Nullable ExrContent content;
 
-    ExportFormat(String title, ImageFormat format, int bits, ExrContent content) {
+    ExportFormat(String title, ImageFormat format, int bits, @Nullable ExrContent content) {
         this.title = title;
         this.format = format;
         this.bits = bits;

@@ -1,5 +1,7 @@
 package lightning.editor.window.command;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -140,7 +142,8 @@ public final class FileActions {
     private void write(Path file, ImportPreview preview, ImportPreviews.Choice choice) {
         PictureArea area = model.layout().pictureArea();
         read(file, () -> {
-            ImportedScene exposed = choice.apply(preview.imported()).withExposure(preview.pictures().get(choice).exposure());
+            ImportedScene exposed =
+                    choice.apply(preview.imported()).withExposure(requireNonNull(preview.pictures().get(choice)).exposure());
             // Without a camera, the file has no size of its own either.
             ImportedScene imported = exposed.subject().hasCamera() ? exposed
                     : exposed.withPicture(area.fit(exposed.unscaledScene().picture()));
@@ -248,7 +251,7 @@ public final class FileActions {
             }
         }
         String name = JenFile.stem(editor.document().name()) + ImageFormat.PNG.extension();
-        Frame frame = model.picture().frame();
+        Frame frame = requireNonNull(model.picture().frame());
         prompt.pictureToWrite(editor.document().proposedFile(name)).ifPresent(chosen -> {
             if (chosen.getFileName().toString().contains(".")) {
                 write(chosen, frame);

@@ -9,12 +9,14 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import javafx.stage.FileChooser;
 import javafx.stage.Window;
+import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
 import lightning.format.exchange.SceneImporter;
 import lightning.format.image.CubeLutReader;
 import lightning.format.image.ImageFormat;
 import lightning.format.jen.JenFile;
 import lightning.format.jen.asset.FileKind;
+import org.jspecify.annotations.Nullable;
 
 /** Prompts for files; an empty result means that the user canceled. */
 public interface FilePrompt {
@@ -61,7 +63,7 @@ public interface FilePrompt {
 
             @Override
             public Optional<Path> sceneToWrite(Path proposal) {
-                var chooser = chooser(Messages.tr("Save Scene As"), proposal.toAbsolutePath().getParent(), scenes);
+                var chooser = chooser(Messages.tr("Save Scene As"), ParentFolder.of(proposal), scenes);
                 chooser.setInitialFileName(proposal.getFileName().toString());
                 return path(chooser, c -> c.showSaveDialog(owner));
             }
@@ -84,7 +86,7 @@ public interface FilePrompt {
 
             @Override
             public Optional<Path> rigToWrite(Path proposal) {
-                var chooser = chooser(Messages.tr("Export Light Rig"), proposal.toAbsolutePath().getParent(), scenes);
+                var chooser = chooser(Messages.tr("Export Light Rig"), ParentFolder.of(proposal), scenes);
                 chooser.setInitialFileName(proposal.getFileName().toString());
                 return path(chooser, c -> c.showSaveDialog(owner));
             }
@@ -92,7 +94,7 @@ public interface FilePrompt {
             @Override
             public Optional<Path> pictureToWrite(Path proposal) {
                 String name = proposal.getFileName().toString();
-                var chooser = chooser(Messages.tr("Save Image"), proposal.toAbsolutePath().getParent(),
+                var chooser = chooser(Messages.tr("Save Image"), ParentFolder.of(proposal),
                         Arrays.stream(ImageFormat.values()).sorted(Comparator.comparing(format -> !name.endsWith(format.extension())))
                                 .map(format -> filter(format.title(), format.extension())).toArray(FileChooser.ExtensionFilter[]::new));
                 chooser.setInitialFileName(proposal.getFileName().toString());
@@ -105,7 +107,7 @@ public interface FilePrompt {
         return new FileChooser.ExtensionFilter(title + " (*" + ending + ")", "*" + ending);
     }
 
-    private static FileChooser chooser(String title, Path folder, FileChooser.ExtensionFilter... filters) {
+    private static FileChooser chooser(String title, @Nullable Path folder, FileChooser.ExtensionFilter... filters) {
         var chooser = new FileChooser();
         chooser.setTitle(title);
         chooser.getExtensionFilters().setAll(filters);

@@ -3,6 +3,7 @@ package lightning.editor.window.command;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.editor.document.Command;
@@ -25,12 +26,12 @@ record RigActions(SceneEditor editor, FileThread files, FilePrompt prompt, Edito
     }
 
     private Path folder() {
-        return editor.document().file().toAbsolutePath().getParent();
+        return ParentFolder.of(editor.document().file());
     }
 
     /** Returns the folder to propose, which is not the program's for a copy of a shipped scene. */
     private Path proposedFolder() {
-        return editor.document().proposedFile("rig").toAbsolutePath().getParent();
+        return ParentFolder.of(editor.document().proposedFile("rig"));
     }
 
     private void load(BiFunction<Lighting, Scene, EditOutcome> edit) {

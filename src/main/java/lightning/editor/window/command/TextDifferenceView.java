@@ -9,6 +9,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
 import lightning.editor.document.TextDifference;
+import org.jspecify.annotations.Nullable;
 
 /** Side-by-side view of two texts with marked and colored differences. */
 final class TextDifferenceView extends VBox {
@@ -57,7 +58,7 @@ final class TextDifferenceView extends VBox {
         }
 
         @Override
-        protected void updateItem(TextDifference.Row row, boolean empty) {
+        protected void updateItem(TextDifference.@Nullable Row row, boolean empty) {
             super.updateItem(row, empty);
             setGraphic(empty || row == null ? null : columns);
             if (row != null && !empty) {

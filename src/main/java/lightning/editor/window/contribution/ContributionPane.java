@@ -42,6 +42,7 @@ import lightning.render.relight.LightContributions;
 import lightning.render.relight.LightThumbnails;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Contribution of each light to the picture, to a region and to the pixel under the mouse, and the impact of removing it. One click
@@ -66,13 +67,13 @@ public final class ContributionPane extends VBox {
     private final PauseTransition settleTimer = new PauseTransition(SETTLE_DELAY);
     private Map<String, Double> sharesAtPointer = Map.of();
     private Optional<LightContributions.Region> region = Optional.empty();
-    private LightContributions shown;
-    private Scene shownScene;
-    private Frame lastFrame;
+    private @Nullable LightContributions shown;
+    private @Nullable Scene shownScene;
+    private @Nullable Frame lastFrame;
     /** Indirect light of the last picture under the pointer; used on the thread of pixel queries only. */
-    private IndirectByLight indirect;
+    private @Nullable IndirectByLight indirect;
     /** Pending comparison after lights were switched off; null if there is none. */
-    private Comparison pendingComparison;
+    private @Nullable Comparison pendingComparison;
 
     private record Comparison(Scene scene, Film oldFilm, int lightCount) {}
 
@@ -208,7 +209,7 @@ public final class ContributionPane extends VBox {
         }
     }
 
-    private void updateFrame(Frame frame) {
+    private void updateFrame(@Nullable Frame frame) {
         if (frame != null && frame != lastFrame && frame.isFinished()) {
             lastFrame = frame;
             compare(frame);
@@ -267,7 +268,7 @@ public final class ContributionPane extends VBox {
         restart();
     }
 
-    private void showPixel(PicturePointer.Pixel pixel) {
+    private void showPixel(PicturePointer.@Nullable Pixel pixel) {
         if (pixel == null) {
             pixelQuery.cancel();
             sharesAtPointer = Map.of();
@@ -302,7 +303,7 @@ public final class ContributionPane extends VBox {
 
     private void switchOff() {
         Frame frame = picture.frame();
-        if (shown == null || frame == null || !editor.scene().rig().equals(shownScene.rig())) {
+        if (shown == null || shownScene == null || frame == null || !editor.scene().rig().equals(shownScene.rig())) {
             editor.message().show(Messages.tr("The image is out of date; render first (F5)"));
             return;
         }

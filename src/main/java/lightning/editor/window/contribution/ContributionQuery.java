@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import lightning.base.work.DedicatedThread;
 import lightning.base.work.Progress;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Runs queries about the picture on a thread of its own, which exists from the first query until the pane closes. A new query cancels the
@@ -18,7 +19,7 @@ final class ContributionQuery implements AutoCloseable {
     private final Executor windowExecutor;
     private final String name;
     /** Null while the pane is closed. */
-    private ExecutorService thread;
+    private @Nullable ExecutorService thread;
     private final AtomicReference<Object> latest = new AtomicReference<>();
 
     /**

@@ -17,6 +17,7 @@ import lightning.editor.document.cue.Cue;
 import lightning.editor.window.widget.PixelImage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
 
@@ -47,7 +48,7 @@ final class CueCard extends VBox {
      *
      * @param thumbnail thumbnail from {@link #thumbnail}; null if there is none
      */
-    CueCard(Cue cue, CueThumbnail thumbnail, Callbacks callbacks) {
+    CueCard(Cue cue, @Nullable CueThumbnail thumbnail, Callbacks callbacks) {
         setId("cue-" + cue.name());
         getStyleClass().add("cue-card");
         var frame = new StackPane();

@@ -1,5 +1,7 @@
 package lightning.editor.window.cue;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -43,6 +45,7 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
+import org.jspecify.annotations.Nullable;
 
 /** Gallery of the open scene's saved looks (cues): saves, applies, compares and blends them. */
 public final class CuePane extends VBox {
@@ -67,11 +70,11 @@ public final class CuePane extends VBox {
     private String a = "";
     private String b = "";
     private String removedName = "";
-    private Object gesture;
+    private @Nullable Object gesture;
     private boolean isUpdating;
 
     /** Saved look with its thumbnail, which is null if there is no picture. */
-    private record CueEntry(Cue cue, CueCard.CueThumbnail thumbnail) {}
+    private record CueEntry(Cue cue, CueCard.@Nullable CueThumbnail thumbnail) {}
 
     public CuePane(SceneEditor editor, TracedPicture picture, FileThread files) {
         this.editor = editor;
@@ -152,7 +155,7 @@ public final class CuePane extends VBox {
         files.runInOrder(work, onDone, failure -> showMessage(ErrorMessage.of(failure)));
     }
 
-    private void showMessage(String text) {
+    private void showMessage(@Nullable String text) {
         message.setText(text);
     }
 
@@ -221,7 +224,7 @@ public final class CuePane extends VBox {
         }
         CueFolder folder = folder();
         Lighting lighting = Lighting.of(editor.scene());
-        Frame frame = picture.frame();
+        Frame frame = requireNonNull(picture.frame());
         Film film = frame.film();
         ViewTransform view = picture.viewProperty().get().withMarksClipping(false);
         runFileTask(() -> {
@@ -254,7 +257,7 @@ public final class CuePane extends VBox {
         applyEdit(lighting::applyTo, null);
     }
 
-    private void applyEdit(Function<Scene, EditOutcome> edit, Object gesture) {
+    private void applyEdit(Function<Scene, EditOutcome> edit, @Nullable Object gesture) {
         editor.edit(edit, gesture).ifPresentOrElse(this::showMessage, () -> {
             showMessage("");
             ForcedLiveUpdate.render(editor);

@@ -18,6 +18,7 @@ import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.PanelPlace;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /** Panels of a dock as tabs. Only the panel in front is part of the window, so that the others cost nothing. */
@@ -148,7 +149,7 @@ public final class DockTabs extends TabPane {
     }
 
     /** Returns the first visible control in a part of the window that Tab can reach. */
-    public static Optional<Node> firstFocusable(Node node) {
+    public static Optional<Node> firstFocusable(@Nullable Node node) {
         if (node == null || !node.isVisible() || node.isDisabled()) {
             return Optional.empty();
         }

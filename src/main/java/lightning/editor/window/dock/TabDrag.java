@@ -1,5 +1,7 @@
 package lightning.editor.window.dock;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Locale;
 import javafx.geometry.BoundingBox;
 import javafx.geometry.Bounds;
@@ -9,6 +11,7 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Region;
 import lightning.editor.document.Command;
 import lightning.editor.window.model.PanelPlace;
+import org.jspecify.annotations.Nullable;
 
 /** Drag of a tab to another dock, or out of the docks into a window of its own. A frame shows where the panel will be. */
 public final class TabDrag {
@@ -22,8 +25,8 @@ public final class TabDrag {
     private final Node area;
     private final Region frame;
     private final DropCallback drop;
-    /** Panel whose tab is pressed; null for none. */
-    private Command pressed;
+    /** Panel whose tab is pressed. */
+    private @Nullable Command pressed;
     private double startX;
     private double startY;
     private boolean isDragging;
@@ -72,7 +75,7 @@ public final class TabDrag {
             frame.setVisible(false);
             PanelPlace place = placeAt(e.getSceneX(), e.getSceneY());
             if (isDragging && place != dock.place()) {
-                drop.drop(pressed, place, e.getScreenX(), e.getScreenY());
+                drop.drop(requireNonNull(pressed), place, e.getScreenX(), e.getScreenY());
             }
             isDragging = false;
             pressed = null;

@@ -1,5 +1,7 @@
 package lightning.editor.window.link;
 
+import static java.util.Objects.requireNonNull;
+
 import javafx.css.PseudoClass;
 import javafx.geometry.HPos;
 import javafx.geometry.VPos;
@@ -7,6 +9,7 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.Region;
 import lightning.editor.document.LinkTable;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 
 /** Cell of a link: a bar as long as the gain, and the gain in percent unless it is 100. Empty if the object is not linked. */
 final class LinkCell extends Region {
@@ -21,7 +24,7 @@ final class LinkCell extends Region {
 
     private final Region bar = new Region();
     private final Label text = new Label();
-    private LinkTable.Link link;
+    private LinkTable.@Nullable Link link;
 
     LinkCell() {
         getStyleClass().add("link-cell");
@@ -53,7 +56,7 @@ final class LinkCell extends Region {
     }
 
     LinkTable.Link link() {
-        return link;
+        return requireNonNull(link);
     }
 
     static String text(LinkTable.Link link) {

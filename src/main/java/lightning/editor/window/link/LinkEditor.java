@@ -14,6 +14,7 @@ import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 
 /** Edits of links, as the mouse and the keyboard make them. */
 final class LinkEditor {
@@ -53,7 +54,7 @@ final class LinkEditor {
      * @param gesture identifies a drag; null for a separate undo step
      * @param keep    as in {@link LinkEdits#setGain}
      */
-    void setGain(Light light, LinkTable.Row row, double gain, Object gesture, boolean keep) {
+    void setGain(Light light, LinkTable.Row row, double gain, @Nullable Object gesture, boolean keep) {
         double valid = Math.clamp(gain, 0, SceneLimits.MAX_GAIN);
         edit(scene -> LinkEdits.setGain(scene, light.name(), row.name(), valid, keep), gesture);
     }
@@ -62,7 +63,7 @@ final class LinkEditor {
         edit(scene -> LinkEdits.resetGain(scene, light.name(), row.name()), null);
     }
 
-    private void edit(Function<Scene, EditOutcome> change, Object gesture) {
+    private void edit(Function<Scene, EditOutcome> change, @Nullable Object gesture) {
         editor.editOrReport(change, gesture);
     }
 

@@ -12,6 +12,7 @@ import lightning.base.text.Messages;
 import lightning.editor.document.LinkTable;
 import lightning.scene.light.Light;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Mouse and keyboard of the matrix. A click links or unlinks, a drag to the side changes the gain, digits open a field for it. Space toggles,
@@ -30,7 +31,7 @@ final class LinkInput {
     private final LinkMatrix matrix;
     private final LinkEditor editor;
     private final TextField field = new TextField();
-    private Drag drag;
+    private @Nullable Drag drag;
 
     /** Press of the mouse on a cell. */
     private static final class Drag {

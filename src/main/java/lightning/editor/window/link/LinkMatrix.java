@@ -14,6 +14,7 @@ import javafx.scene.layout.Region;
 import lightning.base.text.Messages;
 import lightning.editor.document.LinkTable;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Matrix of lights and objects whose headers stay in place. Only visible cells have nodes, which scrolling reuses; it moves by whole rows and
@@ -180,6 +181,7 @@ final class LinkMatrix extends Region {
     }
 
     /** Returns the visible cell of the keyboard; null if there is none. */
+    @Nullable
     LinkCell currentCell() {
         int row = currentRow - first(vertical);
         int column = currentColumn - first(horizontal);

@@ -77,9 +77,6 @@ public final class LinkPane extends VBox {
     }
 
     private void show() {
-        if (editor.scene() == null) {
-            return;
-        }
         LinkTable table = LinkTable.of(editor.scene(), closedGroups, search.getText());
         matrix.show(table, editor.selection().lightName());
         note.setText(table.lights().isEmpty() ? Messages.tr("No lights")

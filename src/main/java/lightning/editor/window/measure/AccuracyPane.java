@@ -1,5 +1,7 @@
 package lightning.editor.window.measure;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Optional;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
@@ -27,6 +29,7 @@ import lightning.render.measure.AccuracySetting;
 import lightning.render.measure.AccuracySweep;
 import lightning.render.measure.AccuracySweepMeter;
 import lightning.render.measure.SweepPoint;
+import org.jspecify.annotations.Nullable;
 
 /** Pane that compares accuracy settings: time and error of each for the last edit, measured on request. */
 public final class AccuracyPane extends BorderPane {
@@ -44,7 +47,7 @@ public final class AccuracyPane extends BorderPane {
     private final AccuracyTable table = new AccuracyTable();
     private final AccuracyPlot chart = new AccuracyPlot();
     private final PictureView picture = new PictureView();
-    private AccuracySweep sweep;
+    private @Nullable AccuracySweep sweep;
     /** Last measured edit, and the text of its result. */
     private Optional<LastEdit> measuredEdit = Optional.empty();
     private String outcome = "";
@@ -125,7 +128,7 @@ public final class AccuracyPane extends BorderPane {
     }
 
     private static String text(AccuracySweep sweep) {
-        return Messages.tr("{0} · {1} × {2} pixels", sweep.point(AccuracySetting.EXACT).update().plan().description(),
+        return Messages.tr("{0} · {1} × {2} pixels", requireNonNull(sweep.point(AccuracySetting.EXACT).update()).plan().description(),
                 sweep.after().picture().width(),
                 sweep.after().picture().height());
     }

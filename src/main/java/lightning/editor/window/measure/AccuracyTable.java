@@ -1,5 +1,7 @@
 package lightning.editor.window.measure;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.function.Function;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.scene.control.Label;
@@ -8,6 +10,7 @@ import javafx.scene.control.TableView;
 import lightning.base.text.Messages;
 import lightning.render.measure.AccuracySweep;
 import lightning.render.measure.SweepPoint;
+import org.jspecify.annotations.Nullable;
 
 /** Table of accuracy settings with time, saving and errors. */
 final class AccuracyTable extends TableView<SweepPoint> {
@@ -16,7 +19,7 @@ final class AccuracyTable extends TableView<SweepPoint> {
     private static final double SETTING_WIDTH = 170;
     private static final double ROW_HEIGHT = 30;
 
-    private AccuracySweep sweep;
+    private @Nullable AccuracySweep sweep;
 
     AccuracyTable() {
         setId("ladder");
@@ -27,7 +30,7 @@ final class AccuracyTable extends TableView<SweepPoint> {
         setFixedCellSize(ROW_HEIGHT);
         addColumn(Messages.tr("Setting"), SETTING_WIDTH, r -> (r.setting().ordinal() + 1) + "  " + r.setting().label());
         addColumn(Messages.tr("Time"), NUMBER_WIDTH, AccuracyText::time);
-        addColumn(Messages.tr("Compared to full trace"), SHARE_WIDTH, r -> AccuracyText.saving(sweep, r));
+        addColumn(Messages.tr("Compared to full trace"), SHARE_WIDTH, r -> AccuracyText.saving(requireNonNull(sweep), r));
         addColumn(Messages.tr("Largest error"), NUMBER_WIDTH, r -> AccuracyText.largest(r.error()));
         addColumn(Messages.tr("Differing"), NUMBER_WIDTH, r -> AccuracyText.values(r.error()));
         addColumn("PSNR", NUMBER_WIDTH, r -> AccuracyText.psnr(r.error()));

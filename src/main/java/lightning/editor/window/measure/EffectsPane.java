@@ -1,5 +1,7 @@
 package lightning.editor.window.measure;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -33,6 +35,7 @@ import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.SceneEffects;
 import lightning.scene.effects.ViewEffects;
 import lightning.scene.paper.PaperCases;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Pane of the rendering effects that a scene uses. Lists the elements that use each effect, measures costs on request, and hides effects in
@@ -54,13 +57,13 @@ public final class EffectsPane extends VBox {
     private final Label absentLabel = new Label();
     private final VBox unusedBox = new VBox();
     private final DisabledReason showAllReason;
-    private EffectCosts costs;
-    private Scene costsScene;
+    private @Nullable EffectCosts costs;
+    private @Nullable Scene costsScene;
     private String costsText = "";
-    private Scene shownScene;
+    private @Nullable Scene shownScene;
     /** Listed unused effects and costs. */
-    private Set<RenderEffect> listedEffects;
-    private EffectCosts listedCosts;
+    private @Nullable Set<RenderEffect> listedEffects;
+    private @Nullable EffectCosts listedCosts;
 
     /** @param view  effects shown in the traced picture */
     public EffectsPane(SceneEditor editor, Workbench workbench, ObservableValue<AccuracyMode> accuracyMode,
@@ -202,7 +205,7 @@ public final class EffectsPane extends VBox {
                         StatusText.milliseconds(newCosts.first().median()),
                         StatusText.milliseconds(newCosts.update().median()), newCosts.plan(), EffectRow.bytes(newCosts.bytes()));
         showOutcome();
-        newCosts.effects().forEach(cost -> rows.get(cost.effect()).show(cost));
+        newCosts.effects().forEach(cost -> requireNonNull(rows.get(cost.effect())).show(cost));
         updateRows(editor.scene());
     }
 }

@@ -14,6 +14,7 @@ import lightning.base.work.Progress;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.VisibilityListener;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
@@ -28,7 +29,7 @@ final class MeasureBar extends HBox {
     private final DisabledReason measureReason;
     private final DisabledReason cancelReason;
     private Optional<String> disabledReason = Optional.empty();
-    private MeasureTask<?> task;
+    private @Nullable MeasureTask<?> task;
 
     /**
      * @param suffix  suffix of the buttons' ids, {@code measure} and {@code cancel-measure}

@@ -15,6 +15,7 @@ import lightning.editor.window.widget.PixelImage;
 import lightning.editor.window.widget.VisibilityListener;
 import lightning.render.image.Scopes;
 import lightning.render.image.ViewTransform;
+import org.jspecify.annotations.Nullable;
 
 /** Histogram and waveform of the displayed picture, computed on a dedicated thread. Only the newest picture is computed. */
 public final class ScopesPane extends VBox {
@@ -29,7 +30,7 @@ public final class ScopesPane extends VBox {
     private final ImageView histogram = view("histogram", Messages.tr("Histogram of red, green and blue values"));
     private final ImageView waveform = view("waveform", Messages.tr("Waveform of the values in each column"));
     private final Label clippingLabel = new Label();
-    private volatile Frame frame;
+    private volatile @Nullable Frame frame;
     private volatile ViewTransform shownView = ViewTransform.DEFAULT;
 
     private record ScopeImages(Scopes scopes, int[] histogramPixels, int[] waveformPixels) {

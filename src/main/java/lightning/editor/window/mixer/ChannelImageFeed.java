@@ -16,6 +16,7 @@ import lightning.render.relight.IndirectByLight;
 import lightning.render.relight.LightShares;
 import lightning.render.relight.LightThumbnails;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Computes the thumbnails of the mixer's strips. */
 final class ChannelImageFeed implements AutoCloseable {
@@ -34,11 +35,11 @@ final class ChannelImageFeed implements AutoCloseable {
     private final PauseTransition settleTimer = new PauseTransition(SETTLE_DELAY);
     private final Workbench workbench;
     /** Last thumbnails; null before the first. */
-    private ChannelImages images;
+    private @Nullable ChannelImages images;
     /** Last shares; null before the first. */
-    private LightShares lastShares;
+    private @Nullable LightShares lastShares;
     /** Indirect light of the last picture; used on the feed's thread only. */
-    private IndirectByLight indirect;
+    private @Nullable IndirectByLight indirect;
     private volatile ViewTransform view = ViewTransform.DEFAULT;
 
     /**

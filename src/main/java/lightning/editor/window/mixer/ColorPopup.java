@@ -17,6 +17,7 @@ import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.editor.window.widget.TemperatureSlider;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 
 /** Color picker below a strip's color chip; closes when the user clicks elsewhere. Sets the color of all selected strips. */
 final class ColorPopup {
@@ -71,7 +72,7 @@ final class ColorPopup {
         Rgb apply(Rgb color);
     }
 
-    private Optional<String> set(ColorEdit edit, Object gesture) {
+    private Optional<String> set(ColorEdit edit, @Nullable Object gesture) {
         return model.editSelected(channel, (scene, c) -> c.color(scene).map(now -> c.withColor(scene, edit.apply(now))).orElse(scene),
                 gesture);
     }
@@ -93,7 +94,7 @@ final class ColorPopup {
         }
 
         @Override
-        public Optional<String> hsv(HsvColor color, Object gesture) {
+        public Optional<String> hsv(HsvColor color, @Nullable Object gesture) {
             return set(_ -> color.rgb(), gesture);
         }
     }

@@ -10,6 +10,7 @@ import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Region;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Fader in stops on a {@link FaderScale}. A drag moves it, ten times finer with Shift; Escape cancels the drag. A double-click sets 0 stops. The up and down keys
@@ -32,7 +33,7 @@ final class Fader extends Region {
     private final Region zeroMark = new Region();
     private final Region cap = new Region();
     private final DoubleProperty stops = new SimpleDoubleProperty();
-    private Object gesture;
+    private @Nullable Object gesture;
     /** True if the last press became a drag: a press soon after it is not a double-click. */
     private boolean isDrag;
     private double pressedY;
@@ -51,7 +52,7 @@ final class Fader extends Region {
          * @param stops value in stops
          * @param gesture one object for all moves of a drag; null for a single step
          */
-        void move(double stops, Object gesture);
+        void move(double stops, @Nullable Object gesture);
 
         /** Starts a drag; the next moves with a gesture belong to it. */
         void startDrag();

@@ -11,6 +11,7 @@ import lightning.base.text.Messages;
 import lightning.editor.document.StepRange;
 import lightning.editor.window.widget.NumberField;
 import lightning.editor.window.widget.NumberSetting;
+import org.jspecify.annotations.Nullable;
 
 /** Master fader for all lights and the environment. Changes the lights' own intensities, so the fader returns to 0 when it is released. */
 final class MasterStrip extends VBox {
@@ -46,7 +47,7 @@ final class MasterStrip extends VBox {
         }
 
         @Override
-        public void move(double newStops, Object gesture) {
+        public void move(double newStops, @Nullable Object gesture) {
             if (model.setMaster(newStops, gesture).isEmpty() && gesture != null) {
                 fader.show(newStops);
                 stops.show(newStops);

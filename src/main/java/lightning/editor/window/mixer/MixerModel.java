@@ -18,6 +18,7 @@ import lightning.editor.window.command.ForcedLiveUpdate;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Shared state of the mixer's strips: the selection, the relative mode, and the edits. An edit is rendered immediately, with or without
@@ -27,11 +28,11 @@ final class MixerModel {
     private final SceneEditor editor;
     private final BooleanProperty relative = new SimpleBooleanProperty(true);
     private final ReadOnlyObjectWrapper<Set<MixerChannel>> selected = new ReadOnlyObjectWrapper<>(Set.of());
-    private MixerChannel anchor;
+    private @Nullable MixerChannel anchor;
     /** Environment's light gain before it was muted. */
     private double environmentGain = 1;
     /** Scene before the current drag; null without a drag. */
-    private Scene sceneBeforeDrag;
+    private @Nullable Scene sceneBeforeDrag;
 
     MixerModel(SceneEditor editor) {
         this.editor = editor;
@@ -135,7 +136,7 @@ final class MixerModel {
     }
 
     /** Sets the intensity of a strip and of those selected with it, relative or absolute. */
-    Optional<String> setIntensity(MixerChannel channel, double intensity, Object gesture) {
+    Optional<String> setIntensity(MixerChannel channel, double intensity, @Nullable Object gesture) {
         Set<MixerChannel> channels = editedChannels(channel);
         Scene startScene = baseScene();
         double oldIntensity = channel.intensity(startScene);
@@ -151,19 +152,19 @@ final class MixerModel {
     }
 
     /** Makes all lights and the environment brighter by a number of stops. */
-    Optional<String> setMaster(double stops, Object gesture) {
+    Optional<String> setMaster(double stops, @Nullable Object gesture) {
         Scene startScene = baseScene();
         return edit(scene -> MixerEdits.scaleAll(scene, startScene, Math.pow(2, stops)), gesture);
     }
 
     /** Edits a strip and those selected with it. */
-    Optional<String> editSelected(MixerChannel channel, BiFunction<Scene, MixerChannel, Scene> edit, Object gesture) {
+    Optional<String> editSelected(MixerChannel channel, BiFunction<Scene, MixerChannel, Scene> edit, @Nullable Object gesture) {
         Set<MixerChannel> channels = editedChannels(channel);
         return edit(scene -> MixerEdits.editEach(scene, channels, edit), gesture);
     }
 
     /** Applies an edit and renders it immediately. */
-    Optional<String> edit(Function<Scene, EditOutcome> edit, Object gesture) {
+    Optional<String> edit(Function<Scene, EditOutcome> edit, @Nullable Object gesture) {
         Optional<String> refusal = editor.editOrReport(edit, gesture);
         if (refusal.isEmpty()) {
             ForcedLiveUpdate.render(editor);

@@ -34,6 +34,7 @@ import lightning.editor.window.widget.TimeSlicedTask;
 import lightning.editor.window.widget.VisibilityListener;
 import lightning.render.relight.LightShares;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Light mixer: a strip for each light, each light group and the environment, in the order of the scene, and a master. A click on a strip's
@@ -57,8 +58,8 @@ public final class MixerPane extends VBox {
     /** Says what the thumbnails lack; empty if nothing. */
     private final Label lightNote = new Label();
     private StripDetail detail = StripDetail.FULL;
-    private ChannelImages images;
-    private Frame lastFrame;
+    private @Nullable ChannelImages images;
+    private @Nullable Frame lastFrame;
 
     /**
      * Creates the pane without strips.
@@ -91,7 +92,7 @@ public final class MixerPane extends VBox {
     }
 
     /** Returns whether the focus is in the mixer, which then was opened by the user. */
-    private boolean hasFocus(Node owner) {
+    private boolean hasFocus(@Nullable Node owner) {
         return owner == null || owner == this || owner.getParent() != null && hasFocus(owner.getParent());
     }
 
@@ -183,7 +184,7 @@ public final class MixerPane extends VBox {
         }
     }
 
-    private void updateFrame(Frame frame) {
+    private void updateFrame(@Nullable Frame frame) {
         if (frame != null && frame != lastFrame) {
             lastFrame = frame;
             feed.refresh();

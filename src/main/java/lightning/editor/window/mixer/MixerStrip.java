@@ -22,6 +22,7 @@ import lightning.editor.window.widget.LightTypes;
 import lightning.editor.window.widget.NumberField;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
@@ -148,7 +149,7 @@ final class MixerStrip extends VBox {
         }
 
         @Override
-        public void move(double newStops, Object gesture) {
+        public void move(double newStops, @Nullable Object gesture) {
             setIntensity(Math.min(MixerEdits.intensityOfStops(newStops), channel.maxIntensity()), gesture);
         }
 
@@ -158,7 +159,7 @@ final class MixerStrip extends VBox {
         }
     }
 
-    private Optional<String> setIntensity(double v, Object gesture) {
+    private Optional<String> setIntensity(double v, @Nullable Object gesture) {
         return model.setIntensity(channel, v, gesture);
     }
 

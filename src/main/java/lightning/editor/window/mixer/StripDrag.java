@@ -10,6 +10,7 @@ import lightning.editor.document.EditOutcome;
 import lightning.editor.document.MixerChannel;
 import lightning.editor.document.MixerEdits;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Mouse handler of the strips' headers: a click selects, a drag reorders the lights of the scene. */
 final class StripDrag {
@@ -18,7 +19,7 @@ final class StripDrag {
 
     private final MixerModel model;
     private final Supplier<List<MixerStrip>> shownStrips;
-    private MixerStrip pressed;
+    private @Nullable MixerStrip pressed;
     private double pressX;
     private boolean dragging;
 

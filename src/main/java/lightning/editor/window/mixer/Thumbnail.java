@@ -8,13 +8,14 @@ import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.editor.window.widget.PercentText;
 import lightning.editor.window.widget.PixelImage;
+import org.jspecify.annotations.Nullable;
 
 /** Thumbnail of a strip's contribution to the picture, with its share in percent. */
 final class Thumbnail extends VBox {
     private final ImageView image = new ImageView();
     private final Label percentage = new Label("–");
     private final StackPane frame;
-    private int[] pixels;
+    private int @Nullable [] pixels;
 
     Thumbnail(String id) {
         getStyleClass().add("thumbnail");

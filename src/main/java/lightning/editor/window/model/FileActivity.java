@@ -4,11 +4,12 @@ import java.nio.file.Path;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import lightning.base.text.Messages;
+import org.jspecify.annotations.Nullable;
 
 /** File being read or written in the background, which the user can cancel. Files are compared by identity. */
 public final class FileActivity {
     private final Runnable changeListener;
-    private volatile Path file;
+    private volatile @Nullable Path file;
     private final ReadOnlyStringWrapper title = new ReadOnlyStringWrapper("");
 
     FileActivity(Runnable changeListener) {
@@ -47,7 +48,7 @@ public final class FileActivity {
     }
 
     /** Returns the active file, or null if there is none or it was canceled. */
-    public Path file() {
+    public @Nullable Path file() {
         return file;
     }
 

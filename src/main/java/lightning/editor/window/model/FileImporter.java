@@ -4,19 +4,21 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.editor.document.FileThread;
 import lightning.format.jen.asset.FileCopy;
 import lightning.format.jen.asset.FileKind;
+import org.jspecify.annotations.Nullable;
 
 /** Copies external files to where the open scene finds them. Overwrites an existing file only if it is chosen twice. */
 public final class FileImporter {
     private final SceneEditor editor;
     private final FileThread files;
     private BiFunction<String, FileKind, Optional<Path>> filePrompt = (_, _) -> Optional.empty();
-    /** Last chosen file whose name is already in use, or null. */
-    private Path rejectedFile;
+    /** Last chosen file whose name is already in use. */
+    private @Nullable Path rejectedFile;
 
     FileImporter(SceneEditor editor, FileThread files) {
         this.editor = editor;
@@ -25,7 +27,7 @@ public final class FileImporter {
 
     /** Returns the folder of the open scene. */
     public Path folder() {
-        return editor.document().file().toAbsolutePath().getParent();
+        return ParentFolder.of(editor.document().file());
     }
 
     /** Returns the thread that reads the scene's files. */

@@ -1,11 +1,15 @@
 package lightning.editor.window.model;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.function.BooleanSupplier;
 import java.util.function.LongPredicate;
 import javafx.animation.AnimationTimer;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
+import lightning.editor.loop.Frame;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Plays frames: shows the next frame once the traced picture of the current one is finished. Stops if a picture fails. */
 public final class FramePlayer {
@@ -20,7 +24,7 @@ public final class FramePlayer {
             pulse(now);
         }
     };
-    private Scene awaitedScene;
+    private @Nullable Scene awaitedScene;
 
     /**
      * @param stopCondition  returns true to stop playing
@@ -55,9 +59,10 @@ public final class FramePlayer {
     }
 
     private void pulse(long now) {
+        Frame frame = picture.frame();
         if (stopCondition.getAsBoolean() || picture.renderStateProperty().get().problem() != null) {
             stop();
-        } else if (picture.frame() != null && picture.frame().scene().hasSameImage(awaitedScene) && showNextFrame.test(now)) {
+        } else if (frame != null && frame.scene().hasSameImage(requireNonNull(awaitedScene)) && showNextFrame.test(now)) {
             awaitedScene = editor.scene();
         }
     }

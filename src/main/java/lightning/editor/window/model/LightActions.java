@@ -1,5 +1,7 @@
 package lightning.editor.window.model;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import java.util.function.BiFunction;
 import lightning.base.text.DecimalNumber;
@@ -32,8 +34,10 @@ final class LightActions {
         commands.setAction(Command.ADD_LIGHT, () -> actions.add(LightType.POINT));
         commands.setAction(Command.DUPLICATE_LIGHT, actions::duplicate);
         commands.setAction(Command.DELETE_LIGHT, () -> actions.edit(LightEdits::delete));
-        commands.setAction(Command.SWITCH_ON, () -> actions.edit((s, n) -> LightEdits.setOn(s, n, !actions.selection.light().on())));
-        commands.setAction(Command.SOLO, () -> actions.edit((s, n) -> LightEdits.setSolo(s, n, !actions.selection.light().solo())));
+        commands.setAction(Command.SWITCH_ON,
+                () -> actions.edit((s, n) -> LightEdits.setOn(s, n, !requireNonNull(actions.selection.light()).on())));
+        commands.setAction(Command.SOLO,
+                () -> actions.edit((s, n) -> LightEdits.setSolo(s, n, !requireNonNull(actions.selection.light()).solo())));
         commands.setAction(Command.NEW_BANK, () -> actions.edit(LightGroupEdits::create));
         commands.setAction(Command.DELETE_BANK,
                 () -> actions.edit((s, n) -> LightGroupEdits.delete(s, LightEdits.light(s, n).lightGroup())));
@@ -55,7 +59,7 @@ final class LightActions {
 
     /** Duplicates the selected light and selects the copy, which follows the original in the scene. */
     private void duplicate() {
-        Light original = selection.light();
+        Light original = requireNonNull(selection.light());
         if (editor.editOrReport(scene -> LightEdits.duplicate(scene, original.name())).isEmpty()) {
             List<Light> lights = editor.scene().lights();
             String copy = lights.get(lights.indexOf(original) + 1).name();

@@ -6,6 +6,7 @@ import javafx.beans.property.SimpleBooleanProperty;
 import lightning.editor.document.Command;
 import lightning.editor.document.manipulation.PreviewCamera;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Toggle that makes the preview look through the selected light. It follows the light and the selection; any other camera change switches
@@ -15,7 +16,7 @@ final class LightCameraToggle {
     private final SceneEditor editor;
     private final ObjectProperty<PreviewCamera> camera;
     private final BooleanProperty isOn = new SimpleBooleanProperty();
-    private PreviewCamera previousCamera;
+    private @Nullable PreviewCamera previousCamera;
     private boolean isFollowing;
 
     private LightCameraToggle(SceneEditor editor, ObjectProperty<PreviewCamera> camera) {
@@ -51,7 +52,7 @@ final class LightCameraToggle {
         }
     }
 
-    private void follow(Light light) {
+    private void follow(@Nullable Light light) {
         if (light == null) {
             isOn.set(false);
             return;

@@ -11,13 +11,14 @@ import lightning.editor.document.MaterialEdits;
 import lightning.scene.Scene;
 import lightning.scene.material.Material;
 import lightning.scene.node.Shape;
+import org.jspecify.annotations.Nullable;
 
 /** Material being edited, and whether its pane is shown in place of the selected light's. */
 public final class MaterialSelection {
     private final ReadOnlyObjectWrapper<Material> material = new ReadOnlyObjectWrapper<>();
     private final SceneEditor editor;
     private String selectedName = "";
-    private Scene lastScene;
+    private @Nullable Scene lastScene;
 
     MaterialSelection(SceneEditor editor) {
         this.editor = editor;
@@ -33,7 +34,7 @@ public final class MaterialSelection {
         return material.getReadOnlyProperty();
     }
 
-    public Material material() {
+    public @Nullable Material material() {
         return material.get();
     }
 

@@ -7,6 +7,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import lightning.base.work.DedicatedThread;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Computes a pane's content on a dedicated thread, which exists from the first request until the pane closes. Coalesces requests: only the
@@ -18,7 +19,7 @@ public final class PaneUpdater<T> implements AutoCloseable {
     private final Supplier<Optional<T>> compute;
     private final Consumer<T> show;
     /** Null while the pane is closed. */
-    private ThreadRun run;
+    private @Nullable ThreadRun run;
 
     /** Lifetime of the thread, from the first request until the pane closes. */
     private record ThreadRun(ExecutorService thread, AtomicBoolean requested) {}

@@ -67,6 +67,6 @@ public final class PictureDisplay {
         Frame frame = editor.editorStateProperty().get().frame().orElse(null);
         List<Light> lights = editor.scene().lights();
         boolean isRenamed = frame != null && frame.scene().light(light.name()).isEmpty() && frame.scene().lights().size() == lights.size();
-        return isRenamed ? frame.scene().lights().get(lights.indexOf(light)).name() : light.name();
+        return frame != null && isRenamed ? frame.scene().lights().get(lights.indexOf(light)).name() : light.name();
     }
 }

@@ -15,6 +15,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.base.file.AtomicFile;
+import lightning.base.file.ParentFolder;
 import lightning.base.file.PrivateFolder;
 
 /**
@@ -130,7 +131,7 @@ public final class Preferences {
         var snapshot = (Properties) values.clone();
         writeExecutor.execute(() -> {
             try {
-                PrivateFolder.create(file.toAbsolutePath().getParent());
+                PrivateFolder.create(ParentFolder.of(file));
                 AtomicFile.of(file).forOwnerOnly().write(out -> snapshot.store(out, "Lightning"));
             } catch (IOException e) {
                 // Preferences are optional.

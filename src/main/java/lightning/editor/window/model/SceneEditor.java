@@ -21,6 +21,7 @@ import lightning.editor.document.Workbench;
 import lightning.editor.document.manipulation.PreviewCamera;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
+import org.jspecify.annotations.Nullable;
 
 /** Shows and edits the current scene: the open document's, or the frame of an open animation. Every edit clears the previous message. */
 public final class SceneEditor {
@@ -38,9 +39,9 @@ public final class SceneEditor {
     private final FileActivity fileActivity;
     private final KeySelection keySelection;
     /** Scene of the open animation; null if none is open. */
-    private Scene animationScene;
+    private @Nullable Scene animationScene;
     /** Scene at the time of the last message, which does not apply to others. */
-    private Scene messageScene;
+    private @Nullable Scene messageScene;
 
     /** @param previewCamera  camera of the preview; follows the scene's camera between frames while both are equal */
     SceneEditor(Workbench workbench, ObjectProperty<PreviewCamera> previewCamera, FileActivity fileActivity, KeySelection keySelection) {
@@ -136,7 +137,7 @@ public final class SceneEditor {
      *
      * @param gesture  object that identifies one drag; null for a separate undo step
      */
-    public Optional<String> edit(Function<Scene, EditOutcome> edit, Object gesture) {
+    public Optional<String> edit(Function<Scene, EditOutcome> edit, @Nullable Object gesture) {
         message.clear();
         EditOutcome change = edit.apply(scene());
         if (animationScene == null) {
@@ -152,7 +153,7 @@ public final class SceneEditor {
     }
 
     /** Applies an edit as {@link #edit(Function, Object)} does, and shows a refusal in the status line. */
-    public Optional<String> editOrReport(Function<Scene, EditOutcome> edit, Object gesture) {
+    public Optional<String> editOrReport(Function<Scene, EditOutcome> edit, @Nullable Object gesture) {
         return reportRefusal(edit(edit, gesture));
     }
 
@@ -163,7 +164,7 @@ public final class SceneEditor {
      * @param gesture  gesture as in {@link #edit(Function, Object)}
      * @return why the edit was refused; empty if it was applied
      */
-    public Optional<String> editShot(UnaryOperator<AnimatedScene> edit, Object gesture) {
+    public Optional<String> editShot(UnaryOperator<AnimatedScene> edit, @Nullable Object gesture) {
         message.clear();
         if (animationScene != null) {
             return Optional.of(Messages.tr("close the open animation first"));
@@ -172,7 +173,7 @@ public final class SceneEditor {
     }
 
     /** Applies an edit as {@link #editShot} does, and shows a refusal in the status line. */
-    public Optional<String> editShotOrReport(UnaryOperator<AnimatedScene> edit, Object gesture) {
+    public Optional<String> editShotOrReport(UnaryOperator<AnimatedScene> edit, @Nullable Object gesture) {
         return reportRefusal(editShot(edit, gesture));
     }
 
@@ -222,7 +223,7 @@ public final class SceneEditor {
         workbench.show(frame);
     }
 
-    private void setAnimationScene(Scene frame) {
+    private void setAnimationScene(@Nullable Scene frame) {
         animationScene = frame;
         refresh();
         if (animationScene != null && live.get() && editorState.get().hasPendingEdits()) {

@@ -11,6 +11,7 @@ import lightning.editor.document.Workbench;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.node.SceneNode;
+import org.jspecify.annotations.Nullable;
 
 /** Selected light, shape or group in the displayed scene. */
 public final class SceneSelection {
@@ -31,7 +32,7 @@ public final class SceneSelection {
         return light.getReadOnlyProperty();
     }
 
-    public Light light() {
+    public @Nullable Light light() {
         return light.get();
     }
 
@@ -46,7 +47,7 @@ public final class SceneSelection {
     }
 
     /** Selects a light by name; null or an unknown name clears the selection. */
-    public void selectLight(String name) {
+    public void selectLight(@Nullable String name) {
         if (name == null) {
             workbench.select(Selection.NONE);
         } else {

@@ -1,5 +1,7 @@
 package lightning.editor.window.model;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Optional;
 import java.util.OptionalDouble;
 import lightning.base.text.Messages;
@@ -11,6 +13,7 @@ import lightning.render.measure.WarmSaving;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.RayCounts;
+import org.jspecify.annotations.Nullable;
 
 /** Formats updates and verifications for the status line. */
 public final class StatusText {
@@ -55,7 +58,7 @@ public final class StatusText {
 
     /** Formats the update of an image briefly: {@code Updated in 0.8 ms, exact}. */
     public static String shortText(RenderState state) {
-        Frame frame = state.frame();
+        Frame frame = requireNonNull(state.frame());
         UpdateResult update = frame.update();
         String time = time(update.milliseconds());
         String prefix = frame.step() == Frame.Step.INDIRECT_LIGHT ? Messages.tr("Indirect light in {0}", time)
@@ -101,7 +104,7 @@ public final class StatusText {
      *
      * @param frame  displayed picture; a result of another picture is marked as such
      */
-    public static String of(Verification verification, Frame frame) {
+    public static String of(Verification verification, @Nullable Frame frame) {
         String prefix = frame != null && verification.appliesTo(frame.guarantee()) ? "" : Messages.tr("Previous image: ");
         OptionalDouble full = verification.fullTraceMs();
         return prefix + verification.text() + (full.isPresent() ? Messages.tr(" (full trace {0})", milliseconds(full.getAsDouble())) : "");

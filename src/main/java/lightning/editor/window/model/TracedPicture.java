@@ -17,6 +17,7 @@ import lightning.render.image.ViewTransform;
 import lightning.render.relight.SceneView;
 import lightning.scene.Scene;
 import lightning.scene.ViewSettings;
+import org.jspecify.annotations.Nullable;
 
 /** Traced picture: pixels, render progress and view transform. */
 public final class TracedPicture {
@@ -47,7 +48,7 @@ public final class TracedPicture {
     }
 
     /** Returns the last picture, or null before the first. */
-    public Frame frame() {
+    public @Nullable Frame frame() {
         return renderState.get().frame();
     }
 

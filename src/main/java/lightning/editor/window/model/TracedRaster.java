@@ -1,5 +1,7 @@
 package lightning.editor.window.model;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
@@ -11,6 +13,7 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Display pixels of the traced picture. Packs only the tiles whose film changed; a new size allocates new pixels.
@@ -37,14 +40,14 @@ public final class TracedRaster implements RenderListener {
     /** Minimum interval between reports of new tiles, nanoseconds. Limits repainting. */
     private static final long REPORT_INTERVAL_NS = 40_000_000;
 
-    private Pixels pixels;
-    private Film shownFilm;
-    private Film coarseFilm;
+    private @Nullable Pixels pixels;
+    private @Nullable Film shownFilm;
+    private @Nullable Film coarseFilm;
     /** Film that another machine rendered of the scene being traced, and that scene; null if none is shown. */
-    private Film remoteFilm;
-    private Scene remoteScene;
+    private @Nullable Film remoteFilm;
+    private @Nullable Scene remoteScene;
     /** Scene of the last displayed picture if it has all samples, else null. */
-    private Scene finishedScene;
+    private @Nullable Scene finishedScene;
     private ViewTransform view = ViewTransform.DEFAULT;
     private DirtyRect dirty = DirtyRect.NONE;
     private DirtyRect patch = DirtyRect.NONE;
@@ -58,7 +61,7 @@ public final class TracedRaster implements RenderListener {
     private long lastReportNs;
 
     /** Returns the current pixels, or null before the first picture. */
-    public synchronized Pixels pixels() {
+    public synchronized @Nullable Pixels pixels() {
         return pixels;
     }
 
@@ -97,7 +100,7 @@ public final class TracedRaster implements RenderListener {
         int tilesAcross = Film.tilesAlong(width);
         int left = tile % tilesAcross * Film.TILE_SIZE;
         int top = tile / tilesAcross * Film.TILE_SIZE;
-        view.packTile(film[0], film[1], film[2], left, top, width, pixels.pixels());
+        view.packTile(film[0], film[1], film[2], left, top, width, currentPixels().pixels());
         tiles.put(tile, film);
         isUnfinished = true;
         unreported = unreported.plus(left, top, Math.min(left + Film.TILE_SIZE, width), Math.min(top + Film.TILE_SIZE, height));
@@ -189,7 +192,7 @@ public final class TracedRaster implements RenderListener {
         boolean isNew =
                 shownFilm == null || coarseFilm != null || isUnfinished || !patch.isEmpty() || !hasSize(film.width(), film.height());
         resize(film.width(), film.height());
-        pack(film, IntStream.range(0, film.tileCount()).filter(tile -> isNew || film.red(tile) != shownFilm.red(tile)
+        pack(film, IntStream.range(0, film.tileCount()).filter(tile -> isNew || film.red(tile) != requireNonNull(shownFilm).red(tile)
                 || film.green(tile) != shownFilm.green(tile) || film.blue(tile) != shownFilm.blue(tile)).toArray());
         shownFilm = film;
         coarseFilm = null;
@@ -205,7 +208,7 @@ public final class TracedRaster implements RenderListener {
         if (!hasSize(film.width(), film.height())) {
             return;
         }
-        int[] all = pixels.pixels();
+        int[] all = currentPixels().pixels();
         for (int y = part.top(); y < part.bottom(); y++) {
             for (int x = part.left(); x < part.right(); x++) {
                 all[y * film.width() + x] = view.pack(film.red(x, y), film.green(x, y), film.blue(x, y));
@@ -232,9 +235,9 @@ public final class TracedRaster implements RenderListener {
     private void packCoarse(Film film, int width, int height) {
         int[] small = view.toPixels(film);
         if (view.curve() == DisplayCurve.FALSE || view.marksClipping()) {
-            CoarseScaling.repeat(small, film.width(), film.height(), pixels.pixels(), width, height);
+            CoarseScaling.repeat(small, film.width(), film.height(), currentPixels().pixels(), width, height);
         } else {
-            CoarseScaling.smooth(small, film.width(), film.height(), pixels.pixels(), width, height);
+            CoarseScaling.smooth(small, film.width(), film.height(), currentPixels().pixels(), width, height);
         }
         dirty = dirty.plus(0, 0, width, height);
     }
@@ -275,11 +278,16 @@ public final class TracedRaster implements RenderListener {
 
     /** Packs tiles in parallel: packing takes as long as a small edit. */
     private void pack(Film film, int[] tiles) {
-        Arrays.stream(tiles).parallel().forEach(tile -> view.packTile(film, tile, pixels.pixels()));
+        Arrays.stream(tiles).parallel().forEach(tile -> view.packTile(film, tile, currentPixels().pixels()));
         for (int tile : tiles) {
             int left = tile % film.tilesX() * Film.TILE_SIZE;
             int top = tile / film.tilesX() * Film.TILE_SIZE;
             dirty = dirty.plus(left, top, Math.min(left + Film.TILE_SIZE, film.width()), Math.min(top + Film.TILE_SIZE, film.height()));
         }
+    }
+
+    /** Returns the pixels, which exist while there are tiles or films. */
+    private Pixels currentPixels() {
+        return requireNonNull(pixels);
     }
 }

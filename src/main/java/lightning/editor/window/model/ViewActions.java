@@ -11,6 +11,7 @@ import lightning.render.relight.SceneView;
 import lightning.scene.Scene;
 import lightning.scene.ViewSettings;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 
 /** Edits of the scene's view transform, and the false colors of the window, which no scene and no preference stores. */
 public final class ViewActions {
@@ -43,16 +44,16 @@ public final class ViewActions {
      *
      * @param gesture  object that identifies one drag, which is one undo step; null for a separate step
      */
-    public Optional<String> setExposure(double stops, Object gesture) {
+    public Optional<String> setExposure(double stops, @Nullable Object gesture) {
         try {
             SceneLimits.checkRange("exposure", stops, EXPOSURE_RANGE.min(), EXPOSURE_RANGE.max());
         } catch (IllegalArgumentException e) {
-            return Optional.of(e.getMessage());
+            return Optional.of(String.valueOf(e.getMessage()));
         }
         return edit(view -> view.withExposure(stops), gesture);
     }
 
-    private Optional<String> edit(UnaryOperator<ViewSettings> change, Object gesture) {
+    private Optional<String> edit(UnaryOperator<ViewSettings> change, @Nullable Object gesture) {
         ViewSettings before = editor.scene().picture().view();
         return change.apply(before).equals(before) ? Optional.empty()
                 : editor.editOrReport(scene -> EditOutcome.of(() -> with(scene, change.apply(scene.picture().view()))), gesture);

@@ -1,5 +1,7 @@
 package lightning.editor.window.model;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Map;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
@@ -83,7 +85,7 @@ public final class WindowLayout {
 
     /** Width of the left dock or height of the lower one, pixels; 0 for the default. */
     public DoubleProperty dockSizeProperty(PanelPlace dock) {
-        return dockSizes.get(dock);
+        return requireNonNull(dockSizes.get(dock));
     }
 
     public ObjectProperty<CanvasLayout> canvasLayoutProperty() {

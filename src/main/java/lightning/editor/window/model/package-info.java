@@ -1,2 +1,5 @@
 /** Model of the editor window without panes: document, picture and progress, display settings and preferences. */
+@NullMarked
 package lightning.editor.window.model;
+
+import org.jspecify.annotations.NullMarked;

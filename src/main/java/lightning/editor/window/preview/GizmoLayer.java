@@ -16,6 +16,7 @@ import lightning.editor.document.manipulation.Viewport;
 import lightning.editor.window.model.GizmoPainter;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Wireframes of the lights over the preview (paper §3.2): yellow for the selected light, faint for lights that are off. The selected light
@@ -31,10 +32,10 @@ final class GizmoLayer extends Pane {
 
     private final Canvas others = new Canvas();
     private final Canvas selected = new Canvas();
-    private View drawnView;
+    private @Nullable View drawnView;
     private List<Light> shining = List.of();
     private List<Light> dark = List.of();
-    private SelectedDrawing drawnSelection;
+    private @Nullable SelectedDrawing drawnSelection;
     private int gizmosDrawn;
 
     /**
@@ -60,7 +61,7 @@ final class GizmoLayer extends Pane {
      * @param lines wireframe of the selected light in scene space; empty if no light is selected
      * @param position position of the selected light; null if no light is selected
      */
-    private record SelectedDrawing(View view, List<LightGizmo.Segment> lines, Vec3 position, Marks marks) {}
+    private record SelectedDrawing(View view, List<LightGizmo.Segment> lines, @Nullable Vec3 position, Marks marks) {}
 
     GizmoLayer() {
         setMouseTransparent(true);
@@ -72,7 +73,7 @@ final class GizmoLayer extends Pane {
      *
      * @param size scale of the wireframes; the markers at the border are not scaled
      */
-    void draw(Scene scene, Light selectedLight, Marks marks, PreviewCamera camera, Viewport canvas, double size) {
+    void draw(Scene scene, @Nullable Light selectedLight, Marks marks, PreviewCamera camera, Viewport canvas, double size) {
         View view = new View(camera, canvas, size);
         List<Light> shiningNow = new ArrayList<>();
         List<Light> darkNow = new ArrayList<>();

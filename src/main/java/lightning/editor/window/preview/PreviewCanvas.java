@@ -39,6 +39,7 @@ import lightning.scene.VisibleState;
 import lightning.scene.effects.PreviewScene;
 import lightning.scene.effects.ViewEffects;
 import lightning.scene.node.NodeGroup;
+import org.jspecify.annotations.Nullable;
 
 /** Canvas of the preview with the lights' wireframes on top; handles mouse and keyboard. */
 public final class PreviewCanvas extends Region implements AutoCloseable {
@@ -201,7 +202,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
     }
 
     /** Returns the traced picture if it shows the same scene through the same camera; otherwise null. */
-    private Film comparableFilm(Scene scene) {
+    private @Nullable Film comparableFilm(Scene scene) {
         Frame frame = model.picture().frame();
         return frame != null && VisibleState.isSame(frame.scene(), scene)
                 && camera.get().camera().equals(PreviewCamera.of(scene).camera()) ? frame.film() : null;

@@ -15,6 +15,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Renders the preview on a separate thread, always the newest request. An edit of a light updates the
@@ -39,7 +40,7 @@ final class PreviewLoop implements AutoCloseable {
      * @param tracedFilm traced picture of the same scene and camera, whose brightness the preview takes; null to keep the last brightness
      */
     record Request(Scene scene, PreviewCamera camera, int width, int height, ViewTransform view, ViewEffects effects, boolean isMoving,
-            Geometry knownGeometry, Film tracedFilm) {
+            @Nullable Geometry knownGeometry, @Nullable Film tracedFilm) {
         private Vec3 eye() {
             return camera.camera().from();
         }
@@ -65,8 +66,8 @@ final class PreviewLoop implements AutoCloseable {
     private int coarseness = 2;
     private double brightnessStops;
     /** Geometry of the last picture; null before the first. */
-    private Geometry lastGeometry;
-    private Request latest;
+    private @Nullable Geometry lastGeometry;
+    private @Nullable Request latest;
     private boolean closed;
 
     /**
@@ -87,7 +88,7 @@ final class PreviewLoop implements AutoCloseable {
         notifyAll();
     }
 
-    private synchronized Request nextRequest() throws InterruptedException {
+    private synchronized @Nullable Request nextRequest() throws InterruptedException {
         while (latest == null && !closed) {
             wait();
         }
@@ -130,7 +131,7 @@ final class PreviewLoop implements AutoCloseable {
     }
 
     /** Returns the geometry of the traced picture if it can serve the preview's eye, otherwise that of the last preview. */
-    private Geometry sharedGeometry(Request request) {
+    private @Nullable Geometry sharedGeometry(Request request) {
         return request.knownGeometry() != null && request.knownGeometry().canServeEye(request.scene(), request.eye())
                 || lastGeometry == null ? request.knownGeometry() : lastGeometry;
     }

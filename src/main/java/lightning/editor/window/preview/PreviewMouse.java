@@ -1,5 +1,7 @@
 package lightning.editor.window.preview;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -19,6 +21,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.SceneSelection;
 import lightning.scene.light.Light;
 import lightning.scene.value.Placement;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Mouse drags in the preview (paper §3.2, §3.6), independent of the toolkit's events. The left button rotates the light under the mouse, or
@@ -37,15 +40,15 @@ final class PreviewMouse {
     private final PreviewSettings settings;
     private final ObjectProperty<PreviewCamera> camera;
     private Viewport canvas = new Viewport(1, 1);
-    private Object gesture;
-    private Light startLight;
+    private @Nullable Object gesture;
+    private @Nullable Light startLight;
     /** Light that a click without a drag selects; null if it is the light that the press selected. */
-    private Light nextLight;
-    private LightDrag lightDrag;
-    private PreviewCamera startCamera;
-    private CameraDrag cameraDrag;
-    private NodeGizmo gizmo;
-    private NodeGizmo.Handle handle;
+    private @Nullable Light nextLight;
+    private @Nullable LightDrag lightDrag;
+    private @Nullable PreviewCamera startCamera;
+    private @Nullable CameraDrag cameraDrag;
+    private @Nullable NodeGizmo gizmo;
+    private NodeGizmo.@Nullable Handle handle;
     private double pressX;
     private double pressY;
 
@@ -126,10 +129,11 @@ final class PreviewMouse {
         // The selected light has priority over lights above it; a click without a drag cycles through them.
         boolean hitsSelected = hits.contains(selected);
         nextLight = hitsSelected ? hits.get((hits.indexOf(selected) + 1) % hits.size()) : null;
-        startLight = hitsSelected ? selected : hits.getFirst();
+        Light dragged = selected != null && hitsSelected ? selected : hits.getFirst();
+        startLight = dragged;
         lightDrag = dragKind;
         gesture = new Object();
-        selection.selectLight(startLight.name());
+        selection.selectLight(dragged.name());
     }
 
     /**
@@ -156,14 +160,16 @@ final class PreviewMouse {
             PreviewCamera view = camera.get();
             NodeGizmo draggedGizmo = gizmo;
             NodeGizmo.Handle draggedHandle = handle;
-            Placement placed = DragRounding.round(draggedGizmo, draggedGizmo.drag(draggedHandle, view, canvas, from, to), view, canvas);
+            Placement placed = DragRounding.round(requireNonNull(draggedGizmo),
+                    requireNonNull(draggedGizmo).drag(draggedHandle, view, canvas, from, to), view, canvas);
             if (editor.editOrReport(scene -> NodeEdits.setPlacement(scene, draggedGizmo.node().name(), _ -> placed), gesture).isEmpty()) {
                 editor.message().show(Snapping.describe(draggedGizmo.node().placement(), placed));
             }
         } else if (startLight != null) {
             PreviewCamera view = camera.get();
-            Light moved = DragRounding.round(startLight, lightDrag.apply(startLight, view, canvas, right, -down), view, canvas);
-            if (editor.editOrReport(scene -> LightEdits.edit(scene, startLight.name(), _ -> moved), gesture).isEmpty()) {
+            Light moved =
+                    DragRounding.round(startLight, requireNonNull(lightDrag).apply(startLight, view, canvas, right, -down), view, canvas);
+            if (editor.editOrReport(scene -> LightEdits.edit(scene, requireNonNull(startLight).name(), _ -> moved), gesture).isEmpty()) {
                 editor.message().show(Snapping.describe(startLight, moved, view));
             }
         }
@@ -174,7 +180,7 @@ final class PreviewMouse {
             cameraDrag = CameraDrag.of(canvas, pressX, pressY, right, down);
         }
         if (cameraDrag != null) {
-            camera.set(cameraDrag.apply(startCamera, canvas, right, down));
+            camera.set(cameraDrag.apply(requireNonNull(startCamera), canvas, right, down));
         }
     }
 

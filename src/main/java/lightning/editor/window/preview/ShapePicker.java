@@ -11,6 +11,7 @@ import lightning.editor.loop.Frame;
 import lightning.editor.window.command.ShapeMenu;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Finds the shape under the mouse in the preview on a background thread, and opens its menu or selects it. */
 final class ShapePicker {
@@ -19,7 +20,7 @@ final class ShapePicker {
     private final Executor windowExecutor;
     private final Node canvas;
     private final ShapeMenu menu;
-    private volatile ScenePicker picker;
+    private volatile @Nullable ScenePicker picker;
 
     /**
      * Creates the picker.

@@ -10,6 +10,7 @@ import lightning.base.text.Messages;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.SceneAttribute;
+import org.jspecify.annotations.Nullable;
 
 /** Combo box for an attribute with a fixed set of values. */
 final class AttributeChoiceBox<V> extends StackPane {
@@ -66,7 +67,7 @@ final class AttributeChoiceBox<V> extends StackPane {
         setWord(null);
     }
 
-    private void setWord(String word) {
+    private void setWord(@Nullable String word) {
         isUpdating = true;
         box.setValue(word);
         isUpdating = false;

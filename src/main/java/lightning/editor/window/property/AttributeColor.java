@@ -9,6 +9,7 @@ import lightning.editor.document.StepRange;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.scene.attribute.NumericKind;
+import org.jspecify.annotations.Nullable;
 
 /** Color attribute that sliders edit. */
 interface AttributeColor<V> extends ColorSliders.Target {
@@ -17,7 +18,7 @@ interface AttributeColor<V> extends ColorSliders.Target {
     NumericKind<V> quantity();
 
     /** Changes the color; returns why it cannot be changed, or nothing. */
-    Optional<String> edit(UnaryOperator<V> change, Object gesture);
+    Optional<String> edit(UnaryOperator<V> change, @Nullable Object gesture);
 
     @Override
     default NumberSetting red() {
@@ -41,7 +42,7 @@ interface AttributeColor<V> extends ColorSliders.Target {
     }
 
     @Override
-    default Optional<String> hsv(HsvColor color, Object gesture) {
+    default Optional<String> hsv(HsvColor color, @Nullable Object gesture) {
         Rgb rgb = color.rgb();
         return edit(_ -> quantity().compose().apply(List.of(rgb.r(), rgb.g(), rgb.b())), gesture);
     }

@@ -18,6 +18,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PixelImage;
 import lightning.scene.World;
 import lightning.scene.asset.EnvironmentMap;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Picture of the environment map, as rotated: the direction −z is in its middle. A drag to the side or the arrow keys rotate the map, all in
@@ -35,8 +36,8 @@ final class EnvironmentPicture extends Region {
     private final SceneEditor editor;
     private final ImageView left = new ImageView();
     private final ImageView right = new ImageView();
-    private EnvironmentMap shown;
-    private Object gesture;
+    private @Nullable EnvironmentMap shown;
+    private @Nullable Object gesture;
     private double pressX;
     private double startRotation;
 
@@ -57,7 +58,7 @@ final class EnvironmentPicture extends Region {
         addEventHandler(MouseEvent.MOUSE_DRAGGED, this::drag);
         addEventHandler(MouseEvent.MOUSE_RELEASED, _ -> gesture = null);
         addEventHandler(KeyEvent.KEY_PRESSED, this::key);
-        visibleState.subscribe(state -> show(state == null ? null : state.scene().world()));
+        visibleState.subscribe(state -> show(Optional.ofNullable(state).map(s -> s.scene().world())));
     }
 
     private void press(MouseEvent event) {
@@ -94,8 +95,8 @@ final class EnvironmentPicture extends Region {
         editor.editOrReport(scene -> EditOutcome.of(() -> scene.withWorld(scene.world().withRotation(wrapped))), gesture);
     }
 
-    private void show(World world) {
-        Optional<EnvironmentMap> map = Optional.ofNullable(world).flatMap(w -> w.environment().map(e -> e.map()));
+    private void show(Optional<World> world) {
+        Optional<EnvironmentMap> map = world.flatMap(w -> w.environment().map(e -> e.map()));
         setVisible(map.isPresent());
         map.ifPresent(newMap -> {
             if (newMap != shown) {
@@ -103,7 +104,7 @@ final class EnvironmentPicture extends Region {
                 left.setImage(PixelImage.of(WIDTH, HEIGHT, pixels(newMap)));
                 right.setImage(left.getImage());
             }
-            double turns = world.rotation() / 360;
+            double turns = world.orElseThrow().rotation() / 360;
             double shift = Math.rint((turns - Math.floor(turns)) * WIDTH);
             left.setLayoutX(-shift);
             right.setLayoutX(WIDTH - shift);

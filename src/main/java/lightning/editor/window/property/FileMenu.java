@@ -1,5 +1,7 @@
 package lightning.editor.window.property;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -78,9 +80,10 @@ final class FileMenu extends MenuButton {
         items.add(new SeparatorMenuItem());
         Map<Boolean, List<MenuItem>> files = fileItems.stream().collect(Collectors.partitioningBy(found -> isSuggested(found.name()),
                 Collectors.mapping(this::item, Collectors.toList())));
-        items.addAll(files.get(true));
-        List<MenuItem> others = files.get(false);
-        if (files.get(true).isEmpty()) {
+        List<MenuItem> suggested = requireNonNull(files.get(true));
+        List<MenuItem> others = requireNonNull(files.get(false));
+        items.addAll(suggested);
+        if (suggested.isEmpty()) {
             items.addAll(others);
         } else if (!others.isEmpty()) {
             items.add(new Menu(Messages.tr("Other Textures"), null, others.toArray(MenuItem[]::new)));

@@ -23,6 +23,7 @@ import lightning.scene.Scene;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
+import org.jspecify.annotations.Nullable;
 
 /** Settings of the scene's indirect light, shown only while it is on. */
 final class IndirectControls extends VBox {
@@ -91,11 +92,11 @@ final class IndirectControls extends VBox {
         return widget;
     }
 
-    private Optional<String> set(UnaryOperator<IndirectSettings> change, Object gesture) {
+    private Optional<String> set(UnaryOperator<IndirectSettings> change, @Nullable Object gesture) {
         return edit(now -> now.map(change), gesture);
     }
 
-    private Optional<String> edit(UnaryOperator<Optional<IndirectSettings>> change, Object gesture) {
+    private Optional<String> edit(UnaryOperator<Optional<IndirectSettings>> change, @Nullable Object gesture) {
         return editor.edit(scene -> EditOutcome.of(() -> edited(scene, change)), gesture);
     }
 

@@ -1,5 +1,7 @@
 package lightning.editor.window.property;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Optional;
 import java.util.function.BiFunction;
 import javafx.collections.ObservableSet;
@@ -18,6 +20,7 @@ import lightning.editor.window.widget.DisplayColors;
 import lightning.editor.window.widget.LightTypes;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 
@@ -37,7 +40,7 @@ final class LightCell extends NamedCell<LightListRow> {
     private final SceneEditor editor;
     private final HBox row;
     private final LightGroupRow groupRow;
-    private Light shownLight;
+    private @Nullable Light shownLight;
 
     /** @param collapsedGroups  names of the collapsed light groups */
     LightCell(SceneEditor editor, CommandRegistry commands, ObservableSet<String> collapsedGroups) {
@@ -71,11 +74,12 @@ final class LightCell extends NamedCell<LightListRow> {
     }
 
     private void edit(BiFunction<Scene, String, EditOutcome> edit) {
-        String light = shownLight.name();
+        String light = requireNonNull(shownLight).name();
         editor.editOrReport(scene -> edit.apply(scene, light));
     }
 
-    /** Returns the cell's light, or null. */
+    /** Returns the cell's light. */
+    @Nullable
     Light light() {
         return getItem() instanceof LightListRow.LightRow(int place) && place < editor.scene().lights().size()
                 ? editor.scene().lights().get(place) : null;
@@ -93,7 +97,7 @@ final class LightCell extends NamedCell<LightListRow> {
     }
 
     @Override
-    protected void updateItem(LightListRow item, boolean empty) {
+    protected void updateItem(@Nullable LightListRow item, boolean empty) {
         super.updateItem(item, empty);
         setGraphic(empty || item == null ? null : switch (item) {
             case LightListRow.LightRow _ -> row;
@@ -113,7 +117,7 @@ final class LightCell extends NamedCell<LightListRow> {
         }
     }
 
-    private void show(Light light) {
+    private void show(@Nullable Light light) {
         if (light != null && light != shownLight) {
             row.pseudoClassStateChanged(MEMBER, !light.lightGroup().isEmpty());
             type.setIconCode(LightTypes.icon(light.type()));
@@ -142,6 +146,6 @@ final class LightCell extends NamedCell<LightListRow> {
 
     @Override
     Optional<String> renameTarget() {
-        return light() == null ? Optional.empty() : Optional.of(shownLight.name());
+        return light() == null ? Optional.empty() : Optional.of(requireNonNull(shownLight).name());
     }
 }

@@ -8,6 +8,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.scene.light.LightAttribute;
+import org.jspecify.annotations.Nullable;
 
 /** Color of the selected light. */
 record LightColor(SceneEditor editor) implements ColorSliders.Target {
@@ -27,7 +28,7 @@ record LightColor(SceneEditor editor) implements ColorSliders.Target {
     }
 
     @Override
-    public Optional<String> hsv(HsvColor color, Object gesture) {
+    public Optional<String> hsv(HsvColor color, @Nullable Object gesture) {
         return editor.edit(scene -> LightEdits.setHsv(scene, editor.selection().lightName(), color), gesture);
     }
 }

@@ -1,5 +1,7 @@
 package lightning.editor.window.property;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.function.UnaryOperator;
 import javafx.collections.ObservableSet;
 import javafx.scene.control.Button;
@@ -14,6 +16,7 @@ import lightning.editor.window.widget.DisplayColors;
 import lightning.editor.window.widget.LightTypes;
 import lightning.scene.light.LightGroup;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
@@ -31,7 +34,7 @@ final class LightGroupRow extends HBox {
     private final ToggleButton solo = LightCell.toggle("solo");
     private final ToggleButton onToggle = LightCell.toggle("on");
     private final FontIcon bulb = new FontIcon();
-    private LightGroup group;
+    private @Nullable LightGroup group;
 
     /**
      * @param collapsedGroups  names of the collapsed light groups
@@ -83,26 +86,31 @@ final class LightGroupRow extends HBox {
 
     /** Returns the text for screen readers. */
     String text() {
-        return Messages.tr("{0}, light group", group.name()) + (group.on() ? "" : Messages.tr(", off"))
-                + (group.solo() ? Messages.tr(", solo") : "");
+        return Messages.tr("{0}, light group", shownGroup().name()) + (shownGroup().on() ? "" : Messages.tr(", off"))
+                + (shownGroup().solo() ? Messages.tr(", solo") : "");
     }
 
     private void toggleExpanded() {
-        if (!collapsedGroups.remove(group.name())) {
-            collapsedGroups.add(group.name());
+        if (!collapsedGroups.remove(shownGroup().name())) {
+            collapsedGroups.add(shownGroup().name());
         }
     }
 
     private void edit(UnaryOperator<LightGroup> edit) {
-        String groupName = group.name();
+        String groupName = shownGroup().name();
         editor.editOrReport(scene -> LightGroupEdits.edit(scene, groupName, edit));
     }
 
     void startRename() {
-        field.open(group.name());
+        field.open(shownGroup().name());
     }
 
     private void endRename() {
         field.close();
+    }
+
+    /** Returns the group of the row, which shows one before its controls are used. */
+    private LightGroup shownGroup() {
+        return requireNonNull(group);
     }
 }

@@ -19,6 +19,7 @@ import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
+import org.jspecify.annotations.Nullable;
 
 /** Section with the selected light's group, and the master and gel of that group. */
 final class LightGroupSection extends VBox {
@@ -64,7 +65,7 @@ final class LightGroupSection extends VBox {
                 (value, gesture) -> edit(attribute, v -> edit.apply(v, value), gesture));
     }
 
-    private <V> Optional<String> edit(SceneAttribute<LightGroup, V> attribute, UnaryOperator<V> change, Object gesture) {
+    private <V> Optional<String> edit(SceneAttribute<LightGroup, V> attribute, UnaryOperator<V> change, @Nullable Object gesture) {
         Light light = editor.selection().light();
         String name = light == null ? "" : light.lightGroup();
         return editor.edit(scene -> LightGroupEdits.edit(scene, name, b -> attribute.with(b, change.apply(attribute.get(b)))), gesture);
@@ -88,7 +89,7 @@ final class LightGroupSection extends VBox {
         }
 
         @Override
-        public Optional<String> hsv(HsvColor color, Object gesture) {
+        public Optional<String> hsv(HsvColor color, @Nullable Object gesture) {
             return edit(LightGroup.COLOR, _ -> color.rgb(), gesture);
         }
     }

@@ -40,6 +40,7 @@ import lightning.scene.attribute.ValueKind;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.MaterialAttribute.Section;
+import org.jspecify.annotations.Nullable;
 
 /** Property editor of a material. Edits affect every shape that uses it. */
 final class MaterialPane extends VBox {
@@ -77,7 +78,7 @@ final class MaterialPane extends VBox {
     /** Titled section of widgets. */
     private record PropertySection(TitledPane pane, List<Row> rows) {
         /** Shows the attributes that apply to a material; all for null. */
-        void showApplicable(Material material) {
+        void showApplicable(@Nullable Material material) {
             boolean hasVisible = false;
             for (Row row : rows) {
                 boolean applies = material == null || row.attribute().appliesTo(material.model());
@@ -155,7 +156,7 @@ final class MaterialPane extends VBox {
         SectionLayout.add((VBox) propertySection.pane().getContent(), row.node());
     }
 
-    private static Optional<String> disabledReason(Material material) {
+    private static Optional<String> disabledReason(@Nullable Material material) {
         return material == null ? Optional.of(Messages.tr(NO_MATERIAL)) : Optional.empty();
     }
 
@@ -235,7 +236,7 @@ final class MaterialPane extends VBox {
         return new Row(attribute, field, field::setDisabledReason, field::show, field::showNothing, () -> {});
     }
 
-    private void show(Material material) {
+    private void show(@Nullable Material material) {
         Optional<String> reason = disabledReason(material);
         rows.forEach(row -> row.setDisabledReason().accept(reason));
         nameReason.set(reason);

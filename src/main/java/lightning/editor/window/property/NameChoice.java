@@ -12,6 +12,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.scene.Scene;
 import lightning.scene.attribute.ValueKind;
+import org.jspecify.annotations.Nullable;
 
 /** Combo box for a name in the scene, including none. */
 class NameChoice extends StackPane {
@@ -32,7 +33,7 @@ class NameChoice extends StackPane {
         box.setMaxWidth(Double.MAX_VALUE);
         box.setConverter(new StringConverter<>() {
             @Override
-            public String toString(String name) {
+            public String toString(@Nullable String name) {
                 return name == null ? "" : name.isEmpty() ? Messages.tr("none") : name;
             }
 
@@ -61,7 +62,7 @@ class NameChoice extends StackPane {
      * @param scene its names can be chosen
      * @param value empty for none, null for nothing
      */
-    void show(Scene scene, String value) {
+    void show(Scene scene, @Nullable String value) {
         List<String> names = Stream.concat(Stream.of(""), scene.names(kind.referent()).stream()).toList();
         isUpdating = true;
         if (!box.getItems().equals(names)) {

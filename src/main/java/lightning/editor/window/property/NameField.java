@@ -14,6 +14,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Pane;
 import javafx.scene.layout.Priority;
 import lightning.base.text.Messages;
+import org.jspecify.annotations.Nullable;
 
 /** Text field that replaces a row's label while renaming, and shows why a name is refused. */
 final class NameField extends TextField {
@@ -22,7 +23,7 @@ final class NameField extends TextField {
     private final Label label;
     private final BiFunction<String, String, Optional<String>> rename;
     private final Runnable onRenamed;
-    private String oldName;
+    private @Nullable String oldName;
 
     /**
      * @param label  label of the name in a row

@@ -1,5 +1,7 @@
 package lightning.editor.window.property;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Map;
 import java.util.Optional;
 import javafx.css.PseudoClass;
@@ -16,6 +18,7 @@ import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
@@ -45,7 +48,7 @@ final class OutlineCell extends NamedCell<OutlineRow> {
     private final ToggleButton eye = LightCell.toggle("eye");
     private final FontIcon eyeIcon = new FontIcon();
     private final HBox row = new HBox(foldButton, kind, name, eye);
-    private SceneNode shownNode;
+    private @Nullable SceneNode shownNode;
 
     OutlineCell(SceneEditor editor, CommandRegistry commands, OutlinePane pane) {
         super(commands, Command.RENAME_SHAPE, (old, typed) -> typed.equals(old) ? Optional.empty() : pane.rename(old, typed));
@@ -54,11 +57,12 @@ final class OutlineCell extends NamedCell<OutlineRow> {
         foldButton.setGraphic(arrow);
         foldButton.getStyleClass().addAll("flat", "fold");
         foldButton.setFocusTraversable(false);
-        foldButton.setOnAction(_ -> pane.toggleExpanded(shownNode.name()));
+        foldButton.setOnAction(_ -> pane.toggleExpanded(node().name()));
         kind.getStyleClass().add("light-type");
         eye.setGraphic(eyeIcon);
         eye.setOnAction(_ -> {
-            editor.editOrReport(scene -> NodeEdits.setVisible(scene, shownNode.name(), !shownNode.visible()));
+            editor.editOrReport(
+                    scene -> NodeEdits.setVisible(scene, node().name(), !node().visible()));
             show();
         });
         LinkDrop.installOnShape(this, () -> shownNode == null ? null : shownNode.name(), editor);
@@ -125,5 +129,10 @@ final class OutlineCell extends NamedCell<OutlineRow> {
     @Override
     Optional<String> renameTarget() {
         return Optional.ofNullable(shownNode).map(SceneNode::name);
+    }
+
+    /** Returns the node of the cell, whose buttons are shown only with one. */
+    private SceneNode node() {
+        return requireNonNull(shownNode);
     }
 }

@@ -26,6 +26,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Stage;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Outliner of the scene's shapes and groups, initially collapsed. Creates cells for visible rows only.
@@ -41,8 +42,8 @@ final class OutlinePane extends VBox {
     private final NumberFormat countFormat = NumberFormat.getIntegerInstance(Messages.locale());
     private final Set<String> expandedGroups = new HashSet<>();
     /** Listed stage and selected node; null before the first update. */
-    private Stage listedStage;
-    private SceneNode selected;
+    private @Nullable Stage listedStage;
+    private @Nullable SceneNode selected;
     private boolean isUpdating;
 
     OutlinePane(SceneEditor editor, CommandRegistry commands) {

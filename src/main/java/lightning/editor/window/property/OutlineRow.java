@@ -8,19 +8,21 @@ import javafx.collections.ObservableList;
 import lightning.scene.Stage;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Row of the shape list, by index path in the tree. Cells look up the content.
  *
- * @param group  row of the enclosing group; null for none
+ * @param group  row of the enclosing group
  * @param index  index in the group or the scene
  * @param depth  number of enclosing groups
  */
-record OutlineRow(OutlineRow group, int index, int depth) {
+record OutlineRow(@Nullable OutlineRow group, int index, int depth) {
     /** Maximum number of rows added or removed incrementally. */
     private static final int MAX_INCREMENTAL = 1000;
 
     /** Returns the row's node, or null if it does not exist. */
+    @Nullable
     SceneNode node(Stage stage) {
         List<SceneNode> siblings = group == null ? stage.nodes() : group.node(stage) instanceof NodeGroup g ? g.children() : List.of();
         return index < siblings.size() ? siblings.get(index) : null;
@@ -83,7 +85,8 @@ record OutlineRow(OutlineRow group, int index, int depth) {
         return from < lines.size() && lines.get(from).equals(row) ? from : lines.indexOf(row);
     }
 
-    private static void add(OutlineRow group, int depth, List<SceneNode> nodes, Set<String> expandedGroups, List<OutlineRow> rows) {
+    private static void add(@Nullable OutlineRow group, int depth, List<SceneNode> nodes, Set<String> expandedGroups,
+            List<OutlineRow> rows) {
         for (int i = 0; i < nodes.size(); i++) {
             var row = new OutlineRow(group, i, depth);
             rows.add(row);

@@ -10,6 +10,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 
 /** Numeric setting of the selected light or the scene. */
 record ParameterSetting(SceneEditor editor, NumericParameter parameter) implements NumberSetting {
@@ -49,7 +50,7 @@ record ParameterSetting(SceneEditor editor, NumericParameter parameter) implemen
     }
 
     @Override
-    public Optional<String> set(double value, Object gesture) {
+    public Optional<String> set(double value, @Nullable Object gesture) {
         return editor.edit(scene -> parameter.set(scene, editor.selection().lightName(), value), gesture);
     }
 }

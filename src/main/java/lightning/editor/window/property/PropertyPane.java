@@ -31,6 +31,7 @@ import lightning.scene.light.IntensityUnit;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightAttribute.Section;
+import org.jspecify.annotations.Nullable;
 
 /** Property editor of the selected light (paper §3.2, Figure 5). */
 public final class PropertyPane extends VBox {
@@ -47,7 +48,7 @@ public final class PropertyPane extends VBox {
     private final LightGroupSection groupSection;
     /** Editor state, updated only while the pane is visible. */
     private final ObservableValue<EditorState> visibleState;
-    private ShownLight shownLight;
+    private @Nullable ShownLight shownLight;
 
     /**
      * Widget of an attribute without numeric parameters.

@@ -1,5 +1,7 @@
 package lightning.editor.window.property;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Optional;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LightEdits;
@@ -70,17 +72,17 @@ sealed interface SelectedProperty {
 
         @Override
         public String target() {
-            return NameSyntax.format(selection.light().name());
+            return NameSyntax.format(requireNonNull(selection.light()).name());
         }
 
         @Override
         public EditOutcome reset(Scene scene) {
-            return LightEdits.edit(scene, selection.light().name(), attribute::reset);
+            return LightEdits.edit(scene, requireNonNull(selection.light()).name(), attribute::reset);
         }
 
         @Override
         public TrackTarget keyTarget() {
-            return TrackTarget.light(selection.light().name());
+            return TrackTarget.light(requireNonNull(selection.light()).name());
         }
     }
 
@@ -103,12 +105,12 @@ sealed interface SelectedProperty {
 
         @Override
         public String target() {
-            return PropertyEdit.target(materials.material());
+            return PropertyEdit.target(requireNonNull(materials.material()));
         }
 
         @Override
         public EditOutcome reset(Scene scene) {
-            return MaterialEdits.edit(scene, materials.material().name(), attribute::reset);
+            return MaterialEdits.edit(scene, requireNonNull(materials.material()).name(), attribute::reset);
         }
 
         @Override

@@ -1,5 +1,7 @@
 package lightning.editor.window.property;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import lightning.base.text.Messages;
@@ -9,6 +11,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.material.MaterialAttribute;
+import org.jspecify.annotations.Nullable;
 
 /** Color attribute of the edited material. */
 record SurfaceColor<V>(SceneEditor editor, MaterialSelection materials, MaterialAttribute<V> attribute, NumericKind<V> quantity)
@@ -27,8 +30,8 @@ record SurfaceColor<V>(SceneEditor editor, MaterialSelection materials, Material
     }
 
     @Override
-    public Optional<String> edit(UnaryOperator<V> change, Object gesture) {
-        var material = materials.material();
+    public Optional<String> edit(UnaryOperator<V> change, @Nullable Object gesture) {
+        var material = requireNonNull(materials.material());
         return editor.edit(scene -> MaterialEdits.set(scene, material.name(), attribute, change.apply(attribute.get(material))), gesture);
     }
 }

@@ -1,5 +1,7 @@
 package lightning.editor.window.property;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import java.util.Optional;
 import javafx.css.PseudoClass;
@@ -28,6 +30,7 @@ import lightning.scene.attribute.ValueKind;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 
 /** Field for a texture of a material: file name, menu of the files next to the scene, and repetition. Reads files in the background. */
 final class TextureField extends VBox {
@@ -43,7 +46,7 @@ final class TextureField extends VBox {
     private final ArrowWidget repeatU;
     private final ArrowWidget repeatV;
     private final DisabledReason disabledReason;
-    private Material shownMaterial;
+    private @Nullable Material shownMaterial;
 
     TextureField(SceneEditor editor, CommandRegistry commands, FileImporter files, MaterialAttribute<Optional<TextureMap>> attribute) {
         this.editor = editor;
@@ -103,7 +106,7 @@ final class TextureField extends VBox {
     private ArrowWidget repeatWidget(String id, String label, String title, RepeatEdit edit) {
         var widget = new ArrowWidget(label, title,
                 NumberSetting.of(title, new StepRange(1, -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT),
-                        (v, gesture) -> editor.edit(scene -> MaterialEdits.edit(scene, shownMaterial.name(),
+                        (v, gesture) -> editor.edit(scene -> MaterialEdits.edit(scene, editedMaterial().name(),
                                 m -> attribute.with(m, attribute.get(m).map(map -> edit.apply(map, v)))), gesture)));
         widget.setId(id);
         return widget;
@@ -139,7 +142,7 @@ final class TextureField extends VBox {
         }
     }
 
-    private String name(Material material) {
+    private String name(@Nullable Material material) {
         return material == null ? "" : attribute.get(material).map(TextureMap::file).orElse("");
     }
 
@@ -164,7 +167,7 @@ final class TextureField extends VBox {
     }
 
     private void set(String fileName) {
-        String material = shownMaterial.name();
+        String material = editedMaterial().name();
         if (fileName.isEmpty()) {
             editor.edit(scene -> MaterialEdits.set(scene, material, attribute, Optional.empty())).ifPresent(this::showRefusal);
             return;
@@ -177,9 +180,9 @@ final class TextureField extends VBox {
     }
 
     private void browse() {
-        String material = shownMaterial.name();
+        String material = editedMaterial().name();
         files.promptAndImport(Command.CHOOSE_TEXTURE.plainTitle(), FileKind.TEXTURE, name -> {
-            if (shownMaterial.name().equals(material)) {
+            if (editedMaterial().name().equals(material)) {
                 set(name);
             }
         }, this::showRefusal);
@@ -191,5 +194,10 @@ final class TextureField extends VBox {
             case EditOutcome.Applied to -> editor.edit(scene -> MaterialEdits.edit(scene, material,
                     m -> attribute.copy(to.scene().materialsByName().get(material), m))).ifPresentOrElse(this::showRefusal, this::revert);
         }
+    }
+
+    /** Returns the material of the field, which is hidden without one. */
+    private Material editedMaterial() {
+        return requireNonNull(shownMaterial);
     }
 }

@@ -10,6 +10,7 @@ import lightning.editor.window.widget.ColorSliders;
 import lightning.scene.World;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 
 /** Background color of the scene. */
 record WorldColor(SceneEditor editor) implements AttributeColor<Rgb> {
@@ -34,7 +35,7 @@ record WorldColor(SceneEditor editor) implements AttributeColor<Rgb> {
     }
 
     @Override
-    public Optional<String> edit(UnaryOperator<Rgb> change, Object gesture) {
+    public Optional<String> edit(UnaryOperator<Rgb> change, @Nullable Object gesture) {
         return editor.edit(scene -> EditOutcome
                 .of(() -> scene.withWorld(World.BACKGROUND.with(scene.world(), change.apply(scene.world().background())))), gesture);
     }

@@ -25,6 +25,7 @@ import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.render.image.DisplayCurve;
+import org.jspecify.annotations.Nullable;
 
 /** Properties of the scene as a whole: ambient light, background, environment, indirect light and view. */
 final class WorldPane extends VBox {
@@ -39,7 +40,7 @@ final class WorldPane extends VBox {
     private final ComboBox<DisplayCurve> curve = new ComboBox<>();
     private final ArrowWidget exposure;
     private final CheckBox solo = new CheckBox(Messages.tr("Solo"));
-    private Object shownDocument;
+    private @Nullable Object shownDocument;
     private boolean isUpdating;
 
     /** @param tabSelected  true while the pane is visible; it is updated only then */

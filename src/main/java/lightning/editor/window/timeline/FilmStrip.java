@@ -21,6 +21,7 @@ import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 import lightning.shot.FrameState;
 import lightning.shot.ShotRevision;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Thumbnails of the visible frames of a shot, updated after every edit, the current frame first. Confined to the window's thread;
@@ -47,7 +48,7 @@ final class FilmStrip implements AutoCloseable {
     private volatile boolean closed;
     private volatile ViewTransform view;
     private volatile List<Integer> visibleFrames = List.of();
-    private AnimatedScene shownScene;
+    private @Nullable AnimatedScene shownScene;
 
     /**
      * Thumbnail of a frame in display colors.
@@ -163,7 +164,7 @@ final class FilmStrip implements AutoCloseable {
     }
 
     /** Returns whether a newer film version exists that has not failed. */
-    private boolean isOutdated(int frame, Thumbnail thumbnail) {
+    private boolean isOutdated(int frame, @Nullable Thumbnail thumbnail) {
         long version = status.version(frame);
         return version != (thumbnail == null ? 0 : thumbnail.version) && version != failedVersions.getOrDefault(frame, 0L);
     }
@@ -171,7 +172,7 @@ final class FilmStrip implements AutoCloseable {
     private void updateThumbnail(int frame) {
         Thumbnail thumbnail = thumbnails.get(frame);
         ViewTransform currentView = view;
-        if (!isOutdated(frame, thumbnail)) {
+        if (thumbnail != null && !isOutdated(frame, thumbnail)) {
             store(frame, new Thumbnail(thumbnail.film, thumbnail.version, currentView, currentView.toPixels(thumbnail.film)));
             return;
         }

@@ -1,5 +1,7 @@
 package lightning.editor.window.timeline;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -28,6 +30,7 @@ import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 import lightning.shot.FrameState;
+import org.jspecify.annotations.Nullable;
 
 /** Film strip below the keyframes, with as many thumbnails as fit. A click goes to the frame. Caches no frames until the user starts it. */
 final class FilmStripPane extends StackPane implements AutoCloseable {
@@ -55,10 +58,10 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
     private final List<Slot> visibleSlots = new ArrayList<>();
     private final Subscription subscription;
     private final RemoteFramePreview remotePreview;
-    private MachinesWindow machinesWindow;
-    private FilmStrip strip;
+    private @Nullable MachinesWindow machinesWindow;
+    private @Nullable FilmStrip strip;
     /** Scene whose thumbnail was measured last, or is being measured; null before the first. */
-    private Scene measuredScene;
+    private @Nullable Scene measuredScene;
     /** Bytes of one frame; 0 while unknown. */
     private long frameBytes;
 
@@ -67,7 +70,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
         private final ImageView image = new ImageView();
         private final Label number = new Label();
         private int frame = -1;
-        private int[] pixels;
+        private int @Nullable [] pixels;
 
         Slot() {
             getStyleClass().add("strip-slot");
@@ -221,7 +224,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
     }
 
     private boolean isSameFolder() {
-        return !(strip.frames() instanceof RemoteFrames remote) || remote.folder().equals(folder());
+        return !(currentStrip().frames() instanceof RemoteFrames remote) || remote.folder().equals(folder());
     }
 
     private void stripChanged() {
@@ -297,7 +300,8 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
         progress.setText(text);
         progress.setVisible(!text.isEmpty());
         // Without machines there are no new thumbnails, so the message may cover them.
-        statusBox.setMaxWidth(isRemote && strip.frames().machineCount().orElseThrow() == 0 ? MESSAGE_WIDTH : TrackCell.NAME_WIDTH);
+        statusBox.setMaxWidth(
+                isRemote && currentStrip().frames().machineCount().orElseThrow() == 0 ? MESSAGE_WIDTH : TrackCell.NAME_WIDTH);
         localButton.setVisible(isRemote);
         localButton.setManaged(isRemote);
     }
@@ -339,18 +343,23 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
         slot.frame = frame;
         slot.setId("strip-" + frame);
         slot.number.setText(String.valueOf(frame));
-        FrameState state = strip.state(frame);
-        slot.pseudoClassStateChanged(STALE, state != FrameState.FAILED && !strip.isUpToDate(frame));
+        FrameState state = currentStrip().state(frame);
+        slot.pseudoClassStateChanged(STALE, state != FrameState.FAILED && !currentStrip().isUpToDate(frame));
         slot.pseudoClassStateChanged(MISSING, state == FrameState.MISSING);
         slot.pseudoClassStateChanged(FAILED, state == FrameState.FAILED);
         slot.pseudoClassStateChanged(CURRENT, frame == currentFrame);
-        FilmStrip.Thumbnail thumbnail = strip.thumbnail(frame).orElse(null);
+        FilmStrip.Thumbnail thumbnail = currentStrip().thumbnail(frame).orElse(null);
         int[] pixels = thumbnail == null ? null : thumbnail.pixels();
         if (pixels != slot.pixels) {
             slot.pixels = pixels;
             slot.image.setImage(thumbnail == null ? null : PixelImage.of(thumbnail.film().width(), thumbnail.film().height(), pixels));
         }
-        slot.setAccessibleText(FilmStripText.frameText(strip, frame));
+        slot.setAccessibleText(FilmStripText.frameText(currentStrip(), frame));
         slot.resizeRelocate(TrackCell.NAME_WIDTH + position.x(), 2, width - 2, HEIGHT);
+    }
+
+    /** Returns the strip, which exists while slots or machines are shown. */
+    private FilmStrip currentStrip() {
+        return requireNonNull(strip);
     }
 }

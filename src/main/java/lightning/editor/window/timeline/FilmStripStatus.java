@@ -1,5 +1,7 @@
 package lightning.editor.window.timeline;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
@@ -12,6 +14,7 @@ import lightning.shot.HostLostException;
 import lightning.shot.ShotListener;
 import lightning.shot.ShotRelighter;
 import lightning.shot.ShotRevision;
+import org.jspecify.annotations.Nullable;
 
 /** Thread-safe status of a film strip's frames, from the events of a shot. */
 final class FilmStripStatus implements ShotListener {
@@ -20,7 +23,7 @@ final class FilmStripStatus implements ShotListener {
     private final Map<Integer, String> problems = new HashMap<>();
     /** Frames without a film of the newest edit. */
     private final Set<Integer> pendingFrames = new HashSet<>();
-    private ShotRelighter shot;
+    private @Nullable ShotRelighter shot;
     private Runnable listener = () -> {};
     private Consumer<String> messageReceiver = _ -> {};
     /** Message that arrived before {@link #connect}. */
@@ -43,11 +46,11 @@ final class FilmStripStatus implements ShotListener {
 
     /** Requests all frames of a new revision. */
     synchronized void edit(ShotRevision take) {
-        for (int frame = shot.first(); frame <= shot.last(); frame++) {
+        for (int frame = connectedShot().first(); frame <= connectedShot().last(); frame++) {
             pendingFrames.add(frame);
         }
         problems.clear();
-        shot.setRevision(take);
+        connectedShot().setRevision(take);
     }
 
     @Override
@@ -117,7 +120,7 @@ final class FilmStripStatus implements ShotListener {
 
     /** Returns whether the film of a frame shows the newest edit. */
     synchronized boolean isCurrent(int frame) {
-        return !pendingFrames.contains(frame) && shot.state(frame) == FrameState.CURRENT;
+        return !pendingFrames.contains(frame) && connectedShot().state(frame) == FrameState.CURRENT;
     }
 
     /** Returns the reason why a frame cannot show the newest edit; empty if there is none. */
@@ -128,5 +131,10 @@ final class FilmStripStatus implements ShotListener {
     /** Returns whether a machine was lost and its frames have not all been rendered again. */
     synchronized boolean hasLostMachine() {
         return hasLostMachine;
+    }
+
+    /** Returns the shot, which is connected before its first edit. */
+    private ShotRelighter connectedShot() {
+        return requireNonNull(shot);
     }
 }

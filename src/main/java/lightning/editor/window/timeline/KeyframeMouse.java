@@ -16,6 +16,7 @@ import lightning.editor.window.model.KeySelection;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.TrackTarget;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Mouse handler of the timeline's rows. A press selects a keyframe, Ctrl adds to the selection, and a drag moves all selected keyframes. A
@@ -27,7 +28,7 @@ final class KeyframeMouse {
     private final Workbench workbench;
     private final SceneEditor editor;
     private final KeySelection keyChoice;
-    private Drag drag;
+    private @Nullable Drag drag;
 
     /**
      * Drag in progress.
@@ -77,7 +78,7 @@ final class KeyframeMouse {
         }
     }
 
-    private static TrackCell cell(Node hit) {
+    private static @Nullable TrackCell cell(@Nullable Node hit) {
         Node node = hit;
         while (node != null && !(node instanceof TrackCell)) {
             node = node.getParent();

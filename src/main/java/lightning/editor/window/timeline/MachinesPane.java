@@ -9,6 +9,7 @@ import javafx.scene.control.TextField;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
+import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
 import lightning.base.work.DedicatedThread;
 import lightning.editor.document.FileThread;
@@ -109,7 +110,7 @@ final class MachinesPane extends VBox {
         choice.hostsProperty().set(hostsText);
         choice.certificateProperty().set(certificate.getText().strip());
         Shot shot = editor.document().shotFrame().orElseThrow().shot();
-        Path folder = editor.document().file().toAbsolutePath().getParent();
+        Path folder = ParentFolder.of(editor.document().file());
         String file = choice.certificateProperty().get();
         joinButton.setDisable(true);
         status.setText(Messages.tr("Connecting…"));

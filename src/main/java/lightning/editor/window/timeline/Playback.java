@@ -11,6 +11,7 @@ import lightning.editor.window.model.FramePlayer;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.TracedPicture;
 import lightning.scene.shot.AnimatedScene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Plays the shot in real time, in a loop. When a frame's picture is ready, the frame that is due is rendered next and the frames between
@@ -22,7 +23,7 @@ public final class Playback {
     private final SceneEditor editor;
     private final FramePlayer player;
     private final ReadOnlyStringWrapper frameRate = new ReadOnlyStringWrapper("");
-    private AnimatedScene content;
+    private @Nullable AnimatedScene content;
     private int firstFrame;
     private long startNs;
     private long countStartNs;

@@ -7,6 +7,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.render.image.Film;
 import lightning.scene.Scene;
 import lightning.shot.FrameState;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Shows the current frame in the main picture as rendered on another machine, until this machine has rendered it. Confined to the window's
@@ -18,8 +19,8 @@ final class RemoteFramePreview {
     private final BiConsumer<Film, Scene> display;
     private int frame = -1;
     /** Scene of the current frame until its picture is ready; then null. */
-    private volatile Scene pendingScene;
-    private Scene requestedScene;
+    private volatile @Nullable Scene pendingScene;
+    private @Nullable Scene requestedScene;
 
     /**
      * Creates a preview without a frame.

@@ -31,6 +31,7 @@ import lightning.render.image.ViewTransform;
 import lightning.scene.shot.Shot;
 import lightning.scene.value.SceneLimits;
 import lightning.shot.movie.Ffmpeg;
+import org.jspecify.annotations.Nullable;
 
 /** Settings and progress of exporting a shot. */
 final class ShotExportPane extends VBox {
@@ -51,7 +52,7 @@ final class ShotExportPane extends VBox {
     private int firstFrame;
     private int lastFrame;
     private boolean hasFfmpeg;
-    private ExportTask task;
+    private @Nullable ExportTask task;
 
     ShotExportPane(SceneEditor editor, FileThread files, ObservableValue<ViewTransform> viewProperty, PathPrompt pathPrompt) {
         this.editor = editor;

@@ -1,5 +1,7 @@
 package lightning.editor.window.timeline;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -36,6 +38,7 @@ import lightning.editor.window.widget.NumberSetting;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 
 /** Timeline of the shot: keyframes, the current frame and their commands. */
 public final class TimelinePane extends BorderPane implements AutoCloseable {
@@ -56,9 +59,10 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
     private final NumberField first;
     private final NumberField last;
     private final NumberField rate;
-    private final Region keysPane;
+    /** Null while this pane is created, when the playhead may already move. */
+    private final @Nullable Region keysPane;
     private final Region emptyPane;
-    private FilmStripPane strip;
+    private @Nullable FilmStripPane strip;
 
     public TimelinePane(EditorModel model, Playback playback) {
         this.model = model;
@@ -145,7 +149,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
             try {
                 SceneLimits.checkRange(Messages.tr(title), value, min, max);
             } catch (IllegalArgumentException e) {
-                return Optional.of(e.getMessage());
+                return Optional.of(String.valueOf(e.getMessage()));
             }
             return setter.set(value, gesture);
         });
@@ -161,7 +165,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
         Shot apply(Shot shot);
     }
 
-    private Optional<String> editRange(ShotRangeEdit edit, Object gesture) {
+    private Optional<String> editRange(ShotRangeEdit edit, @Nullable Object gesture) {
         return editor.editShot(scene -> editRange(scene, edit), gesture);
     }
 
@@ -258,7 +262,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
         Shot oldShot = timeline.shotProperty().get();
         timeline.show(state);
         Shot shot = timeline.shotProperty().get();
-        keysPane.setVisible(shot != null);
+        requireNonNull(keysPane).setVisible(shot != null);
         emptyPane.setVisible(shot == null);
         boolean disabled = shot == null || editor.isAnimating();
         for (NumberField field : List.of(frame, first, last, rate)) {

@@ -50,7 +50,7 @@ final class TrackCell extends ListCell<TimelineRow> {
     }
 
     private void draw() {
-        if (!isEmpty() && getItem() != null && timeline != null) {
+        if (!isEmpty() && getItem() != null) {
             lane.show(getItem(), timeline.scaleProperty().get(), timeline.keyChoice().keys(), HEIGHT);
         }
     }

@@ -16,6 +16,7 @@ import lightning.editor.window.model.StatusMessage;
 import lightning.editor.window.model.ViewActions;
 import lightning.editor.window.widget.NumberField;
 import lightning.editor.window.widget.NumberSetting;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignB;
 
@@ -40,7 +41,7 @@ final class ExposureControl extends HBox {
     private final Slider slider = new Slider(STEPS.min(), STEPS.max(), 0);
     private boolean isUpdating;
     /** Identifies the drag of the slider; null while it is not dragged. */
-    private Object drag;
+    private @Nullable Object drag;
     /** True if the last press became a drag: a press soon after it is not a double-click. */
     private boolean isDrag;
     private double pressedX;
@@ -120,7 +121,7 @@ final class ExposureControl extends HBox {
         slider.setManaged(!hidden);
     }
 
-    private Optional<String> set(double stops, Object gesture) {
+    private Optional<String> set(double stops, @Nullable Object gesture) {
         Optional<String> refusal = views.setExposure(stops, gesture);
         refusal.ifPresent(message::show);
         return refusal;

@@ -1,5 +1,7 @@
 package lightning.editor.window.traced;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Optional;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
@@ -20,6 +22,7 @@ import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PictureView;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Places the selected light by its effect in the traced picture: a press or a drag sets the effect's position on a surface. Afterwards a
@@ -33,12 +36,12 @@ final class LightPlacer {
 
     private final SceneEditor editor;
     private final ReadOnlyStringWrapper prompt = new ReadOnlyStringWrapper("");
-    private Tool tool;
-    private Drag drag;
+    private @Nullable Tool tool;
+    private @Nullable Drag drag;
     /** Identifies the current drag as one undo step. */
-    private Object gesture;
-    private Light startLight;
-    private Ring ring;
+    private @Nullable Object gesture;
+    private @Nullable Light startLight;
+    private @Nullable Ring ring;
     /** Distance or snapped value of the placed light as shown in the status line; empty for none. */
     private String readOut = "";
 
@@ -74,7 +77,7 @@ final class LightPlacer {
          */
         record ShadowDrag(Light startLight, ScenePicker.SurfaceHit startHit, ScenePicker picker) implements Drag {}
 
-        record DistanceDrag(Ring ring, Viewport.Pixel start) implements Drag {}
+        record DistanceDrag(@Nullable Ring ring, Viewport.Pixel start) implements Drag {}
 
         /** Drag of the caster's point, whose shadow falls on a fixed point. */
         record CasterDrag(ScenePicker.SurfaceHit target, ScenePicker picker) implements Drag {}
@@ -194,13 +197,13 @@ final class LightPlacer {
         } else if (frame != null) {
             ScenePicker picker = ScenePicker.of(frame.scene(), frame.geometry());
             pointer.pick(picker).ifPresentOrElse(hit -> {
-                switch (tool) {
+                switch (requireNonNull(tool)) {
                     case Tool.PlacementTool(Goal act) -> {
-                        var placing = LightPlacement.start(startLight, act, hit.point());
+                        var placing = LightPlacement.start(draggedLight(), act, hit.point());
                         drag = new Drag.PlacementDrag(placing, picker);
                         place(placing, hit, pointer.canvas(), false);
                     }
-                    case Tool.ShadowTool() -> drag = new Drag.ShadowDrag(startLight, hit, picker);
+                    case Tool.ShadowTool() -> drag = new Drag.ShadowDrag(draggedLight(), hit, picker);
                     case Tool.CasterTool(ScenePicker.SurfaceHit target) -> {
                         drag = new Drag.CasterDrag(target, picker);
                         placeShadow(target, hit, pointer.canvas(), false);
@@ -217,7 +220,7 @@ final class LightPlacer {
      * @param isSnapping true to snap distances and aim points to round values
      */
     void drag(Pointer pointer, boolean isSnapping) {
-        switch (drag) {
+        switch (requireNonNull(drag)) {
             case Drag.PlacementDrag(LightPlacement placing, ScenePicker picker) ->
                     pointer.pick(picker).ifPresent(hit -> place(placing, hit, pointer.canvas(), isSnapping));
             case Drag.ShadowDrag(Light lightAtStart, ScenePicker.SurfaceHit pressHit, ScenePicker picker) -> {
@@ -245,8 +248,9 @@ final class LightPlacer {
     void placeAt(ScenePicker.SurfaceHit hit, Goal goal, Viewport canvas) {
         clearTool();
         gesture = new Object();
-        startLight = editor.selection().light();
-        place(LightPlacement.start(startLight, goal, hit.point()), hit, canvas, false);
+        Light light = requireNonNull(editor.selection().light());
+        startLight = light;
+        place(LightPlacement.start(light, goal, hit.point()), hit, canvas, false);
     }
 
     /** Lets the user pick the object whose shadow falls on a surface point. */
@@ -255,7 +259,8 @@ final class LightPlacer {
     }
 
     private void placeShadow(ScenePicker.SurfaceHit target, ScenePicker.SurfaceHit caster, Viewport canvas, boolean isSnapping) {
-        place(LightPlacement.start(startLight, new Goal.Shadow(caster.point()), target.point()), target, canvas, isSnapping);
+        place(LightPlacement.start(draggedLight(), new Goal.Shadow(caster.point()), target.point()), target, canvas,
+                isSnapping);
     }
 
     private void place(LightPlacement placing, ScenePicker.SurfaceHit hit, Viewport canvas, boolean isSnapping) {
@@ -271,7 +276,8 @@ final class LightPlacer {
     }
 
     private void show(LightPlacement placing, ScenePicker.SurfaceHit hit, Light placed, Viewport canvas, Optional<String> snapText) {
-        Light light = snapText.isPresent() ? placed : DragRounding.round(startLight, placed, PreviewCamera.of(editor.scene()), canvas);
+        Light light = snapText.isPresent() ? placed
+                : DragRounding.round(draggedLight(), placed, PreviewCamera.of(editor.scene()), canvas);
         if (editor.editOrReport(scene -> LightEdits.edit(scene, light.name(), _ -> light), gesture).isEmpty()) {
             ring = new Ring(placing, hit, light);
             double distance = light.position().minus(hit.point()).length();
@@ -297,9 +303,14 @@ final class LightPlacer {
 
     /** Reverts the drag and cancels the tool. */
     void cancelDrag() {
-        editor.edit(scene -> LightEdits.edit(scene, startLight.name(), _ -> startLight), gesture);
+        editor.edit(scene -> LightEdits.edit(scene, draggedLight().name(), _ -> draggedLight()), gesture);
         drag = null;
         clearRing();
         clearTool();
+    }
+
+    /** Returns the light as it was when the drag or the tool began. */
+    private Light draggedLight() {
+        return requireNonNull(startLight);
     }
 }

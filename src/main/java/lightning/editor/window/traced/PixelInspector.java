@@ -1,5 +1,7 @@
 package lightning.editor.window.traced;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.atomic.AtomicReference;
@@ -7,6 +9,7 @@ import java.util.function.Consumer;
 import lightning.base.work.DedicatedThread;
 import lightning.editor.loop.Frame;
 import lightning.render.shading.explanation.PixelExplainer;
+import org.jspecify.annotations.Nullable;
 
 /** Inspects pixels on a separate thread. Only the newest request is answered. */
 final class PixelInspector implements AutoCloseable {
@@ -20,8 +23,8 @@ final class PixelInspector implements AutoCloseable {
     private final ExecutorService thread = DedicatedThread.sequentialExecutor("lightning-inspect");
     private final AtomicReference<Request> pending = new AtomicReference<>();
     private final Executor windowExecutor;
-    private Frame lastFrame;
-    private PixelExplainer explainer;
+    private @Nullable Frame lastFrame;
+    private @Nullable PixelExplainer explainer;
 
     PixelInspector(Executor windowExecutor) {
         this.windowExecutor = windowExecutor;
@@ -49,8 +52,9 @@ final class PixelInspector implements AutoCloseable {
                     : explainer.forScene(lastFrame.scene(), lastFrame.geometry());
             explainer = explainer.withIndirect(lastFrame.indirect());
         }
-        PixelReport report = PixelReport.of(explainer.geometry(), explainer.explainPixel(request.x(), request.y()),
-                lastFrame.scene().lights().size(), request.x(), request.y());
+        PixelReport report =
+                PixelReport.of(requireNonNull(explainer).geometry(), requireNonNull(explainer).explainPixel(request.x(), request.y()),
+                        lastFrame.scene().lights().size(), request.x(), request.y());
         windowExecutor.execute(() -> request.listener().accept(report));
     }
 

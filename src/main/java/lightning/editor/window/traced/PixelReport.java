@@ -1,5 +1,7 @@
 package lightning.editor.window.traced;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -13,6 +15,7 @@ import lightning.render.shading.explanation.PointReport;
 import lightning.render.trace.Geometry;
 import lightning.scene.light.Light;
 import lightning.scene.value.ShapeGains;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Report on a pixel of the picture.
@@ -28,8 +31,8 @@ import lightning.scene.value.ShapeGains;
  * @param environmentLights contribution of each environment sample
  * @param indirect indirect light: red, green, blue; null if there is none
  */
-record PixelReport(int x, int y, String shape, String face, Vec3 point, Vec3 normal, Vec3 geometricNormal, List<LightReport> lights,
-        List<LightReport> environmentLights, float[] indirect) {
+record PixelReport(int x, int y, String shape, String face, @Nullable Vec3 point, @Nullable Vec3 normal, @Nullable Vec3 geometricNormal,
+        List<LightReport> lights, List<LightReport> environmentLights, float @Nullable [] indirect) {
     /**
      * Creates a report.
      *
@@ -40,7 +43,7 @@ record PixelReport(int x, int y, String shape, String face, Vec3 point, Vec3 nor
             return new PixelReport(x, y, "", "", null, null, null, List.of(), List.of(), null);
         }
         var hit = report.hit();
-        String name = geometry.shape(hit.primitive()).name();
+        String name = geometry.shape(requireNonNull(hit).primitive()).name();
         boolean isFace = geometry.isLightFace(hit.primitive());
         return new PixelReport(x, y, isFace ? "" : name, isFace ? name : "",
                 geometry.toScene(new Vec3(hit.px(), hit.py(), hit.pz())), new Vec3(hit.nx(), hit.ny(), hit.nz()),

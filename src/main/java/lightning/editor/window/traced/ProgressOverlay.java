@@ -1,5 +1,7 @@
 package lightning.editor.window.traced;
 
+import static java.util.Objects.requireNonNull;
+
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.control.ProgressBar;
@@ -62,7 +64,8 @@ final class ProgressOverlay extends HBox {
         EditorState editorState = commands.editorState().get();
         boolean rendering = editorState.sceneInProgress().isPresent();
         String work =
-                editorState.reading() ? files.titleProperty().get() + " " + files.file().getFileName() : rendering ? title(state)
+                editorState.reading() ? files.titleProperty().get() + " " + requireNonNull(files.file()).getFileName()
+                        : rendering ? title(state)
                         : editorState.verifying() ? Messages.tr("Verifying") : "";
         double share = editorState.reading() ? ProgressBar.INDETERMINATE_PROGRESS : rendering ? state.progress()
                 : (double) state.verifiedTiles() / state.tilesToVerify();

@@ -12,11 +12,12 @@ import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Traces a region of the picture in the background. A new region replaces the previous one. */
 final class RegionTracer implements AutoCloseable {
     private final ExecutorService thread = DedicatedThread.sequentialExecutor("lightning-region");
-    private volatile Object latest;
+    private volatile @Nullable Object latest;
 
     /**
      * Starts to trace a region.

@@ -1,5 +1,7 @@
 package lightning.editor.window.traced;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -27,6 +29,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PictureView;
 import lightning.scene.light.Light;
 import lightning.scene.value.Placement;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Wireframe of the selected light, or handles of the selected shape, over the traced picture while the mouse is over it. Draggable as in
@@ -41,7 +44,7 @@ final class TracedGizmo extends Pane {
     private final PictureView picture;
     private final LightPlacer placer;
     private final Canvas canvas = new Canvas();
-    private Drag drag;
+    private @Nullable Drag drag;
 
     /** Target of a drag. */
     private sealed interface DragTarget {}
@@ -118,7 +121,7 @@ final class TracedGizmo extends Pane {
         Optional<DragTarget> target = gizmo.flatMap(g -> g.pick(view(), viewport(), point, TOLERANCE).map(h -> new HandleTarget(g, h)));
         if (target.isEmpty()) {
             target = light().filter(g -> g.distance(view(), viewport(), point) <= TOLERANCE)
-                    .map(_ -> new LightTarget(editor.selection().light(), GizmoMouseBinding.lightDrag(e)));
+                    .map(_ -> new LightTarget(requireNonNull(editor.selection().light()), GizmoMouseBinding.lightDrag(e)));
         }
         drag = target.map(t -> new Drag(t, point)).orElse(null);
         return drag != null;
@@ -127,7 +130,7 @@ final class TracedGizmo extends Pane {
     /** Continues the drag. */
     void drag(MouseEvent e) {
         Viewport.Pixel point = toCanvas(e);
-        switch (drag.target()) {
+        switch (requireNonNull(drag).target()) {
             case HandleTarget(NodeGizmo gizmo, NodeGizmo.Handle handle) -> {
                 PreviewCamera view = view();
                 Viewport viewport = viewport();
@@ -165,7 +168,7 @@ final class TracedGizmo extends Pane {
 
     /** Reverts the drag. */
     void cancelDrag() {
-        switch (drag.target()) {
+        switch (requireNonNull(drag).target()) {
             case HandleTarget(NodeGizmo gizmo, NodeGizmo.Handle _) -> editor
                     .edit(scene -> NodeEdits.setPlacement(scene, gizmo.node().name(), _ -> gizmo.node().placement()), drag);
             case LightTarget(Light lightAtStart, LightDrag _) ->

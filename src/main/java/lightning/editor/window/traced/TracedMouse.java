@@ -1,5 +1,7 @@
 package lightning.editor.window.traced;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -37,6 +39,7 @@ import lightning.render.relight.LightContributions;
 import lightning.render.trace.Geometry;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Mouse handler of the traced picture: inspects pixels, selects the light that contributes most, runs the {@link LightPlacer}, frames a
@@ -65,15 +68,15 @@ final class TracedMouse implements AutoCloseable {
     private final TracedGizmo gizmo;
     private final StackPane overlay;
     /** Receives the pixel of the next click; null if a click selects a light. */
-    private Consumer<PixelReport> onPick;
+    private @Nullable Consumer<PixelReport> onPick;
     private String pickHint = "";
     private boolean isPanning;
     /** Motion of the image during the current drag; null if the drag does not move it. */
-    private CameraDrag viewDrag;
+    private @Nullable CameraDrag viewDrag;
     /** True if the user canceled the drag before releasing the button. */
     private boolean isCanceled;
     /** Scene of the last traced region; null before the first. */
-    private volatile Scene patchedScene;
+    private volatile @Nullable Scene patchedScene;
     private double pressX;
     private double pressY;
     private double lastX;
@@ -143,7 +146,7 @@ final class TracedMouse implements AutoCloseable {
             PicturePointer.Pixel pixel = picturePart.pixelProperty().get();
             if (pixel != null && !(picture.getScene().getFocusOwner() instanceof TextInputControl)) {
                 Bounds bounds = picture.pictureBoundsProperty().getValue();
-                double scale = bounds.getWidth() / tracedPicture.frame().scene().picture().width();
+                double scale = bounds.getWidth() / requireNonNull(tracedPicture.frame()).scene().picture().width();
                 Point2D at = picture.localToScreen(bounds.getMinX() + (pixel.x() + 0.5) * scale,
                         bounds.getMinY() + (pixel.y() + 0.5) * scale);
                 showMenu(new PictureView.Pixel(pixel.x(), pixel.y()), at.getX(), at.getY());
@@ -197,6 +200,7 @@ final class TracedMouse implements AutoCloseable {
     }
 
     /** Returns the scene of the last traced region; null before the first. */
+    @Nullable
     Scene patchedScene() {
         return patchedScene;
     }
@@ -226,7 +230,7 @@ final class TracedMouse implements AutoCloseable {
     }
 
     /** Inspects the pixel under the pointer again in a new picture. */
-    private void followFrame(Frame frame) {
+    private void followFrame(@Nullable Frame frame) {
         PicturePointer.Pixel pixel = picturePart.pixelProperty().get();
         if (frame != null && pixel != null && picture.isHover()) {
             PictureSettings size = frame.scene().picture();
@@ -271,7 +275,7 @@ final class TracedMouse implements AutoCloseable {
     }
 
     /** Returns how a press moves the image as the user's camera navigation moves the view; null if it does not. */
-    private CameraDrag viewDrag(MouseEvent press) {
+    private @Nullable CameraDrag viewDrag(MouseEvent press) {
         CameraNavigation navigation = settings.navigationProperty().get();
         // Shift snaps drags in the traced picture.
         return navigation.movesView(press) ? navigation.action(press).orElse(null) : null;
@@ -375,7 +379,7 @@ final class TracedMouse implements AutoCloseable {
     private void traceRegion(PictureView.Pixel from, PictureView.Pixel to) {
         var region = TracedRaster.DirtyRect.NONE.plus(from.x(), from.y(), from.x() + 1, from.y() + 1)
                 .plus(to.x(), to.y(), to.x() + 1, to.y() + 1);
-        TracedRaster.Pixels pixels = tracedPicture.raster().pixels();
+        TracedRaster.Pixels pixels = requireNonNull(tracedPicture.raster().pixels());
         Scene scene = editor.scene().withPicture(editor.scene().picture().withSize(pixels.width(), pixels.height()));
         Frame lastFrame = tracedPicture.frame();
         Function<Scene, Geometry> geometry =
@@ -388,10 +392,11 @@ final class TracedMouse implements AutoCloseable {
     }
 
     private void click(MouseEvent e) {
-        if (tracedPicture.frame() == null) {
+        Frame frame = tracedPicture.frame();
+        if (frame == null) {
             return;
         }
-        picture.pixel(e.getX(), e.getY()).ifPresent(p -> clickInspector.request(tracedPicture.frame(), p.x(), p.y(), report -> {
+        picture.pixel(e.getX(), e.getY()).ifPresent(p -> clickInspector.request(frame, p.x(), p.y(), report -> {
             if (onPick == null) {
                 report.strongest().ifPresent(editor.selection()::selectLight);
             } else if (report.point() == null) {

@@ -41,6 +41,7 @@ import lightning.render.image.ViewTransform;
 import lightning.render.measure.Verification;
 import lightning.scene.PictureSettings;
 import lightning.scene.VisibleState;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignE;
@@ -60,7 +61,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
 
     private final StackPane stage = new StackPane();
     /** Pane in the corner of the picture; null if there is none. */
-    private Region inset;
+    private @Nullable Region inset;
     private final SceneEditor editor;
     private final TracedPicture traced;
     private final CommandRegistry commands;
@@ -81,7 +82,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
                     Messages.tr("Compare (A/B): snapshot on the left, image on the right; drag to wipe"));
     private final TracedMouse mouse;
     private final ViewActions views;
-    private TracedRaster.Pixels shownPixels;
+    private TracedRaster.@Nullable Pixels shownPixels;
     /** True once a picture was finished, canceled or failed. Before that, the window's thread is busy. */
     private boolean hasFinalPicture;
 
@@ -201,9 +202,9 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     /**
      * Shows a pane in the picture's upper right corner, at the picture's aspect ratio.
      *
-     * @param pane pane of the preview; null for none
+     * @param pane pane of the preview
      */
-    public void setInset(Region pane) {
+    public void setInset(@Nullable Region pane) {
         if (inset != null) {
             inset.maxWidthProperty().unbind();
             inset.maxHeightProperty().unbind();
@@ -294,7 +295,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
      *
      * @param report report on the pixel under the mouse; null if there is none
      */
-    private void showPixel(PixelReport report) {
+    private void showPixel(@Nullable PixelReport report) {
         lightsCard.setText(report == null ? "" : String.join("\n", report.lightLines()));
         if (report == null) {
             // Deferred until the mouse's new target is known.
@@ -393,7 +394,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     }
 
     /** Returns the last verification if it refers to the displayed picture; otherwise null. */
-    private Verification currentVerification() {
+    private @Nullable Verification currentVerification() {
         var state = traced.renderStateProperty().get();
         boolean matches = state.verification() != null && state.frame() != null
                 && state.verification().appliesTo(state.frame().guarantee());

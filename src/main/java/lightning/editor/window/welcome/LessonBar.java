@@ -1,5 +1,7 @@
 package lightning.editor.window.welcome;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import javafx.application.Platform;
 import javafx.event.EventHandler;
@@ -13,6 +15,7 @@ import javafx.scene.layout.Priority;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.window.model.EditorModel;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 
@@ -26,9 +29,9 @@ public final class LessonBar extends HBox implements AutoCloseable {
     private final Button next = new Button(Messages.tr("Skip Step"));
     private final Button end = new Button(Messages.tr("End Lesson"));
     private final EventHandler<MouseEvent> mouseListener = this::trackMouse;
-    private Lesson lesson;
+    private @Nullable Lesson lesson;
     /** Null while no lesson runs. */
-    private LessonProgress progress;
+    private @Nullable LessonProgress progress;
 
     public LessonBar(EditorModel model) {
         this.model = model;
@@ -49,7 +52,7 @@ public final class LessonBar extends HBox implements AutoCloseable {
         next.setId("lesson-next");
         next.setMinWidth(USE_PREF_SIZE);
         next.setOnAction(_ -> {
-            if (progress.isComplete()) {
+            if (requireNonNull(progress).isComplete()) {
                 start(following());
             } else {
                 progress.skip();
@@ -64,7 +67,7 @@ public final class LessonBar extends HBox implements AutoCloseable {
         setManaged(false);
     }
 
-    private void observe(Scene before, Scene now) {
+    private void observe(@Nullable Scene before, @Nullable Scene now) {
         for (var type : List.of(MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED)) {
             if (before != null) {
                 before.removeEventFilter(type, mouseListener);
@@ -113,7 +116,7 @@ public final class LessonBar extends HBox implements AutoCloseable {
         if (progress == null) {
             return;
         }
-        int count = lesson.steps().size();
+        int count = requireNonNull(lesson).steps().size();
         boolean complete = progress.isComplete();
         int index = progress.stepProperty().get();
         title.setText(complete ? Messages.tr(lesson.title())

@@ -24,6 +24,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import javafx.scene.shape.Rectangle;
+import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.editor.document.Command;
@@ -182,7 +183,7 @@ public final class WelcomePane extends BorderPane {
     }
 
     private Button recentRow(Path file) {
-        Button row = row(Quote.path(file.getFileName()), Quote.path(file.getParent()), Quote.path(file));
+        Button row = row(Quote.path(file.getFileName()), Quote.path(ParentFolder.of(file)), Quote.path(file));
         row.setTooltip(new Tooltip(Quote.path(file)));
         row.setOnAction(_ -> files.load(file));
         return row;

@@ -13,6 +13,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
+import org.jspecify.annotations.Nullable;
 
 /** Slider with a number field. The track shows the color of each value. */
 final class ColorSlider extends VBox {
@@ -23,7 +24,7 @@ final class ColorSlider extends VBox {
     private final Scale scale;
     private final NumberField field;
     private final Slider slider;
-    private Object gesture;
+    private @Nullable Object gesture;
     private double startValue;
     private boolean isUpdating;
 

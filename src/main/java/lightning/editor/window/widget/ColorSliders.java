@@ -1,5 +1,7 @@
 package lightning.editor.window.widget;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
@@ -17,6 +19,7 @@ import lightning.base.text.Messages;
 import lightning.editor.document.HsvColor;
 import lightning.editor.document.StepRange;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 
 /** Color editor with a color well and tabs for RGB and HSV. */
 public final class ColorSliders extends VBox {
@@ -28,12 +31,12 @@ public final class ColorSliders extends VBox {
     private final List<ColorSlider> rgb;
     /** Empty until its tab is shown first; {@link #square} is null until then. */
     private List<ColorSlider> hsv = List.of();
-    private ColorSquare square;
+    private @Nullable ColorSquare square;
     private final DisabledReason disabledReason;
     private Rgb shownColor = Rgb.WHITE;
     private HsvColor shownHsv = HsvColor.of(Rgb.WHITE);
-    /** Displayed color; null for none. */
-    private DisplayedColor displayed;
+    /** Displayed color. */
+    private @Nullable DisplayedColor displayed;
 
     private record DisplayedColor(Rgb color, HsvColor hsv) {}
 
@@ -45,7 +48,7 @@ public final class ColorSliders extends VBox {
 
         NumberSetting blue();
 
-        Optional<String> hsv(HsvColor color, Object gesture);
+        Optional<String> hsv(HsvColor color, @Nullable Object gesture);
     }
 
     /** Creates the editor of a light's color. */
@@ -77,7 +80,7 @@ public final class ColorSliders extends VBox {
         head.getStyleClass().add("color-head");
         well.setOnAction(_ -> {
             tabs.selectToggle(tabs.getToggles().get(1));
-            square.requestFocus();
+            requireNonNull(square).requestFocus();
         });
         VBox box = new VBox(head, content);
         box.getStyleClass().add("color-sliders");
@@ -166,14 +169,14 @@ public final class ColorSliders extends VBox {
             try {
                 edited = edit.apply(shownHsv, v);
             } catch (IllegalArgumentException e) {
-                return Optional.of(e.getMessage());
+                return Optional.of(String.valueOf(e.getMessage()));
             }
             return setHsv(edited, gesture);
         }));
     }
 
     /** Sets a color and keeps its hue even if the result has none, for example black. */
-    private Optional<String> setHsv(HsvColor color, Object gesture) {
+    private Optional<String> setHsv(HsvColor color, @Nullable Object gesture) {
         HsvColor oldHsv = shownHsv;
         shownHsv = color;
         Optional<String> refusal = target.hsv(color, gesture);

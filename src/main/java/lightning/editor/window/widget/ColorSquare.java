@@ -14,6 +14,7 @@ import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
 import lightning.editor.document.HsvColor;
 import lightning.render.image.ViewTransform;
+import org.jspecify.annotations.Nullable;
 
 /** Color picker for one hue: saturation to the right, display-encoded value upwards. Drag, or use the arrow keys. */
 final class ColorSquare extends Region {
@@ -30,11 +31,11 @@ final class ColorSquare extends Region {
     private final Setter setter;
     private HsvColor shown = new HsvColor(0, 0, 1);
     private double drawnHue = -1;
-    private Object gesture;
+    private @Nullable Object gesture;
 
     /** Receiver of edits; returns why an edit was refused. */
     interface Setter {
-        Optional<String> set(HsvColor color, Object gesture);
+        Optional<String> set(HsvColor color, @Nullable Object gesture);
     }
 
     ColorSquare(Setter setter) {

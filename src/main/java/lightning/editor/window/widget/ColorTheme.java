@@ -14,6 +14,7 @@ import javafx.scene.Group;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
 import javafx.stage.Window;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Color theme of all windows, dark or light. Belongs to the window's thread.
@@ -114,7 +115,7 @@ public enum ColorTheme {
     }
 
     /** Applies the theme to a node that is styled as a root. */
-    public static void applyTo(Parent root) {
+    public static void applyTo(@Nullable Parent root) {
         if (root != null) {
             root.pseudoClassStateChanged(BRIGHT, current == LIGHT);
         }

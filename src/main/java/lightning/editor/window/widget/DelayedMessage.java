@@ -3,6 +3,7 @@ package lightning.editor.window.widget;
 import java.util.function.Consumer;
 import javafx.animation.PauseTransition;
 import javafx.util.Duration;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Shows a status message only after it has applied for a minimum time, so that it does not flash during a drag. Belongs to the window's
@@ -32,7 +33,7 @@ public final class DelayedMessage {
     private String message = "";
     private boolean visible;
     /** Cancels the pending task; null if there is none. */
-    private Runnable cancelPending;
+    private @Nullable Runnable cancelPending;
 
     /**
      * @param delay  time before a message is shown

@@ -1,8 +1,11 @@
 package lightning.editor.window.widget;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Optional;
 import javafx.scene.Node;
 import javafx.scene.control.Tooltip;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Disables a control and shows the reason in a tooltip. The tooltip belongs to a wrapper node, since a disabled control receives no mouse
@@ -13,10 +16,10 @@ public final class DisabledReason {
     private final Node control;
     private final String hint;
     /** Created on demand: a tooltip is a window, and most controls never show one. */
-    private Tooltip tooltip;
+    private @Nullable Tooltip tooltip;
     private boolean isInstalled;
     /** Current reason; null before the first call. */
-    private Optional<String> reason;
+    private @Nullable Optional<String> reason;
 
     /** Creates a reason for a control without a tooltip while enabled. */
     public DisabledReason(Node wrapper, Node control) {
@@ -40,7 +43,7 @@ public final class DisabledReason {
     }
 
     private void show() {
-        if (control.isDisable() != reason.isPresent()) {
+        if (control.isDisable() != requireNonNull(reason).isPresent()) {
             setHelpOfParts(reason.map(DisabledReason::capitalize).orElse(""));
         }
         control.setDisable(reason.isPresent());

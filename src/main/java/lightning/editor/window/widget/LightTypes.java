@@ -4,6 +4,7 @@ import java.util.Locale;
 import javafx.util.StringConverter;
 import lightning.base.text.Messages;
 import lightning.scene.light.LightType;
+import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignL;
@@ -14,7 +15,7 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignW;
 public final class LightTypes {
     public static final StringConverter<LightType> CONVERTER = new StringConverter<>() {
         @Override
-        public String toString(LightType type) {
+        public String toString(@Nullable LightType type) {
             return type == null ? "" : title(type);
         }
 

@@ -7,6 +7,7 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
+import org.jspecify.annotations.Nullable;
 
 /** Changes a number by dragging a handle next to its field. A drag is one undo step; Escape cancels it. */
 final class NumberScrubber {
@@ -25,7 +26,7 @@ final class NumberScrubber {
     private final NumberField field;
     private final Direction direction;
     private final Click onClick;
-    private Drag drag;
+    private @Nullable Drag drag;
 
     /** Direction that increases the number. */
     enum Direction {

@@ -3,6 +3,7 @@ package lightning.editor.window.widget;
 import java.util.Optional;
 import lightning.base.text.NumberUnit;
 import lightning.editor.document.StepRange;
+import org.jspecify.annotations.Nullable;
 
 /** Number edited by a widget. */
 public interface NumberSetting {
@@ -20,11 +21,11 @@ public interface NumberSetting {
      *
      * @param gesture  object that identifies one drag, which is one undo step; null for a separate step
      */
-    Optional<String> set(double value, Object gesture);
+    Optional<String> set(double value, @Nullable Object gesture);
 
     /** Receiver of values; returns why a value was refused. */
     interface Setter {
-        Optional<String> set(double value, Object gesture);
+        Optional<String> set(double value, @Nullable Object gesture);
     }
 
     /** Creates a setting without a unit. */
@@ -51,7 +52,7 @@ public interface NumberSetting {
             }
 
             @Override
-            public Optional<String> set(double value, Object gesture) {
+            public Optional<String> set(double value, @Nullable Object gesture) {
                 return setter.set(value, gesture);
             }
         };

@@ -1,5 +1,7 @@
 package lightning.editor.window.widget;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.IntBuffer;
 import java.util.Optional;
 import javafx.beans.property.ReadOnlyBooleanProperty;
@@ -14,6 +16,7 @@ import javafx.scene.image.WritableImage;
 import javafx.scene.layout.Region;
 import javafx.scene.shape.Rectangle;
 import lightning.editor.document.PictureArea;
+import org.jspecify.annotations.Nullable;
 
 /** View of a pixel buffer that changes in place, fitted to the view or zoomed and panned. */
 public final class PictureView extends Region {
@@ -27,10 +30,10 @@ public final class PictureView extends Region {
 
     private final ImageView image = new ImageView();
     private final Wipe wipe = new Wipe();
-    /** Note shown over the picture; null for none. */
-    private UnstyledNote note;
+    /** Note shown over the picture. */
+    private @Nullable UnstyledNote note;
     private final ReadOnlyBooleanWrapper empty = new ReadOnlyBooleanWrapper(true);
-    private PixelBuffer<IntBuffer> buffer;
+    private @Nullable PixelBuffer<IntBuffer> buffer;
     private boolean fitsView = true;
     private double zoom = 1;
     /** Offset of the picture's center from the view's center, logical pixels. */
@@ -60,7 +63,7 @@ public final class PictureView extends Region {
 
     /** Updates a region whose pixels changed. */
     public void updateRegion(int left, int top, int right, int bottom) {
-        buffer.updateBuffer(_ -> new Rectangle2D(left, top, right - left, bottom - top));
+        shownBuffer().updateBuffer(_ -> new Rectangle2D(left, top, right - left, bottom - top));
     }
 
     /** Shows a note that needs no style sheet; empty for none. */
@@ -74,8 +77,8 @@ public final class PictureView extends Region {
 
     /** Returns the displayed pixels, {@code int[width * height]}, opaque 0xFFRRGGBB, top row first. */
     public int[] pixels() {
-        int width = buffer.getWidth();
-        int height = buffer.getHeight();
+        int width = shownBuffer().getWidth();
+        int height = shownBuffer().getHeight();
         int[] pixels = new int[width * height];
         image.getImage().getPixelReader().getPixels(0, 0, width, height, PixelFormat.getIntArgbInstance(), pixels, 0, width);
         return pixels;
@@ -152,7 +155,7 @@ public final class PictureView extends Region {
         }
         int px = (int) Math.floor((x - image.getLayoutX()) / scale());
         int py = (int) Math.floor((y - image.getLayoutY()) / scale());
-        boolean inside = px >= 0 && py >= 0 && px < buffer.getWidth() && py < buffer.getHeight();
+        boolean inside = px >= 0 && py >= 0 && px < shownBuffer().getWidth() && py < shownBuffer().getHeight();
         return inside ? Optional.of(new Pixel(px, py)) : Optional.empty();
     }
 
@@ -160,7 +163,8 @@ public final class PictureView extends Region {
     public Pixel nearestPixel(double x, double y) {
         double px = Math.floor((x - image.getLayoutX()) / scale());
         double py = Math.floor((y - image.getLayoutY()) / scale());
-        return new Pixel((int) Math.clamp(px, 0, buffer.getWidth() - 1), (int) Math.clamp(py, 0, buffer.getHeight() - 1));
+        return new Pixel((int) Math.clamp(px, 0, shownBuffer().getWidth() - 1),
+                (int) Math.clamp(py, 0, shownBuffer().getHeight() - 1));
     }
 
     /** Bounds of the whole picture in the view, logical pixels; they may exceed the view. */
@@ -192,7 +196,7 @@ public final class PictureView extends Region {
         if (!fitsView || isEmpty()) {
             return zoom;
         }
-        double fitScale = Math.min(getWidth() / buffer.getWidth(), getHeight() / buffer.getHeight());
+        double fitScale = Math.min(getWidth() / shownBuffer().getWidth(), getHeight() / shownBuffer().getHeight());
         return Math.max(fitScale, 1e-3);
     }
 
@@ -205,8 +209,8 @@ public final class PictureView extends Region {
             return;
         }
         double scale = scale();
-        double width = buffer.getWidth() * scale;
-        double height = buffer.getHeight() * scale;
+        double width = shownBuffer().getWidth() * scale;
+        double height = shownBuffer().getHeight() * scale;
         image.setFitWidth(width);
         image.setFitHeight(height);
         // Magnified pixels stay sharp squares, so that single ones can be judged.
@@ -215,5 +219,10 @@ public final class PictureView extends Region {
         if (wipe.isStored()) {
             wipe.layout(image.getLayoutX(), image.getLayoutY(), width, height, image.isSmooth());
         }
+    }
+
+    /** Returns the buffer of the view, which is not empty. */
+    private PixelBuffer<IntBuffer> shownBuffer() {
+        return requireNonNull(buffer);
     }
 }

@@ -12,6 +12,7 @@ import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
 import lightning.editor.document.StepRange;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 
 /** Field for a position or a direction, as three numbers. */
 public final class VectorField extends VBox {
@@ -25,7 +26,7 @@ public final class VectorField extends VBox {
     /** Receiver of vectors; returns why a vector was refused. */
     public interface Setter {
         /** @param gesture  gesture as in {@link NumberSetting#set} */
-        Optional<String> set(Vec3 value, Object gesture);
+        Optional<String> set(Vec3 value, @Nullable Object gesture);
     }
 
     /** @param title  display title, for example "position" */

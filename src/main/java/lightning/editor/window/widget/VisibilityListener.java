@@ -7,6 +7,7 @@ import javafx.scene.Scene;
 import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 import javafx.util.Subscription;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Runs a pane's subscriptions only while its window is open, so that a hidden pane costs nothing.
@@ -18,7 +19,7 @@ public final class VisibilityListener {
     private final EventHandler<WindowEvent> showingHandler = _ -> start();
     private final EventHandler<WindowEvent> hiddenHandler = _ -> stop();
     private Subscription subscription = Subscription.EMPTY;
-    private Window window;
+    private @Nullable Window window;
 
     private VisibilityListener(Supplier<Subscription> starter) {
         this.starter = starter;
@@ -35,7 +36,7 @@ public final class VisibilityListener {
     }
 
     /** @param newWindow  window of the pane; null for none */
-    private void setWindow(Window newWindow) {
+    private void setWindow(@Nullable Window newWindow) {
         if (window != null) {
             window.removeEventHandler(WindowEvent.WINDOW_SHOWING, showingHandler);
             window.removeEventHandler(WindowEvent.WINDOW_HIDDEN, hiddenHandler);

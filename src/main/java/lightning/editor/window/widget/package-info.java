@@ -10,4 +10,7 @@
  * shows the new value in turn. A refused edit is marked with its reason and changes nothing. All edits of a drag carry the same gesture,
  * an object compared by identity. Escape during a drag restores the initial value.
  */
+@NullMarked
 package lightning.editor.window.widget;
+
+import org.jspecify.annotations.NullMarked;

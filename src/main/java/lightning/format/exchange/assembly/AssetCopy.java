@@ -1,5 +1,7 @@
 package lightning.format.exchange.assembly;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -7,7 +9,9 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import lightning.base.file.AtomicFile;
 import lightning.base.file.ContentHash;
+import lightning.base.file.ParentFolder;
 import lightning.base.file.RegularFile;
+import org.jspecify.annotations.Nullable;
 
 /**
  * File to place next to an imported scene.
@@ -16,14 +20,14 @@ import lightning.base.file.RegularFile;
  * @param source file to copy; null if {@code bytes} is given
  * @param bytes content; null if {@code source} is given
  */
-public record AssetCopy(Path target, Path source, byte[] bytes) {
+public record AssetCopy(Path target, @Nullable Path source, byte @Nullable [] bytes) {
     private static final String EXPECTED_FILE = "a file to copy next to the scene";
 
     /** Returns whether a file with this content is at the target. */
     boolean isWritten() throws IOException {
         return Files.exists(target) && (source != null
                 ? Files.isSameFile(source, target) || RegularFile.haveSameContent(source, target, EXPECTED_FILE)
-                : Files.size(target) == bytes.length
+                : Files.size(target) == requireNonNull(bytes).length
                         && Arrays.equals(RegularFile.readBytes(target, EXPECTED_FILE, bytes.length), bytes));
     }
 
@@ -44,7 +48,7 @@ public record AssetCopy(Path target, Path source, byte[] bytes) {
 
     /** Writes the content to the target, and its folders. */
     void write() throws IOException {
-        Files.createDirectories(target.toAbsolutePath().getParent());
+        Files.createDirectories(ParentFolder.of(target));
         AtomicFile.write(target, out -> {
             if (source != null) {
                 try (InputStream in = RegularFile.open(source, EXPECTED_FILE)) {

@@ -12,7 +12,9 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
+import lightning.base.file.ParentFolder;
 import lightning.base.text.Quote;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Names for the files of an imported scene that leave the user's files as they are. A file keeps its name if no other file has it, or only one
@@ -29,10 +31,10 @@ final class FileNaming {
 
     /** @param sceneFile scene file, whose comments say what an earlier import wrote */
     FileNaming(Path sceneFile) {
-        folder = sceneFile.toAbsolutePath().getParent();
+        folder = ParentFolder.of(sceneFile);
         written = WrittenFiles.findIn(sceneFile);
         others = new Supplier<>() {
-            private OtherScenes scenes;
+            private @Nullable OtherScenes scenes;
 
             @Override
             public OtherScenes get() {

@@ -1,5 +1,7 @@
 package lightning.format.exchange.assembly;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -89,7 +91,7 @@ public final class ImageImport {
         if (name.isEmpty()) {
             return Optional.empty();
         }
-        UsedImage image = used.get(name.get());
+        UsedImage image = requireNonNull(used.get(name.get()));
         int others = used.values().stream().mapToInt(UsedImage::usageCount).sum();
         if (others >= JenLimits.TEXTURES && !image.usages.contains(usage)) {
             notes.add("textures after the first " + JenLimits.TEXTURES);

@@ -16,6 +16,7 @@ import java.util.function.BiConsumer;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import lightning.base.file.AtomicFile;
+import lightning.base.file.ParentFolder;
 import lightning.base.text.Quote;
 import lightning.format.jen.CachingJenReader;
 import lightning.format.jen.InputFiles;
@@ -118,7 +119,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
             return name;
         }).applyTo(unscaledScene);
         var naming = new FileNaming(sceneFile);
-        Path folder = sceneFile.toAbsolutePath().getParent();
+        Path folder = ParentFolder.of(sceneFile);
         for (AssetCopy copy : copies.stream().sorted(Comparator.comparing(AssetCopy::target)).toList()) {
             naming.add(copy, references.contains(FileNaming.nameIn(folder, copy.target())));
         }
@@ -213,7 +214,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
     void writeReplacing(SceneReplacement.Observer observer) throws IOException, JenException {
         requireNoReplacedSource();
         if (hasAllFiles()) {
-            JenReader.read(text(), sceneFile.toString(), sceneFile.toAbsolutePath().getParent());
+            JenReader.read(text(), sceneFile.toString(), ParentFolder.of(sceneFile));
             AtomicFile.of(sceneFile).write(text().getBytes(StandardCharsets.UTF_8));
             StagingFolder.removeStale(sceneFile);
         } else {

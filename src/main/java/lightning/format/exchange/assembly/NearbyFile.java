@@ -10,6 +10,7 @@ import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
+import lightning.base.file.ParentFolder;
 import lightning.base.file.RegularFile;
 
 /**
@@ -21,7 +22,7 @@ import lightning.base.file.RegularFile;
 record NearbyFile(Path folder) {
     /** @throws IOException if the folder cannot be resolved */
     static NearbyFile of(Path source) throws IOException {
-        return new NearbyFile(source.toAbsolutePath().getParent().toRealPath());
+        return new NearbyFile(ParentFolder.of(source.toAbsolutePath()).toRealPath());
     }
 
     /** Returns a regular file that a reference names; empty if there is none. */

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import lightning.base.file.ParentFolder;
 import lightning.base.file.RegularFile;
 import lightning.format.jen.JenFile;
 
@@ -27,7 +28,7 @@ record OtherScenes(List<String> texts, boolean isIncomplete) {
 
     /** Reads the scene files next to one. */
     static OtherScenes nextTo(Path sceneFile) {
-        return read(sceneFile.toAbsolutePath().getParent(), Optional.of(sceneFile.getFileName()));
+        return read(ParentFolder.of(sceneFile), Optional.of(sceneFile.getFileName()));
     }
 
     private static OtherScenes read(Path folder, Optional<Path> except) {

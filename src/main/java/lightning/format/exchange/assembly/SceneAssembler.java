@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
+import lightning.base.file.ParentFolder;
 import lightning.base.file.RegularFile;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
@@ -41,6 +42,7 @@ import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
 import lightning.scene.shot.Shot;
 import lightning.scene.value.Placement;
+import org.jspecify.annotations.Nullable;
 
 /** Mutable builder of an imported scene: materials, shapes, lights, and the files to copy. */
 public final class SceneAssembler {
@@ -99,12 +101,12 @@ public final class SceneAssembler {
     }
 
     Path folder() {
-        return sceneFile.toAbsolutePath().getParent();
+        return ParentFolder.of(sceneFile);
     }
 
     /** Adds a file of the source's folder, copied if it is not next to the scene; returns the name for the scene. */
     public String addFile(Path file) {
-        Path folder = source.toAbsolutePath().normalize().getParent();
+        Path folder = ParentFolder.of(source.toAbsolutePath().normalize());
         Path absolute = file.toAbsolutePath().normalize();
         Path relative = absolute.startsWith(folder) ? folder.relativize(absolute) : absolute.getFileName();
         List<String> parts = new ArrayList<>();
@@ -120,7 +122,7 @@ public final class SceneAssembler {
      * @param requested name for a file of another folder
      */
     public String addFile(Path file, String requested) throws IOException {
-        Path folder = source.toAbsolutePath().normalize().getParent();
+        Path folder = ParentFolder.of(source.toAbsolutePath().normalize());
         return file.toAbsolutePath().normalize().startsWith(folder) ? addFile(file)
                 : addFile(requested, RegularFile.readBytes(file, "a file that the scene uses", MAX_FILE_BYTES));
     }
@@ -149,12 +151,12 @@ public final class SceneAssembler {
 
     /** Adds a file next to the scene under the relative path by which another file references it. */
     public void addFileAsNamed(Path file) throws IOException {
-        Path folder = source.toRealPath().getParent();
+        Path folder = ParentFolder.of(source.toRealPath());
         Path target = folder().resolve(folder.relativize(file));
         copies.put(target, new AssetCopy(target, file, null));
     }
 
-    private void addCopy(String name, Path file, byte[] bytes) {
+    private void addCopy(String name, @Nullable Path file, byte @Nullable [] bytes) {
         Path target = folder().resolve(name);
         copies.put(target, new AssetCopy(target, file, bytes));
     }
@@ -273,7 +275,7 @@ public final class SceneAssembler {
     /** Returns whether the scene can find a file of this name, after copying it from the source's folder if it is there. */
     public boolean hasOrCopiesFile(FileKind kind, String name) {
         try {
-            Optional<Path> file = kind.find(source.toAbsolutePath().getParent(), name);
+            Optional<Path> file = kind.find(ParentFolder.of(source), name);
             file.ifPresent(path -> addCopy(name, path, null));
             return file.isPresent() || hasFile(kind, name);
         } catch (IOException | IllegalArgumentException e) {

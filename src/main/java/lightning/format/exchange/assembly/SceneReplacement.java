@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import lightning.base.file.AtomicFile;
+import lightning.base.file.ParentFolder;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.scene.Scene;
@@ -43,7 +44,7 @@ final class SceneReplacement {
      */
     SceneReplacement(Path sceneFile, List<AssetCopy> copies, Observer observer) {
         this.sceneFile = sceneFile;
-        this.folder = sceneFile.toAbsolutePath().getParent();
+        this.folder = ParentFolder.of(sceneFile);
         this.copies = copies;
         this.observer = observer;
     }
@@ -132,7 +133,7 @@ final class SceneReplacement {
 
     /** Replaces a file by a link to a staged one, or by a copy. */
     private void replace(Path file, Path staged) throws IOException {
-        Files.createDirectories(file.toAbsolutePath().getParent());
+        Files.createDirectories(ParentFolder.of(file));
         try {
             AtomicFile.of(file).writeToPath(temporary -> {
                 Files.delete(temporary);

@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Pattern;
 import lightning.base.file.FolderLock;
+import lightning.base.file.ParentFolder;
 import lightning.base.file.TemporaryFolder;
 
 /** Folder next to a scene for the files of its replacement. A killed process leaves it; the next replacement of the scene removes it. */
@@ -39,10 +40,10 @@ record StagingFolder(Path path, Optional<FolderLock> lock) implements AutoClosea
     /** Removes folders of ended processes, except those that a scene uses. Never fails: the next call removes what is left. */
     static void removeStale(Path sceneFile) {
         var names = Pattern.compile(Pattern.quote(start(sceneFile)) + "\\d*").asMatchPredicate();
-        try (DirectoryStream<Path> files = Files.newDirectoryStream(sceneFile.toAbsolutePath().getParent(),
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(ParentFolder.of(sceneFile),
                 file -> names.test(file.getFileName().toString()))) {
             for (Path file : files) {
-                if (isStale(file) && !OtherScenes.in(file.getParent()).mayUse(file.getFileName() + "/")) {
+                if (isStale(file) && !OtherScenes.in(ParentFolder.of(file)).mayUse(file.getFileName() + "/")) {
                     TemporaryFolder.delete(file);
                 }
             }

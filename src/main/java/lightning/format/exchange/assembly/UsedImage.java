@@ -16,6 +16,7 @@ import lightning.format.jen.asset.TextureDecoder;
 import lightning.format.jen.asset.UnusableFileException;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureUsage;
+import org.jspecify.annotations.Nullable;
 
 /** PNG or JPEG image of an imported scene, with what it is used for. */
 final class UsedImage {
@@ -59,7 +60,7 @@ final class UsedImage {
         }
     }
 
-    private static byte[] png(Texture colors, Texture opacity, boolean isColor, long maxPixels) throws IOException {
+    private static byte[] png(Texture colors, @Nullable Texture opacity, boolean isColor, long maxPixels) throws IOException {
         int step = 1;
         while ((long) Math.ceilDiv(colors.width(), step) * Math.ceilDiv(colors.height(), step) > maxPixels) {
             step++;

@@ -1,2 +1,5 @@
 /** Attributes that other formats lack, as JSON inside their files. */
+@NullMarked
 package lightning.format.exchange.json;
+
+import org.jspecify.annotations.NullMarked;

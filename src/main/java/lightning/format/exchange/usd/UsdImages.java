@@ -41,7 +41,7 @@ final class UsdImages {
         try (var exr = new ExrReader(file)) {
             return (long) exr.header().width() * exr.header().height();
         } catch (IOException | RuntimeException e) {
-            throw new UnusableFileException(e.getMessage());
+            throw new UnusableFileException(String.valueOf(e.getMessage()));
         }
     }
 
@@ -57,7 +57,7 @@ final class UsdImages {
         try (var exr = new ExrReader(file)) {
             return decoded(exr, usage);
         } catch (IOException | RuntimeException e) {
-            throw new UnusableFileException(e.getMessage());
+            throw new UnusableFileException(String.valueOf(e.getMessage()));
         }
     }
 

@@ -1,5 +1,7 @@
 package lightning.format.exchange.usd;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -25,6 +27,7 @@ import lightning.scene.shot.TrackTarget;
 import lightning.scene.value.LensShift;
 import lightning.scene.value.SceneLimits;
 import lightning.scene.value.ShapeLinks;
+import org.jspecify.annotations.Nullable;
 
 /** Converter from a USD stage to a scene, with its animation. */
 public final class UsdImport {
@@ -39,7 +42,7 @@ public final class UsdImport {
     private final int firstFrame;
     private final int levels;
     private final Progress progress;
-    private UsdNodes nodes;
+    private @Nullable UsdNodes nodes;
 
     private UsdImport(UsdStage stage, Path source, Path sceneFile, int levels, Progress progress) throws MeshException {
         this.progress = progress;
@@ -146,7 +149,7 @@ public final class UsdImport {
         }
         List<String> names = new ArrayList<>();
         for (int i = 0; i < in.get("nodes").size(); i++) {
-            names.addAll(nodes.names(in.get("nodes").element(i).index(root.get("nodes"))));
+            names.addAll(requireNonNull(nodes).names(in.get("nodes").element(i).index(root.get("nodes"))));
         }
         if (names.size() > SceneLimits.MAX_LINKS) {
             assembler.notes.add("light links to more than " + SceneLimits.MAX_LINKS + " objects");

@@ -42,7 +42,7 @@ final class UsdNodes {
     private final List<Track> tracks = new ArrayList<>();
     private final UsdParts parts;
     private final Progress progress;
-    private boolean[] shows;
+    private boolean[] shows = {};
     private long visits;
 
     UsdNodes(SceneAssembler assembler, UsdStage stage, Transform upright, int firstFrame, int levels, Progress progress)

@@ -1,10 +1,13 @@
 package lightning.format.exchange.usd;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.base.math.Transform;
 import lightning.base.work.Progress;
@@ -32,7 +35,7 @@ final class UsdParts {
     private final UsdStage stage;
     private final List<String> materials = new ArrayList<>();
     /** Parts by mesh and subsets: a mesh has the same in all instances, but each may have its materials. */
-    private final Map<String, List<NamedMesh>> meshes = new HashMap<>();
+    private final Map<String, List<Part>> meshes = new HashMap<>();
     private final int requestedLevels;
     private final Progress progress;
     private int[] levels = {};
@@ -69,10 +72,10 @@ final class UsdParts {
                 throw new CancellationException("canceled while the meshes of the stage were read");
             }
             if (node.get("mesh").isPresent() && !meshes.containsKey(key(node))) {
-                List<NamedMesh> parts = parts(node, names);
+                List<Part> parts = parts(node, names);
                 meshes.put(key(node), parts);
-                parts.stream().filter(p -> p.mesh() != null).forEach(written::add);
-                triangles += parts.stream().filter(p -> p.mesh() != null).mapToLong(p -> p.mesh().triangleCount()).sum();
+                parts.stream().flatMap(p -> p.mesh().map(m -> new NamedMesh(p.name(), m)).stream()).forEach(written::add);
+                triangles += parts.stream().flatMap(p -> p.mesh().stream()).mapToLong(Mesh::triangleCount).sum();
                 if (triangles > MeshLimits.TRIANGLES || written.size() > MeshLimits.PARTS) {
                     throw node.problem(
                             "must be a stage of at most " + MeshLimits.TRIANGLES + " triangles in " + MeshLimits.PARTS + " meshes");
@@ -83,7 +86,7 @@ final class UsdParts {
             try {
                 meshFile = assembler.addFile(assembler.stem() + ".meshes.glb", MeshFileWriter.write(written));
             } catch (IllegalArgumentException e) {
-                throw nodes.problem(e.getMessage());
+                throw nodes.problem(String.valueOf(e.getMessage()));
             }
         }
     }
@@ -92,7 +95,10 @@ final class UsdParts {
         return node.get("mesh").node() + " " + node.get("subsets").node();
     }
 
-    private List<NamedMesh> parts(JsonValue node, UniqueNames names) throws IOException, MeshException {
+    /** Part of a mesh prim; without a mesh if it has no faces. */
+    private record Part(String name, Optional<Mesh> mesh) {}
+
+    private List<Part> parts(JsonValue node, UniqueNames names) throws IOException, MeshException {
         int mesh = node.get("mesh").index(stage.root().get("meshes"));
         JsonValue in = stage.root().get("meshes").element(mesh);
         assembler.notes.add("subdivision surfaces refined less, to keep the number of triangles in bounds",
@@ -103,17 +109,17 @@ final class UsdParts {
             faces.add(stage.ints(subsets.element(i).get("faces")));
         }
         List<Mesh> read = UsdMesh.read(stage, in, levels[mesh], faces, assembler.notes);
-        List<NamedMesh> result = new ArrayList<>();
+        List<Part> result = new ArrayList<>();
         for (int i = 0; i < read.size(); i++) {
             String name = in.get("name").text().orElse("") + (i == 0 ? "" : " " + subsets.element(i - 1).get("name").text().orElse(""));
-            result.add(new NamedMesh(read.get(i) == null ? "" : names.unique(name, "mesh"), read.get(i)));
+            result.add(new Part(read.get(i) == null ? "" : names.unique(name, "mesh"), Optional.ofNullable(read.get(i))));
         }
         return result;
     }
 
     /** Returns the number of shapes of a prim. */
     int count(JsonValue node) throws MeshException {
-        return node.get("mesh").isPresent() ? (int) meshes.get(key(node)).stream().filter(p -> p.mesh() != null).count()
+        return node.get("mesh").isPresent() ? (int) requireNonNull(meshes.get(key(node))).stream().filter(p -> p.mesh().isPresent()).count()
                 : UsdSolids.count(node.get("solid"));
     }
 
@@ -128,9 +134,9 @@ final class UsdParts {
             return new Shape(UsdSolids.of(node.get("solid")).getFirst().solid(), assembler.names.unique(name, "shape"),
                     material(node.get("material")), own);
         }
-        List<NamedMesh> parts = meshes.get(key(node));
+        List<Part> parts = requireNonNull(meshes.get(key(node)));
         for (int i = 0; i < parts.size(); i++) {
-            if (parts.get(i).mesh() != null) {
+            if (parts.get(i).mesh().isPresent()) {
                 return shape(node, i, name, placement, outer);
             }
         }
@@ -138,9 +144,9 @@ final class UsdParts {
     }
 
     private Shape shape(JsonValue node, int part, String name, Placement placement, Transform outer) throws MeshException {
-        NamedMesh mesh = meshes.get(key(node)).get(part);
+        Part mesh = requireNonNull(meshes.get(key(node))).get(part);
         JsonValue material = part == 0 ? node.get("material") : node.get("subsets").element(part - 1).get("material");
-        return assembler.createShape(name, meshFile, mesh.name(), mesh.mesh(), material(material), placement, outer);
+        return assembler.createShape(name, meshFile, mesh.name(), mesh.mesh().orElseThrow(), material(material), placement, outer);
     }
 
     /** Returns the shapes of a prim, each with a transform. */
@@ -148,12 +154,12 @@ final class UsdParts {
         List<SceneNode> result = new ArrayList<>();
         String name = node.get("name").text().orElse("");
         if (node.get("mesh").isPresent()) {
-            List<NamedMesh> parts = meshes.get(key(node));
+            List<Part> parts = requireNonNull(meshes.get(key(node)));
             for (int i = 0; i < parts.size(); i++) {
                 List<Placement> placements = TransformDecomposition.decompose(local);
-                if (parts.get(i).mesh() != null && placements.size() == 1) {
+                if (parts.get(i).mesh().isPresent() && placements.size() == 1) {
                     result.add(shape(node, i, parts.get(i).name(), placements.getFirst(), outer));
-                } else if (parts.get(i).mesh() != null) {
+                } else if (parts.get(i).mesh().isPresent()) {
                     assembler.notes.add("objects nested too deep to be sheared");
                 }
             }

@@ -78,7 +78,7 @@ public final class AssetSearchPath {
         } catch (IOException | InvalidPathException | SecurityException e) {
             throw new UnusableFileException(noun + " " + Quote.of(file) + " cannot be read: " + e.getMessage());
         } catch (IllegalArgumentException | MeshException e) {
-            throw new UnusableFileException(e.getMessage());
+            throw new UnusableFileException(String.valueOf(e.getMessage()));
         }
     }
 

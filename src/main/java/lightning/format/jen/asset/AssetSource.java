@@ -1,5 +1,6 @@
 package lightning.format.jen.asset;
 
+import lightning.base.text.Quote;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureUsage;
@@ -8,6 +9,33 @@ import lightning.scene.value.Photometry;
 
 /** Source of the assets that a scene references. */
 public interface AssetSource {
+    /** Source of no assets. */
+    AssetSource NONE = new AssetSource() {
+        @Override
+        public Texture texture(String file, TextureUsage samples) {
+            throw missing(file);
+        }
+
+        @Override
+        public Photometry profile(String file) {
+            throw missing(file);
+        }
+
+        @Override
+        public EnvironmentMap environment(String file) {
+            throw missing(file);
+        }
+
+        @Override
+        public Mesh mesh(String file, String part) {
+            throw missing(file);
+        }
+
+        private IllegalArgumentException missing(String file) {
+            return new IllegalArgumentException("expected no file, found " + Quote.of(file));
+        }
+    };
+
     /**
      * Returns a texture.
      *

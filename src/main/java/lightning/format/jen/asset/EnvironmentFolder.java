@@ -6,13 +6,14 @@ import java.util.Set;
 import lightning.format.hdr.HdrReader;
 import lightning.format.mesh.MeshException;
 import lightning.scene.asset.EnvironmentMap;
+import org.jspecify.annotations.Nullable;
 
 /** Loader for the environment map of a scene, with the same search path as textures ({@link AssetSearchPath}). Keeps the last one. */
 public final class EnvironmentFolder {
     private final AssetSearchPath searchPath;
     /** Last map and its file; null before. A scene has one. */
-    private EnvironmentMap map;
-    private Path path;
+    private @Nullable EnvironmentMap map;
+    private @Nullable Path path;
 
     /**
      * Creates a loader.
@@ -39,7 +40,7 @@ public final class EnvironmentFolder {
     }
 
     private EnvironmentMap load(Path file) throws IOException, MeshException {
-        if (!file.equals(path)) {
+        if (map == null || !file.equals(path)) {
             map = HdrReader.read(file);
             path = file;
         }

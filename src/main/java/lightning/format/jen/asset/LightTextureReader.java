@@ -65,7 +65,7 @@ public final class LightTextureReader {
             }
             return new Texture(image.width(), image.height(), rgb);
         } catch (MeshException e) {
-            throw new UnusableFileException(e.getMessage());
+            throw new UnusableFileException(String.valueOf(e.getMessage()));
         }
     }
 
@@ -87,7 +87,7 @@ public final class LightTextureReader {
             });
             return new Texture(width, height, rgb);
         } catch (IOException e) {
-            throw unusable(name, e.getMessage());
+            throw unusable(name, String.valueOf(e.getMessage()));
         }
     }
 

@@ -1,10 +1,13 @@
 package lightning.format.jen.asset;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
 import lightning.format.mesh.VertexNormals;
 import lightning.scene.node.Mesh;
+import org.jspecify.annotations.Nullable;
 
 /** Merges several meshes into one. */
 final class MeshMerger {
@@ -60,14 +63,14 @@ final class MeshMerger {
     /** Returns the triangles with their own vertices and face normals; a triangle without area gets an arbitrary normal. */
     private static Mesh withFaceNormals(Mesh m) {
         int[] vertices = m.triangles();
-        float[] positions = expand(m.positions(), vertices, 3);
+        float[] positions = requireNonNull(expand(m.positions(), vertices, 3));
         int[] triangles = new int[vertices.length];
         Arrays.setAll(triangles, i -> i);
         return new Mesh(positions, triangles, VertexNormals.smooth(positions, triangles), expand(m.coordinates(), vertices, 2),
                 expand(m.colors(), vertices, 3));
     }
 
-    private static float[] expand(float[] values, int[] vertices, int components) {
+    private static float @Nullable [] expand(float @Nullable [] values, int[] vertices, int components) {
         if (values == null) {
             return null;
         }

@@ -6,12 +6,13 @@ import java.util.Map;
 import lightning.base.text.Quote;
 import lightning.format.mesh.NamedMesh;
 import lightning.scene.node.Mesh;
+import org.jspecify.annotations.Nullable;
 
 /** Meshes of one file, with constant-time lookup by name. */
 final class MeshParts {
     private final List<NamedMesh> parts;
     private final Map<String, Mesh> byName = new HashMap<>();
-    private Mesh mergedMesh;
+    private @Nullable Mesh mergedMesh;
 
     /**
      * Creates the lookup.

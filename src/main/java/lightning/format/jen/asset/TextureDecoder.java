@@ -1,5 +1,7 @@
 package lightning.format.jen.asset;
 
+import static java.util.Objects.requireNonNull;
+
 import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
 import java.awt.image.IndexColorModel;
@@ -206,7 +208,7 @@ public final class TextureDecoder {
         for (int i = 0; i < codes.length; i++) {
             int x = i / 3 % width;
             int y = i / 3 / width;
-            codes[i] = (byte) (alpha != null ? alpha[i / 3] : Math.round(255 * numbers.luminance(x, y, x, y, 0, 0)));
+            codes[i] = (byte) (alpha != null ? alpha[i / 3] : Math.round(255 * requireNonNull(numbers).luminance(x, y, x, y, 0, 0)));
         }
         return new Texture(width, height, codes, linearTable(CODE_BITS, false));
     }

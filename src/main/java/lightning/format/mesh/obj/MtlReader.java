@@ -16,6 +16,7 @@ import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
 import lightning.format.mesh.TextTokenizer;
+import org.jspecify.annotations.Nullable;
 
 /** Reader for MTL files: colors, shininess and images. Notes all other content. */
 public final class MtlReader {
@@ -27,7 +28,7 @@ public final class MtlReader {
     private final ConversionNotes notes;
     private final String name;
     private final Map<String, MtlMaterial> materials = new LinkedHashMap<>();
-    private MaterialBuilder current;
+    private @Nullable MaterialBuilder current;
 
     private MtlReader(ByteSource source, ConversionNotes notes) {
         this.notes = notes;
@@ -80,14 +81,14 @@ public final class MtlReader {
             throw text.badLine("newmtl must stand before " + keyword);
         }
         switch (keyword) {
-            case "Kd" -> current.diffuse = readColor(current.diffuse);
-            case "Ks" -> current.specular = readColor(current.specular);
-            case "Ke" -> current.emission = readColor(current.emission);
+            case "Kd" -> current.diffuse = readColor().orElse(current.diffuse);
+            case "Ks" -> current.specular = readColor().orElse(current.specular);
+            case "Ke" -> current.emission = readColor().orElse(current.emission);
             case "Ns" -> current.shininess = OptionalDouble.of(readNumber());
             case "illum" -> current.illumination = readIllumination();
             case "d" -> current.opacity = readOpacity();
             case "Tr" -> current.transparency = readNumber();
-            case "Tf" -> current.filter = readColor(current.filter);
+            case "Tf" -> current.filter = readColor().orElse(current.filter);
             case "Ni" -> current.ior = readNumber();
             case "map_Kd" -> current.texture = readImage(false);
             case "map_Ke" -> current.emissionMap = readImage(false);
@@ -130,6 +131,7 @@ public final class MtlReader {
         IlluminationModel illumination = IlluminationModel.HIGHLIGHT;
         double opacity = Double.NaN;
         double transparency = Double.NaN;
+        @Nullable
         Rgb filter;
         double ior = 1.5;
         OptionalDouble roughness = OptionalDouble.empty();
@@ -189,17 +191,17 @@ public final class MtlReader {
         return text.number("it");
     }
 
-    /** Reads a color; a single number applies to all channels. */
-    private Rgb readColor(Rgb fallback) throws IOException, MeshException {
+    /** Reads a color, empty if it is not RGB; a single number applies to all channels. */
+    private Optional<Rgb> readColor() throws IOException, MeshException {
         if (text.readToken() && (text.isToken("spectral") || text.isToken("xyz"))) {
             notes.add("material colors other than RGB");
-            return fallback;
+            return Optional.empty();
         }
         double red = text.number("red");
         if (!text.readToken()) {
-            return Rgb.gray(red);
+            return Optional.of(Rgb.gray(red));
         }
-        return new Rgb(red, text.number("green"), readNumber());
+        return Optional.of(new Rgb(red, text.number("green"), readNumber()));
     }
 
     /**

@@ -1,5 +1,7 @@
 package lightning.format.mesh.obj;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.BitSet;
@@ -22,6 +24,7 @@ import lightning.format.mesh.TextTokenizer;
 import lightning.format.mesh.UniqueNames;
 import lightning.format.mesh.VertexColors;
 import lightning.scene.node.Mesh;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reader for OBJ files: polygons with texture coordinates, normals, smoothing groups, vertex colors (as sRGB), objects,
@@ -54,7 +57,7 @@ public final class ObjReader {
     private final BitSet unreadable = new BitSet();
     private int triangles;
     /** Mesh of the current object and material; null until a face needs it. */
-    private ObjMeshBuilder current;
+    private @Nullable ObjMeshBuilder current;
 
     private ObjReader(ByteSource source, ConversionNotes notes) {
         this.source = source;
@@ -263,13 +266,13 @@ public final class ObjReader {
         var names = new UniqueNames();
         List<ObjFile.ObjPart> parts = new ArrayList<>();
         for (ObjMeshBuilder mesh : meshes.values().stream().filter(ObjMeshBuilder::hasTriangles).toList()) {
-            boolean usesObjectName = mesh.material.isEmpty() || !mesh.object.isEmpty() && materials.get(mesh.object) == 1;
+            boolean usesObjectName = mesh.material.isEmpty() || !mesh.object.isEmpty() && requireNonNull(materials.get(mesh.object)) == 1;
             String requestedName =
                     usesObjectName ? mesh.object : mesh.object.isEmpty() ? mesh.material : mesh.object + " (" + mesh.material + ")";
             try {
                 parts.add(new ObjFile.ObjPart(names.unique(requestedName, "mesh"), mesh.material, mesh.build(points)));
             } catch (IllegalArgumentException e) {
-                throw source.problem(mesh.object.isEmpty() ? "" : "object " + Quote.of(mesh.object), e.getMessage());
+                throw source.problem(mesh.object.isEmpty() ? "" : "object " + Quote.of(mesh.object), String.valueOf(e.getMessage()));
             }
         }
         return List.copyOf(parts);

@@ -8,4 +8,7 @@
  * }
  * }</pre>
  */
+@NullMarked
 package lightning.format.mesh.obj;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,17 +1,20 @@
 package lightning.format.mesh.ply;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.EOFException;
 import java.io.IOException;
 import lightning.format.mesh.ByteSource;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.TextTokenizer;
+import org.jspecify.annotations.Nullable;
 
 /** Reader for the data after the header, in text or binary form. */
 final class PlyBodyReader {
     private final ByteSource source;
     /** Tokenizer; null for binary data. */
-    private final TextTokenizer text;
+    private final @Nullable TextTokenizer text;
     private final ConversionNotes notes;
     /** Name of the current element, for messages. */
     private String element = "";
@@ -69,7 +72,7 @@ final class PlyBodyReader {
 
     /** Reads the length of a list, limited by the file's remaining bytes. */
     int listLength(PlyHeader.Property list) throws IOException, MeshException {
-        double length = number(list.lengthType());
+        double length = number(requireNonNull(list.lengthType()));
         // In text each number has a digit and, except for the last, a separator.
         double max = text == null ? source.remaining() / list.type().bytes : (source.remaining() + 1) / 2;
         if (!(length >= 0 && length <= max && length == Math.rint(length))) {
@@ -85,6 +88,7 @@ final class PlyBodyReader {
     }
 
     private double nextNumber(boolean allowNaN) throws IOException, MeshException {
+        assert text != null;
         while (!text.readToken()) {
             if (!text.nextLine()) {
                 throw new EOFException();

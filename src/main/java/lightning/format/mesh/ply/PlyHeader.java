@@ -10,6 +10,7 @@ import lightning.format.mesh.ByteSource;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.TextTokenizer;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Header of a PLY file.
@@ -58,7 +59,7 @@ record PlyHeader(Format parseFormat, List<Element> elements) {
      *
      * @param lengthType type of a list's length; null for a number
      */
-    record Property(String name, PlyType type, PlyType lengthType) {
+    record Property(String name, PlyType type, @Nullable PlyType lengthType) {
         boolean isList() {
             return lengthType != null;
         }
@@ -134,7 +135,7 @@ record PlyHeader(Format parseFormat, List<Element> elements) {
         String first = nextToken(text, "a type");
         boolean list = first.equals("list");
         PlyType length = list ? parseType(text, nextToken(text, "the type of a list's length")) : null;
-        if (list && !length.isInteger()) {
+        if (length != null && !length.isInteger()) {
             throw text.problem("a list's length must have an integer type");
         }
         PlyType type = parseType(text, list ? nextToken(text, "the type of a list's numbers") : first);

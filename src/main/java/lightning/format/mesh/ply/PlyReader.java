@@ -1,5 +1,7 @@
 package lightning.format.mesh.ply;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import lightning.format.mesh.ByteSource;
@@ -10,6 +12,7 @@ import lightning.format.mesh.MeshLimits;
 import lightning.format.mesh.PolygonTriangulator;
 import lightning.format.mesh.TextTokenizer;
 import lightning.scene.node.Mesh;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reader for PLY files: vertices with positions, normals, texture coordinates and colors; polygonal faces; triangle strips.
@@ -26,12 +29,13 @@ public final class PlyReader {
     private final PolygonTriangulator polygon = new PolygonTriangulator();
     private final IntList corners = new IntList();
     private final IntList faceTriangles = new IntList();
-    private PlyBodyReader body;
-    private PlyVertices vertices;
+    private final PlyBodyReader body;
+    private @Nullable PlyVertices vertices;
 
-    private PlyReader(ByteSource source, ConversionNotes notes) {
+    private PlyReader(ByteSource source, ConversionNotes notes, PlyBodyReader body) {
         this.source = source;
         this.notes = notes;
+        this.body = body;
     }
 
     /** Returns whether a file has the PLY signature. */
@@ -47,13 +51,12 @@ public final class PlyReader {
      * @throws IOException if it cannot be read
      */
     public static Mesh read(ByteSource source, ConversionNotes notes) throws IOException, MeshException {
-        return new PlyReader(source, notes).read();
-    }
-
-    private Mesh read() throws IOException, MeshException {
         var text = new TextTokenizer(source);
         PlyHeader header = PlyHeader.read(text, source, notes);
-        body = new PlyBodyReader(header.parseFormat(), text, source, notes);
+        return new PlyReader(source, notes, new PlyBodyReader(header.parseFormat(), text, source, notes)).read(header);
+    }
+
+    private Mesh read(PlyHeader header) throws IOException, MeshException {
         for (PlyHeader.Element element : header.elements()) {
             switch (element.name()) {
                 case "vertex" -> vertices = PlyVertices.read(element, body, source, notes);
@@ -122,7 +125,7 @@ public final class PlyReader {
                     + " corners, triangulated as convex");
         }
         faceTriangles.clear();
-        polygon.triangulate(corners.array(), count, vertices.positions(), faceTriangles);
+        polygon.triangulate(corners.array(), count, requireNonNull(vertices).positions(), faceTriangles);
         for (int i = 0; i < faceTriangles.size(); i++) {
             triangles.add(corners.get(faceTriangles.get(i)));
         }
@@ -153,6 +156,7 @@ public final class PlyReader {
 
     private int readVertexIndex(PlyType type, int min) throws IOException, MeshException {
         double v = body.number(type);
+        assert vertices != null;
         if (!(v >= min && v < vertices.count() && v == Math.rint(v))) {
             throw body.problem("a vertex must be a whole number from " + min + " to " + (vertices.count() - 1) + ", was "
                     + (v == Math.rint(v) ? Long.toString((long) v) : Double.toString(v)));

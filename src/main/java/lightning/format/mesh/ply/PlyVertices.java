@@ -1,5 +1,7 @@
 package lightning.format.mesh.ply;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,6 +13,7 @@ import lightning.format.mesh.MeshLimits;
 import lightning.format.mesh.VertexColors;
 import lightning.format.mesh.VertexNormals;
 import lightning.scene.node.Mesh;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Vertices of a PLY file. Integer colors are interpreted as sRGB, as scanners and vertex painting tools write them;
@@ -26,11 +29,11 @@ final class PlyVertices {
     private final ByteSource source;
     private final int count;
     /** Targets of the properties; null for skipped ones. */
-    private final Target[] targets;
-    private final float[] positions;
-    private final float[] normals;
-    private final float[] textureCoordinates;
-    private final float[] colors;
+    private final @Nullable Target[] targets;
+    private final float @Nullable [] positions;
+    private final float @Nullable [] normals;
+    private final float @Nullable [] textureCoordinates;
+    private final float @Nullable [] colors;
 
     /**
      * Target of a property.
@@ -38,7 +41,7 @@ final class PlyVertices {
      * @param index component of the vertex attribute
      * @param linearTable linear values of integer colors; null for values without conversion
      */
-    private record Target(float[] values, int components, int index, float[] linearTable) {}
+    private record Target(float[] values, int components, int index, float @Nullable [] linearTable) {}
 
     private PlyVertices(PlyHeader.Element element, ByteSource source) {
         this.source = source;
@@ -84,17 +87,17 @@ final class PlyVertices {
     }
 
     float[] positions() {
-        return positions;
+        return requireNonNull(positions);
     }
 
     Mesh mesh(int[] triangles) throws MeshException {
         if (normals != null) {
-            VertexNormals.normalizeAll(normals, positions, triangles);
+            VertexNormals.normalizeAll(normals, positions(), triangles);
         }
         try {
-            return new Mesh(positions, triangles, normals, textureCoordinates, colors);
+            return new Mesh(positions(), triangles, normals, textureCoordinates, colors);
         } catch (IllegalArgumentException e) {
-            throw source.problem("", e.getMessage());
+            throw source.problem("", String.valueOf(e.getMessage()));
         }
     }
 
@@ -115,7 +118,7 @@ final class PlyVertices {
     }
 
     /** Returns whether a missing value may be written as {@code nan}: of colors without conversion, normals and texture coordinates. */
-    private boolean mayBeNaN(Target target) {
+    private boolean mayBeNaN(@Nullable Target target) {
         return target != null && target.linearTable == null && target.values != positions;
     }
 
@@ -127,7 +130,7 @@ final class PlyVertices {
     }
 
     /** Allocates an attribute of several components, each with alternative property names; null if any is missing. */
-    private float[] bindProperties(PlyHeader.Element element, List<List<String>> names) {
+    private float @Nullable [] bindProperties(PlyHeader.Element element, List<List<String>> names) {
         List<Integer> found = new ArrayList<>();
         for (List<String> aliases : names) {
             for (int i = 0; i < targets.length; i++) {

@@ -7,4 +7,7 @@
  * }
  * }</pre>
  */
+@NullMarked
 package lightning.format.mesh.ply;
+
+import org.jspecify.annotations.NullMarked;

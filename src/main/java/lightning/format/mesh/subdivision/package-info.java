@@ -8,4 +8,7 @@
  * RefinedMesh quads = SubdivisionSurface.refine(cube, cornerValues, 2, 2);
  * }</pre>
  */
+@NullMarked
 package lightning.format.mesh.subdivision;
+
+import org.jspecify.annotations.NullMarked;

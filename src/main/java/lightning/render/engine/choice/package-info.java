@@ -1,2 +1,5 @@
 /** Selection of the engine of a process. */
+@NullMarked
 package lightning.render.engine.choice;
+
+import org.jspecify.annotations.NullMarked;

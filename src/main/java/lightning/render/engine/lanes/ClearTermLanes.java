@@ -31,6 +31,7 @@ final class ClearTermLanes {
     }
 
     private static DoubleVector reflectance(HitRows rows, int i, double outside, double inside, boolean thin) {
+        assert rows.insideDistance != null;
         VectorMask<Double> isInside = ColumnLanes.load(rows.insideDistance, i).compare(VectorOperators.GE, 0);
         DoubleVector eta = DoubleVector.broadcast(D, outside).blend(inside, isInside);
         DoubleVector c = ColumnLanes.load(rows.nx, i).mul(ColumnLanes.load(rows.vx, i))
@@ -60,6 +61,7 @@ final class ClearTermLanes {
             Arrays.fill(tint, from, to, 1);
         } else if (log2 == Double.NEGATIVE_INFINITY) {
             for (int i = from; i < to; i++) {
+                assert rows.insideDistance != null;
                 tint[i] = interior.transmittance(channel, rows.insideDistance[i]);
             }
         } else {
@@ -70,6 +72,7 @@ final class ClearTermLanes {
     }
 
     private static FloatVector transmittance(HitRows rows, int i, double log2, double distance) {
+        assert rows.insideDistance != null;
         DoubleVector path = ColumnLanes.load(rows.insideDistance, i);
         DoubleVector power = PowerLanes.exponential(path.div(distance).mul(log2));
         return (FloatVector) DoubleVector.broadcast(D, 1).blend(power, path.compare(VectorOperators.GE, 0)).castShape(F, 0);

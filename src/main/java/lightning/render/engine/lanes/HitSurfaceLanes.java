@@ -1,5 +1,6 @@
 package lightning.render.engine.lanes;
 
+import static java.util.Objects.requireNonNull;
 import static jdk.incubator.vector.DoubleVector.broadcast;
 import static jdk.incubator.vector.DoubleVector.fromArray;
 import static jdk.incubator.vector.VectorOperators.D2F;
@@ -15,6 +16,7 @@ import jdk.incubator.vector.VectorSpecies;
 import lightning.render.trace.ShadowRayBatch;
 import lightning.render.trace.ShadowRayHitFinder;
 import lightning.render.trace.Tracer;
+import lightning.render.trace.mesh.MeshSolid;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.ShadowRayHits;
 import lightning.render.trace.primitive.SurfaceHit;
@@ -71,11 +73,11 @@ final class HitSurfaceLanes {
             while (to < hits.count() && hits.primitive[to] == s) {
                 to++;
             }
-            boolean isSmooth = primitives.mesh(s) != null && primitives.mesh(s).mesh().normals() != null
-                    && primitives.bumpMapping(s) == null;
-            if (isSmooth && to - from >= MIN_HITS) {
+            MeshSolid mesh = primitives.mesh(s);
+            boolean isSmooth = mesh != null && mesh.mesh().normals() != null && primitives.bumpMapping(s) == null;
+            if (mesh != null && isSmooth && to - from >= MIN_HITS) {
                 for (int i = from; i < to; i += CHUNK) {
-                    writeChunk(rays, hits, s, i, Math.min(to, i + CHUNK));
+                    writeChunk(rays, hits, mesh.mesh(), s, i, Math.min(to, i + CHUNK));
                 }
             } else {
                 scalar.writeSurfaces(rays, hits, from, to);
@@ -84,14 +86,15 @@ final class HitSurfaceLanes {
         }
     }
 
-    private void writeChunk(ShadowRayBatch rays, ShadowRayHits hits, int s, int from, int to) {
+    private void writeChunk(ShadowRayBatch rays, ShadowRayHits hits, Mesh mesh, int s, int from, int to) {
         int count = to - from;
         gatherRays(rays, hits, from, count);
-        gatherTriangles(primitives.mesh(s).mesh(), hits.part, from, count);
+        gatherTriangles(mesh, hits.part, from, count);
         inside = 0;
         special = 0;
         double[] m = primitives.data;
         int at = primitives.dataStart[s];
+        Transmission transmission = requireNonNull(primitives.shadowTint(s)).transmission();
         for (int h = 0; h < count; h += W) {
             computePoint(m, at, h);
             computeFacet(h);
@@ -99,7 +102,7 @@ final class HitSurfaceLanes {
             computeGeometricNormal(m, at, h);
             interpolateNormal(m, at, h);
             testBending(h);
-            computeReflectance(primitives.shadowTint(s).transmission(), h);
+            computeReflectance(transmission, h);
         }
         for (int n = 0; n < count; n++) {
             hits.inside[from + n] = (inside >>> n & 1) != 0;
@@ -127,7 +130,7 @@ final class HitSurfaceLanes {
     private void gatherTriangles(Mesh mesh, int[] triangles, int from, int count) {
         int[] vertices = mesh.triangles();
         float[] p = mesh.positions();
-        float[] q = mesh.normals();
+        float[] q = requireNonNull(mesh.normals());
         for (int v = 0; v < 3; v++) {
             double[] x = vertex[3 * v];
             double[] y = vertex[3 * v + 1];

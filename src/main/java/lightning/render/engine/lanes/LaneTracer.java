@@ -21,6 +21,7 @@ import lightning.render.trace.solid.DoubleLanes;
 import lightning.render.trace.tree.CandidateList;
 import lightning.render.trace.tree.PointBox;
 import lightning.render.trace.tree.ShadowRayTarget;
+import org.jspecify.annotations.Nullable;
 
 /** Packet tracer for the rays of a tile, one lane per ray. */
 class LaneTracer implements Tracer {
@@ -36,8 +37,8 @@ class LaneTracer implements Tracer {
     private final double[] sampleX = new double[W];
     private final double[] sampleY = new double[W];
     /** Created on first use. */
-    private ShadowRayHitLanes hitFinder;
-    private HitSurfaceLanes hitSurfaces;
+    private @Nullable ShadowRayHitLanes hitFinder;
+    private @Nullable HitSurfaceLanes hitSurfaces;
 
     LaneTracer(Geometry geometry) {
         primitives = geometry.primitives();
@@ -105,6 +106,7 @@ class LaneTracer implements Tracer {
     /** Loads rays starting with {@code ray} into the first {@code laneCount} lanes of a packet. */
     static void load(RayColumns rays, int ray, int laneCount, RayPacket packet) {
         for (int i = 0; rays.startX != null && i < laneCount; i++) {
+            assert rays.startY != null && rays.startZ != null;
             int row = rays.slot[ray + i];
             packet.ox[i] = rays.startX[row];
             packet.oy[i] = rays.startY[row];
@@ -152,6 +154,7 @@ class LaneTracer implements Tracer {
     /** Loads hits starting with {@code row} into a packet, which already has the camera origin. */
     private void loadHits(RayColumns rays, int row, int laneCount) {
         for (int i = 0; rays.startX != null && i < laneCount; i++) {
+            assert rays.startY != null && rays.startZ != null;
             int from = rays.slot[rays.order[row + i]];
             packet.ox[i] = rays.startX[from];
             packet.oy[i] = rays.startY[from];

@@ -13,6 +13,7 @@ import lightning.render.shading.layer.RowBits;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
 import lightning.scene.value.Attenuation;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Lane version of {@link LightingEquation} over all rows of a tile: the same operations in the same order. Holds scratch
@@ -262,7 +263,7 @@ final class LightLanes implements TermKernel {
     }
 
     @Override
-    public void accumulate(float[] term, float[] falloff, int[] rowSet, int rows, double[] sum) {
+    public void accumulate(float[] term, float @Nullable [] falloff, int[] rowSet, int rows, double[] sum) {
         RowBits.forEachRun(rowSet, rows, falloff == null
                 ? (from, to) -> accumulate(term, rowSet, from, to, sum)
                 : (from, to) -> accumulate(term, falloff, rowSet, from, to, sum));

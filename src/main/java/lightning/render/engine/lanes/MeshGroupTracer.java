@@ -1,5 +1,7 @@
 package lightning.render.engine.lanes;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.render.trace.mesh.GroupAlphaTest;
 import lightning.render.trace.mesh.MeshPacketTraversal;
@@ -7,6 +9,7 @@ import lightning.render.trace.mesh.MeshRayQuery;
 import lightning.render.trace.primitive.CutoutTest;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.solid.SolidGeometry;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Intersection of one mesh with a group of packets in a single traversal ({@link MeshPacketTraversal}), or ray by ray if rays
@@ -23,10 +26,10 @@ final class MeshGroupTracer {
     private final int[] packetIndices = new int[MeshPacketTraversal.PACKETS];
     private final double[] unlimited = new double[W];
     /** Current group and mesh. */
-    private RayPacket[] currentGroup;
+    private RayPacket[] currentGroup = {};
     private int currentMesh;
     /** Null if there are no cutouts. */
-    private final CutoutTest cutoutTest;
+    private final @Nullable CutoutTest cutoutTest;
     private final GroupAlphaTest alphaTest = this::passes;
     private final RayPacket[] singlePacket = new RayPacket[1];
 
@@ -37,7 +40,7 @@ final class MeshGroupTracer {
     }
 
     private void beginMesh(RayPacket[] group, int s) {
-        traversal.beginGroup(primitives.mesh(s), primitives.data, primitives.dataStart[s]);
+        traversal.beginGroup(requireNonNull(primitives.mesh(s)), primitives.data, primitives.dataStart[s]);
         if (cutoutTest != null && primitives.hasCutout(s)) {
             currentGroup = group;
             currentMesh = s;
@@ -48,6 +51,7 @@ final class MeshGroupTracer {
     private boolean passes(int ray, int triangle, double t) {
         RayPacket p = currentGroup[packetIndices[ray / W]];
         int i = ray % W;
+        assert cutoutTest != null;
         return cutoutTest.setRay(currentMesh, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]).isHole(triangle, t);
     }
 

@@ -5,6 +5,7 @@ import lightning.render.trace.mesh.MeshPacketTraversal;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.tree.Bvh;
 import lightning.render.trace.tree.CandidateList;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Tracer of packets in groups, for scenes with meshes. The packets of a group traverse the BVH as in {@link PacketTracer}, each
@@ -29,7 +30,7 @@ final class PacketGroupTracer {
     /** Rays that enter the two children of a node. */
     private final long[] entered = new long[2];
     private final int[][] masks = new int[MAX_PACKETS][0];
-    private final CandidateList allPrimitives;
+    private final @Nullable CandidateList allPrimitives;
     private int lastOccluder = -1;
 
     PacketGroupTracer(Geometry geometry) {

@@ -7,6 +7,7 @@ import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.solid.SolidGeometry;
 import lightning.render.trace.tree.Bvh;
 import lightning.render.trace.tree.CandidateList;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Packet tracer for single packets of rays. Holds scratch memory: use one per thread.
@@ -32,7 +33,7 @@ public final class PacketTracer {
     private final int[] stack;
     private final int[] stackMask;
     private final int[] masks = new int[2];
-    private final CandidateList allPrimitives;
+    private final @Nullable CandidateList allPrimitives;
     private int lastOccluder = -1;
 
     public PacketTracer(Geometry geometry) {

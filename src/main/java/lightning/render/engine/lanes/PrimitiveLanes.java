@@ -20,6 +20,7 @@ import lightning.render.trace.solid.DoubleLanes;
 import lightning.render.trace.solid.SolidGeometry;
 import lightning.render.trace.solid.SolidGeometryLanes;
 import lightning.render.trace.solid.SurfaceContact;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Intersection of one primitive with a packet, and evaluation of the hits: lane version of {@link PrimitiveTable#distance}.
@@ -40,7 +41,7 @@ final class PrimitiveLanes {
     private final double[] distances = new double[RayPacket.WIDTH];
     private final SolidGeometryLanes solidGeometry = new SolidGeometryLanes();
     /** Null if there are no cutouts. */
-    private final CutoutTest cutoutTest;
+    private final @Nullable CutoutTest cutoutTest;
     private final double[] unlimited = new double[RayPacket.WIDTH];
     final MeshGroupTracer mesh;
     /** Group of one packet. */

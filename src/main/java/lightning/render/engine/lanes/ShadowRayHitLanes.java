@@ -1,5 +1,7 @@
 package lightning.render.engine.lanes;
 
+import static java.util.Objects.requireNonNull;
+
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
@@ -109,7 +111,7 @@ final class ShadowRayHitLanes {
     }
 
     private void testMesh(ShadowRayBatch rays, int s, int count, ShadowRayHits hits) {
-        stream.begin(primitives.mesh(s), primitives.data, primitives.dataStart[s]);
+        stream.begin(requireNonNull(primitives.mesh(s)), primitives.data, primitives.dataStart[s]);
         for (int n = 0; n < count; n += W) {
             load(rays, n, count);
             stream.addPacket(packet, activeMask(count - n), packet.limit);

@@ -1,5 +1,7 @@
 package lightning.render.engine.lanes;
 
+import static java.util.Objects.requireNonNull;
+
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.render.shading.ClearChannel;
@@ -10,6 +12,7 @@ import lightning.render.shading.SumOperands;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
 import lightning.scene.material.Transmission;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Lane version of {@link SumKernel}: processes rows in whole, aligned vectors. Kernels are short, because in longer ones
@@ -85,16 +88,16 @@ final class SumLanes implements SumKernel {
     }
 
     @Override
-    public void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float[][] specular,
-            float[][] grazing,
-            float[][] mirrored, float[][] to) {
+    public void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float @Nullable [][] specular,
+            float @Nullable [][] grazing, float @Nullable [][] mirrored, float[][] to) {
         int start = rows.runStart(run) & -F.length();
         int end = rows.runEnd[run];
         for (int c = 0; c < 3; c++) {
             float[] texel = material.isTextured() ? rows.texel(c) : null;
-            float[] image = material.isReflective() ? mirrored[c] : null;
+            float[] image = material.isReflective() ? requireNonNull(mirrored)[c] : null;
             float[] highlights = specular == null ? null : specular[c];
             if (grazing != null) {
+                assert highlights != null;
                 writeMetalSpecular(start, end, material, c, highlights, grazing[c], texel);
                 highlights = metalSpecular;
             }
@@ -108,8 +111,8 @@ final class SumLanes implements SumKernel {
      * Writes F0 times the specular sum plus the grazing one, for one channel of a metallic material, to {@link #metalSpecular}.
      */
     private void writeMetalSpecular(int start, int end, ShadingMaterial material, int channel, float[] specular, float[] grazing,
-            float[] texel) {
-        float metal = material.texturedF0()[channel];
+            float @Nullable [] texel) {
+        float metal = requireNonNull(material.texturedF0())[channel];
         float plain = material.specular()[channel];
         for (int i = start; i < end; i += F.length()) {
             FloatVector f0 = texel == null ? FloatVector.broadcast(F, metal) : FloatVector.fromArray(F, texel, i).mul(metal);
@@ -119,8 +122,7 @@ final class SumLanes implements SumKernel {
 
     /** Shades one channel. */
     private static void shadeChannel(int start, int end, ShadingMaterial material, int channel, float emitted, float[] diffuse,
-            float[] specular, float ks,
-            float[] texel, float[] image, float[] to) {
+            float @Nullable [] specular, float ks, float @Nullable [] texel, float @Nullable [] image, float[] to) {
         float kd = material.diffuse()[channel];
         float kr = material.reflective()[channel];
         for (int i = start; i < end; i += F.length()) {

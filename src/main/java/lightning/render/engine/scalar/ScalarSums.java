@@ -1,5 +1,7 @@
 package lightning.render.engine.scalar;
 
+import static java.util.Objects.requireNonNull;
+
 import lightning.render.shading.ClearChannel;
 import lightning.render.shading.InteriorTint;
 import lightning.render.shading.LightingEquation;
@@ -9,9 +11,12 @@ import lightning.render.shading.SumOperands;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.Refraction;
 import lightning.scene.material.Transmission;
+import org.jspecify.annotations.Nullable;
 
 /** Scalar implementation of {@link SumKernel}. */
 final class ScalarSums implements SumKernel {
+    private static final float[] NO_TEXELS = {};
+
     @Override
     public void sum(int from, int to, SumOperands addends, float[][] sums) {
         sum(from, to, addends, addends.red, addends.tintRed, addends.sumRed, sums[0]);
@@ -51,26 +56,28 @@ final class ScalarSums implements SumKernel {
     }
 
     @Override
-    public void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float[][] specular,
-            float[][] grazing,
-            float[][] mirrored, float[][] to) {
+    public void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float @Nullable [][] specular,
+            float @Nullable [][] grazing, float @Nullable [][] mirrored, float[][] to) {
         for (int c = 0; c < 3; c++) {
             float own = emitted[c];
             float kd = material.diffuse()[c];
             float kr = material.reflective()[c];
-            float[] texel = rows.texel(c);
+            float[] texel = material.isTextured() ? requireNonNull(rows.texel(c)) : NO_TEXELS;
+            float[] f0 = material.texturedF0();
             for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
                 float color = diffuse[c][i] * (material.isTextured() ? texel[i] * kd : kd) + own;
                 if (material.isReflective()) {
                     color *= 1 - kr;
                 }
                 if (grazing != null) {
-                    float metal = material.isTextured() ? texel[i] * material.texturedF0()[c] : material.texturedF0()[c];
+                    assert f0 != null && specular != null;
+                    float metal = material.isTextured() ? texel[i] * f0[c] : f0[c];
                     color += specular[c][i] * (metal + material.specular()[c]) + grazing[c][i];
                 } else if (specular != null) {
                     color += specular[c][i] * material.specular()[c];
                 }
                 if (material.isReflective()) {
+                    assert mirrored != null;
                     color += mirrored[c][i] * kr;
                 }
                 to[c][i] = color;
@@ -84,6 +91,7 @@ final class ScalarSums implements SumKernel {
             share[i] = Refraction.fresnelReflectance(clarity, rows.isInside(i), rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i],
                     rows.vz[i]);
         }
+        assert rows.insideDistance != null;
         for (int c = 0; c < 3; c++) {
             for (int i = from; i < to; i++) {
                 tint[c][i] = interior.transmittance(c, rows.insideDistance[i]);

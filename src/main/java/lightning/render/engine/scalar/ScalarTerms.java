@@ -10,6 +10,7 @@ import lightning.render.shading.layer.RowBits;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
 import lightning.scene.value.Attenuation;
+import org.jspecify.annotations.Nullable;
 
 /** Scalar implementation of {@link TermKernel}, row by row. */
 final class ScalarTerms implements TermKernel {
@@ -255,7 +256,7 @@ final class ScalarTerms implements TermKernel {
     }
 
     @Override
-    public void accumulate(float[] term, float[] falloff, int[] rowSet, int rows, double[] sum) {
+    public void accumulate(float[] term, float @Nullable [] falloff, int[] rowSet, int rows, double[] sum) {
         for (int i = 0; i < rows; i++) {
             if (RowBits.contains(rowSet, i)) {
                 sum[i] += falloff == null ? term[i] : (double) term[i] * falloff[i];

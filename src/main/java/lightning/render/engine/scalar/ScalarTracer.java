@@ -1,5 +1,7 @@
 package lightning.render.engine.scalar;
 
+import static java.util.Objects.requireNonNull;
+
 import lightning.base.math.PowerFunction;
 import lightning.render.trace.CameraRays;
 import lightning.render.trace.Geometry;
@@ -18,6 +20,7 @@ import lightning.render.trace.tree.CandidateList;
 import lightning.render.trace.tree.PointBox;
 import lightning.render.trace.tree.RayTraversal;
 import lightning.render.trace.tree.ShadowRayTarget;
+import org.jspecify.annotations.Nullable;
 
 /** Tracer of single rays: slower than lanes once these are compiled, and fast from the first ray on. */
 final class ScalarTracer implements Tracer {
@@ -25,7 +28,7 @@ final class ScalarTracer implements Tracer {
     private final RayTraversal traversal;
     private final SurfaceHit surface = new SurfaceHit();
     /** Created on first use. */
-    private ShadowRayHitFinder hitFinder;
+    private @Nullable ShadowRayHitFinder hitFinder;
 
     ScalarTracer(Geometry geometry) {
         primitives = geometry.primitives();
@@ -176,7 +179,7 @@ final class ScalarTracer implements Tracer {
 
     @Override
     public void writeHitSurfaces(ShadowRayBatch rays, ShadowRayHits hits) {
-        hitFinder.writeSurfaces(rays, hits, 0, hits.count());
+        requireNonNull(hitFinder).writeSurfaces(rays, hits, 0, hits.count());
     }
 
     @Override

@@ -13,4 +13,7 @@
  * <li>The appearance model of the display, backward, and the sRGB curve.
  * </ol>
  */
+@NullMarked
 package lightning.render.image.aces;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,5 +1,7 @@
 package lightning.render.relight.paper;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Set;
@@ -17,6 +19,7 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialSet;
 import lightning.render.trace.RowSplice;
 import lightning.render.trace.ShapeChange;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Second stage for one tile by the paper's method (§4): contributions include all factors and are scaled by ratios. Holds scratch
@@ -83,7 +86,7 @@ public final class RatioKernel {
             return new RatioRows(states, null, null, null, copyCompact(rows, layer.visibleSamples()), 0)
                     .withTint(copyCompact(rows, layer.tint()));
         }
-        float[][] diffuse = weighted(rows, light, light.diffuse(), layer.cosine, layer.face(), layer);
+        float[][] diffuse = weighted(rows, light, light.diffuse(), requireNonNull(layer.cosine), layer.face(), layer);
         float[][] specular =
                 layer.specular == null ? null : weighted(rows, light, light.specular(), layer.specular, layer.highlight(), layer);
         float[][] grazing = layer.grazing == null ? null : weighted(rows, light, light.specular(), layer.grazing, layer.highlight(), layer);
@@ -92,20 +95,20 @@ public final class RatioKernel {
     }
 
     /** Returns a permanent copy that is just long enough. */
-    private static float[][] copyCompact(HitRows rows, float[][] tint) {
+    private static float @Nullable [][] copyCompact(HitRows rows, float @Nullable [][] tint) {
         return tint == null ? null
                 : Arrays.stream(tint).map(column -> Arrays.copyOf(column, HitRows.paddedLength(rows.count))).toArray(float[][]::new);
     }
 
     /** Returns a permanent copy that is just long enough. */
-    private static short[][] copyCompact(HitRows rows, short[][] visibleSamples) {
+    private static short @Nullable [][] copyCompact(HitRows rows, short @Nullable [][] visibleSamples) {
         return visibleSamples == null ? null
                 : Arrays.stream(visibleSamples).map(column -> Arrays.copyOf(column, HitRows.paddedLength(rows.count)))
                         .toArray(short[][]::new);
     }
 
     /** @param colors mean colors of the light's image for the term; null if it has none */
-    private static float[][] weighted(HitRows rows, WeightedLight light, LightWeight weight, float[] term, float[][] colors,
+    private static float[][] weighted(HitRows rows, WeightedLight light, LightWeight weight, float[] term, float @Nullable [][] colors,
             LightRows layer) {
         if (light.gains() != null || colors != null) {
             return multiplied(rows, light, weight, term, colors, layer);
@@ -129,11 +132,11 @@ public final class RatioKernel {
     }
 
     /** Returns the contributions of a light with gains on single shapes or an image. */
-    private static float[][] multiplied(HitRows rows, WeightedLight light, LightWeight weight, float[] term, float[][] colors,
+    private static float[][] multiplied(HitRows rows, WeightedLight light, LightWeight weight, float[] term, float @Nullable [][] colors,
             LightRows layer) {
         float[][] out = columns(rows);
         for (int i = 0; i < rows.count; i++) {
-            float gain = light.gains() == null ? 1 : light.gain(rows.owner[i]);
+            float gain = light.gains() == null ? 1 : light.gain(requireNonNull(rows.owner)[i]);
             float falloff = layer.falloff == null ? 1 : layer.falloff[i];
             for (int c = 0; c < 3; c++) {
                 out[c][i] = LightingEquation.contribution(weight.channel(c), term[i], falloff, layer.factor(colors, c, i) * gain);
@@ -219,7 +222,7 @@ public final class RatioKernel {
             return before;
         }
         rowsScaled += before.litCount();
-        return new RatioRows(before.states(), scale(rows, before.diffuse, intensity, falloff),
+        return new RatioRows(before.states(), scale(rows, requireNonNull(before.diffuse), intensity, falloff),
                 before.specular == null ? null : scale(rows, before.specular, intensity, falloff),
                 before.grazing == null ? null : scale(rows, before.grazing, intensity, falloff), before.visibleSamples(), before.litCount())
                 .withTint(before.tint());
@@ -277,13 +280,13 @@ public final class RatioKernel {
             boolean stays = (before.states()[i] & LightRows.STATE_MASK) == LightRows.LIT
                     && (entered.states()[i] & LightRows.STATE_MASK) == LightRows.LIT;
             if (stays) {
-                copyRow(scaled.diffuse, entered.diffuse, i);
+                copyRow(requireNonNull(scaled.diffuse), requireNonNull(entered.diffuse), i);
                 // A layer that was exact may lack highlights that are 0; then those of the new rows are 0 too.
                 if (entered.specular != null && scaled.specular != null) {
                     copyRow(scaled.specular, entered.specular, i);
                 }
                 if (entered.grazing != null) {
-                    copyRow(scaled.grazing, entered.grazing, i);
+                    copyRow(requireNonNull(scaled.grazing), entered.grazing, i);
                 }
             }
         }
@@ -324,9 +327,8 @@ public final class RatioKernel {
     }
 
     /** Returns a term's contributions; rows of unchanged materials keep theirs, if they had any. */
-    private static float[][] recomputeChanged(HitRows rows, WeightedLight light, LightWeight weight, LightRows layer, float[] term,
-            float[][] colors, float[][] before,
-            MaterialSet changed) {
+    private static float @Nullable [][] recomputeChanged(HitRows rows, WeightedLight light, LightWeight weight, LightRows layer,
+            float @Nullable [] term, float @Nullable [][] colors, float @Nullable [][] before, MaterialSet changed) {
         if (term == null) {
             return null;
         }
@@ -345,7 +347,7 @@ public final class RatioKernel {
      * @param before layer of the old rows
      * @param added  layer of the added rows; null if there are none
      */
-    RatioRows splice(RowSplice splice, RatioRows before, RatioRows added) {
+    RatioRows splice(RowSplice splice, RatioRows before, @Nullable RatioRows added) {
         if (before.isUnreached() && (added == null || added.isUnreached())) {
             return RatioRows.UNREACHED;
         }

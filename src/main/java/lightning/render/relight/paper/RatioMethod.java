@@ -1,5 +1,7 @@
 package lightning.render.relight.paper;
 
+import static java.util.Objects.requireNonNull;
+
 import lightning.render.cache.CachedScene;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
@@ -18,6 +20,7 @@ import lightning.render.shading.layer.LightKernel;
 import lightning.render.trace.MaterialTable;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 
 /** The paper's method: layers hold finished contributions, which edits scale by ratios, with a running error bound. */
 public record RatioMethod() implements UpdateMethod {
@@ -44,8 +47,8 @@ public record RatioMethod() implements UpdateMethod {
     }
 
     @Override
-    public LayerStamp stamp(LayerStamp before, Light light, boolean weight, boolean falloff, double minFalloff) {
-        return RatioBound.stampAfterScaling(before, light, weight, falloff, minFalloff);
+    public LayerStamp stamp(@Nullable LayerStamp before, Light light, boolean weight, boolean falloff, double minFalloff) {
+        return RatioBound.stampAfterScaling(requireNonNull(before), light, weight, falloff, minFalloff);
     }
 
     @Override

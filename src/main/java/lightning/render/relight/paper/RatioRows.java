@@ -10,6 +10,7 @@ import lightning.render.shading.layer.LightLayer;
 import lightning.render.shading.layer.LightRows;
 import lightning.render.shading.layer.WeightedLayer;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Layer of one light as the paper stores it (§2.4): finished contributions, including weight and falloff, which edits scale by
@@ -60,14 +61,15 @@ public final class RatioRows extends WeightedLayer {
     private final byte[] states;
     private final int litCount;
     /** Visible light samples of each row; see {@link LightRows#visibleSamples}. */
-    private final short[][] visibleSamples;
+    private final short @Nullable [][] visibleSamples;
 
     /** Tints of unblocked shadow rays, included in the contributions; see {@link LightRows#tint}. */
-    private final float[][] tint;
+    private final float @Nullable [][] tint;
 
     private final ColumnSet<Column> columns;
 
-    RatioRows(byte[] states, float[][] diffuse, float[][] specular, float[][] grazing, short[][] visibleSamples, int lit) {
+    RatioRows(byte[] states, float @Nullable [][] diffuse, float @Nullable [][] specular, float @Nullable [][] grazing,
+            short @Nullable [][] visibleSamples, int lit) {
         this(ColumnSet.of(Column.class, states, channel(diffuse, 0), channel(diffuse, 1), channel(diffuse, 2), channel(specular, 0),
                 channel(specular, 1), channel(specular, 2), channel(grazing, 0), channel(grazing, 1), channel(grazing, 2),
                 LightRows.sampleColumn(visibleSamples, 0), LightRows.sampleColumn(visibleSamples, 1),
@@ -107,12 +109,12 @@ public final class RatioRows extends WeightedLayer {
         return states == UNREACHED.states;
     }
 
-    private static float[] channel(float[][] colors, int c) {
+    private static float @Nullable [] channel(float @Nullable [][] colors, int c) {
         return colors == null ? null : colors[c];
     }
 
     /** Returns this layer with these tints, which its contributions include; null for none. */
-    RatioRows withTint(float[][] tints) {
+    RatioRows withTint(float @Nullable [][] tints) {
         return tints == tint ? this : new RatioRows(LightRows.withChannels(columns, Column.TINT_COLUMNS, tints), litCount);
     }
 
@@ -122,12 +124,12 @@ public final class RatioRows extends WeightedLayer {
     }
 
     @Override
-    public short[][] visibleSamples() {
+    public short @Nullable [][] visibleSamples() {
         return visibleSamples;
     }
 
     @Override
-    public float[][] tint() {
+    public float @Nullable [][] tint() {
         return tint;
     }
 
@@ -153,13 +155,13 @@ public final class RatioRows extends WeightedLayer {
 
     /** New falloffs need only the point; new terms need point, normal and direction. */
     @Override
-    public long rowBytesRead(LightLayer before) {
+    public long rowBytesRead(@Nullable LightLayer before) {
         return before != null && before.states() == states ? 12 : 36;
     }
 
     /** Scaling reads and writes every contribution. */
     @Override
-    public long newBytes(LightLayer before) {
+    public long newBytes(@Nullable LightLayer before) {
         return before == null ? bytes() : bytes() + before.bytes();
     }
 }

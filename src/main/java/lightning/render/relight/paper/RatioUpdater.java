@@ -1,5 +1,7 @@
 package lightning.render.relight.paper;
 
+import static java.util.Objects.requireNonNull;
+
 import lightning.render.relight.plan.LayerPlan;
 import lightning.render.relight.plan.LayerUpdater;
 import lightning.render.relight.plan.LightUpdate;
@@ -22,7 +24,8 @@ record RatioUpdater(RatioKernel kernel) implements LayerUpdater {
     @Override
     public LightLayer update(HitRows rows, LightLayer before, LayerPlan plan, MaterialSet speculars) {
         // Without gains in the scene, rows have no owners. A light that had gains is then recomputed below, whatever its rows had before.
-        WeightedLight from = rows.owner == null ? plan.computed().withoutGains() : plan.computed();
+        WeightedLight computed = requireNonNull(plan.computed());
+        WeightedLight from = rows.owner == null ? computed.withoutGains() : computed;
         WeightedLight to = plan.target();
         RatioRows layer = kernel.updateSpeculars(rows, from, (RatioRows) before, speculars);
         layer = plan.shadows().isEmpty() ? layer : kernel.updateShadows(rows, from, layer, plan.shadows());

@@ -6,6 +6,7 @@ import java.util.List;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialSet;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The paper's reflection hit list of one tile: the shape that each ray hit, −1 for none, for each level below the first in
@@ -55,7 +56,7 @@ public final class ReflectionHitList {
     }
 
     /** Returns the shapes of the next level; null if it is not cached. */
-    public int[] next() {
+    public int @Nullable [] next() {
         return hasNext() ? known[next++] : null;
     }
 

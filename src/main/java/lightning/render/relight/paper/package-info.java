@@ -3,4 +3,7 @@
  * reflection hit lists for mirrors on demand. Other packages access the updates through {@link
  * lightning.render.relight.plan.UpdateMethod}.
  */
+@NullMarked
 package lightning.render.relight.paper;
+
+import org.jspecify.annotations.NullMarked;

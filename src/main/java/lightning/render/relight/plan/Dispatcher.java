@@ -1,5 +1,7 @@
 package lightning.render.relight.plan;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
 import lightning.base.text.Messages;
@@ -17,6 +19,7 @@ import lightning.scene.AntialiasMode;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightMatcher;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Plans the least update from the scene rendered last to the target scene by comparing both (paper §4.9). Composite edits, undo and
@@ -28,11 +31,11 @@ public final class Dispatcher {
     /**
      * Plans the update to a scene.
      *
-     * @param cache   cache of the last picture, or null
+     * @param cache   cache of the last picture
      * @param mirrors true if mirror images must show the target scene too
      * @param method  update method
      */
-    public static UpdatePlan plan(PixelCache cache, Scene target, boolean mirrors, UpdateMethod method) {
+    public static UpdatePlan plan(@Nullable PixelCache cache, Scene target, boolean mirrors, UpdateMethod method) {
         return plan(cache, target, null, mirrors, method);
     }
 
@@ -41,7 +44,8 @@ public final class Dispatcher {
      *
      * @param geometry geometry of the target scene, derived from the cached one in one or more steps; null if unknown
      */
-    public static UpdatePlan plan(PixelCache cache, Scene target, Geometry geometry, boolean mirrors, UpdateMethod method) {
+    public static UpdatePlan plan(@Nullable PixelCache cache, Scene target, @Nullable Geometry geometry, boolean mirrors,
+            UpdateMethod method) {
         if (cache == null) {
             return new UpdatePlan.FirstPass(Messages.key("no image yet"));
         }
@@ -74,7 +78,8 @@ public final class Dispatcher {
         LevelPlan top = planLevel(cache.geometry(), cache.shown(), target, materials, shapes, method);
         LevelPlan mirrored = refresh ? planLevel(cache.mirroredGeometry(), cache.mirrored(), target,
                 materials, shapes, method) : null;
-        if (resampled && !(top.materials().mirroringChanged().isEmpty() && mirrored.materials().mirroringChanged().isEmpty())) {
+        if (resampled
+                && !(top.materials().mirroringChanged().isEmpty() && requireNonNull(mirrored).materials().mirroringChanged().isEmpty())) {
             return new UpdatePlan.FirstPass(Messages.key("anti-aliasing and reflections changed"));
         }
         return new UpdatePlan.Relight(top, mirrored, oldDepth, newDepth, resampled, shapes,
@@ -96,12 +101,13 @@ public final class Dispatcher {
             WeightedLight light = WeightedLight.of(match.after().get(l), target);
             CachedLight origin = match.originIndex(l) < 0 ? null : before.lights().get(match.originIndex(l));
             boolean isReusable = origin != null && isReusable(origin, known, target, shapes, method);
+            LayerStamp stamp = origin != null && isReusable ? origin.stamp() : null;
             LightUpdate update =
-                    planLight(isReusable ? origin.stamp() : null, origin == null || origin.stamp() == null, light, target, method);
+                    planLight(stamp, origin == null || origin.stamp() == null, light, target, method);
             // Layers of a dark light that are invalid are dropped, and with them the record of the rows that it lit.
             boolean isDropped = origin != null && !isReusable && update instanceof LightUpdate.Keep;
-            ShapeChange shadows = isReusable && origin.stamp() != null ? shapes.shadowChange(shown, origin.stamp().light().shadowCasters(),
-                    LayerPlan.shadowing(light.light(), origin.stamp(), update).shadowCasters()) : ShapeChange.NONE;
+            ShapeChange shadows = stamp != null ? shapes.shadowChange(shown, stamp.light().shadowCasters(),
+                    LayerPlan.shadowing(light.light(), stamp, update).shadowCasters()) : ShapeChange.NONE;
             layers.add(LayerPlan.of(light, isDropped ? null : origin, update, shadows, known, target.stage(), shapes));
             dropsLayers |= isDropped;
         }
@@ -133,7 +139,8 @@ public final class Dispatcher {
     }
 
     /** @param added true if the light never shone */
-    private static LightUpdate planLight(LayerStamp before, boolean added, WeightedLight light, Scene target, UpdateMethod method) {
+    private static LightUpdate planLight(@Nullable LayerStamp before, boolean added, WeightedLight light, Scene target,
+            UpdateMethod method) {
         if (before == null) {
             return light.isDark() ? new LightUpdate.Keep() : new LightUpdate.FullRecompute(added);
         }

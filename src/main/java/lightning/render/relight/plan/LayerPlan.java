@@ -10,12 +10,13 @@ import lightning.render.trace.ShapeChange;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Update of one light's layers over the rows of a level.
  *
  * @param target   the target light
- * @param base     the cached light to start from, or null
+ * @param base     the cached light to start from
  * @param update   the update to apply
  * @param shadows  change of the shapes that cast shadows from this light
  * @param computed the light that its layers were computed for, shadowed by the shapes that shadow it afterwards; null if there are
@@ -23,8 +24,8 @@ import lightning.scene.light.Light;
  * @param previous the light in the previous scene with its weight there; null if it did not exist
  * @param gains    change of its gains
  */
-public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate update, ShapeChange shadows, WeightedLight computed,
-        WeightedLight previous, GainChange gains) {
+public record LayerPlan(WeightedLight target, @Nullable CachedLight base, LightUpdate update, ShapeChange shadows,
+        @Nullable WeightedLight computed, @Nullable WeightedLight previous, GainChange gains) {
 
     /** Change of the light's gains on shapes that stay: of any colors, and of those by which edges are detected. */
     record GainChange(boolean colors, boolean edges) {
@@ -41,8 +42,8 @@ public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate upda
      * @param stage the target shapes
      * @param shapes change to the target shapes
      */
-    public static LayerPlan of(WeightedLight target, CachedLight from, LightUpdate update, ShapeChange shadows, Scene known, Stage stage,
-            ShapeChange shapes) {
+    public static LayerPlan of(WeightedLight target, @Nullable CachedLight from, LightUpdate update, ShapeChange shadows, Scene known,
+            Stage stage, ShapeChange shapes) {
         LayerStamp stamp = from == null ? null : from.stamp();
         WeightedLight previous = from == null ? null : WeightedLight.of(from.light(), known);
         return new LayerPlan(target, from, update, shadows, stamp == null ? null
@@ -69,6 +70,7 @@ public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate upda
      *
      * @param minFalloff {@link LayerUpdater#minFalloff} of all threads
      */
+    @Nullable
     LayerStamp stamp(UpdateMethod method, double minFalloff) {
         LayerStamp before = base == null ? null : base.stamp();
         return switch (update) {
@@ -80,7 +82,7 @@ public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate upda
     }
 
     /** Returns the layer over one tile's rows before the update; null if there is none. */
-    public LightLayer layerBefore(TileLevel old) {
+    public @Nullable LightLayer layerBefore(TileLevel old) {
         return base == null ? null : base.layer(old);
     }
 
@@ -108,7 +110,7 @@ public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate upda
         return canChange(old, after, changesWeight());
     }
 
-    private boolean canChange(TileLevel old, LightLayer after, boolean weightChanged) {
+    private boolean canChange(TileLevel old, @Nullable LightLayer after, boolean weightChanged) {
         LightLayer before = layerBefore(old);
         boolean lights = before != null && before.litCount() > 0 || after != null && after.litCount() > 0;
         return lights && (before != after || weightChanged);

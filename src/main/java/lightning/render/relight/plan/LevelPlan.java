@@ -12,6 +12,7 @@ import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.ShapeChange;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Update of a level's layers.
@@ -20,10 +21,10 @@ import lightning.scene.Scene;
  * @param droppedLights names of lights whose layers are dropped (§4.6)
  * @param recomposeAll  true if the equation must be evaluated everywhere: the ambience, background or set of lights changed
  * @param materials     update of the rows of changed materials
- * @param key           key of partial sums that may be cached because only one light is edited repeatedly, or null
+ * @param key           key of partial sums that may be cached because only one light is edited repeatedly
  */
 public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, boolean recomposeAll, MaterialUpdate materials,
-        BranchSums.Key key) {
+        BranchSums.@Nullable Key key) {
     /** Light index if several lights or their surfaces are edited. */
     public static final int SEVERAL = -2;
 
@@ -54,7 +55,7 @@ public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, bool
         return new LevelPlan(layers, List.of(), true, MaterialUpdate.none(materials));
     }
 
-    LevelPlan withKey(BranchSums.Key sums) {
+    LevelPlan withKey(BranchSums.@Nullable Key sums) {
         return new LevelPlan(layers, droppedLights, recomposeAll, materials, sums);
     }
 
@@ -87,7 +88,8 @@ public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, bool
                 droppedLights.isEmpty() && materials.specularChanged().isEmpty() && materials.mirroringChanged().isEmpty()
                         && materials.textureChanged().isEmpty();
         for (int l = 0; l < layers.size() && isPreserved; l++) {
-            isPreserved = layers.get(l).base() != null && layers.get(l).base().index() == l;
+            CachedLight base = layers.get(l).base();
+            isPreserved = base != null && base.index() == l;
         }
         return isPreserved;
     }

@@ -1,5 +1,7 @@
 package lightning.render.relight.plan;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.stream.IntStream;
 import lightning.render.cache.PixelCache;
 import lightning.render.trace.MaterialTable;
@@ -42,7 +44,7 @@ public enum PathUpdate {
         MaterialTable before = cache.geometry().materials();
         return before == after || before.count() == after.count()
                 && IntStream.range(0, after.count()).allMatch(m -> mirrors(before, m) == mirrors(after, m) && before.hasSamePaths(m, after))
-                && cache.indirect().structure().canServe(cache.geometry(), after);
+                && requireNonNull(cache.indirect()).structure().canServe(cache.geometry(), after);
     }
 
     /** Returns whether a material mirrors or transmits light, even if the view casts reflected rays from all materials. */

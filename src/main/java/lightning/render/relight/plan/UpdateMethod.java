@@ -7,6 +7,7 @@ import lightning.render.shading.WeightedLight;
 import lightning.render.shading.layer.LightKernel;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 
 /** Update method of an accuracy: the contents of layers, the update for an edited light, and the error of updates. */
 public interface UpdateMethod {
@@ -26,7 +27,7 @@ public interface UpdateMethod {
      * @param falloff    true if its falloff changed
      * @param minFalloff {@link LayerUpdater#minFalloff} of all threads
      */
-    LayerStamp stamp(LayerStamp before, Light light, boolean weight, boolean falloff, double minFalloff);
+    LayerStamp stamp(@Nullable LayerStamp before, Light light, boolean weight, boolean falloff, double minFalloff);
 
     /**
      * Creates the updater of one thread.

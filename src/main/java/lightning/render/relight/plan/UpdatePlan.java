@@ -4,6 +4,7 @@ import java.util.List;
 import lightning.base.text.Messages;
 import lightning.render.shading.composition.BranchSums;
 import lightning.render.trace.ShapeChange;
+import org.jspecify.annotations.Nullable;
 
 /** Plan of a renderer's update from the scene rendered last to the target scene. */
 public sealed interface UpdatePlan {
@@ -25,17 +26,17 @@ public sealed interface UpdatePlan {
      * @param shapes    change of the shapes; if there is one, {@code mirrors} is not null
      * @param paths     update of the paths of indirect light
      */
-    record Relight(LevelPlan top, LevelPlan mirrors, int oldDepth, int newDepth, boolean resampled, ShapeChange shapes,
+    record Relight(LevelPlan top, @Nullable LevelPlan mirrors, int oldDepth, int newDepth, boolean resampled, ShapeChange shapes,
             PathUpdate paths)
             implements UpdatePlan {
 
         /** Creates an update with unchanged shapes, in which edges determine the finer samples. */
-        public Relight(LevelPlan top, LevelPlan mirrors, int oldDepth, int newDepth, PathUpdate paths) {
+        public Relight(LevelPlan top, @Nullable LevelPlan mirrors, int oldDepth, int newDepth, PathUpdate paths) {
             this(top, mirrors, oldDepth, newDepth, false, ShapeChange.NONE, paths);
         }
 
         /** Returns this plan with keys of partial sums to cache, or null, for both levels. */
-        public Relight withKeys(BranchSums.Key topKey, BranchSums.Key mirrorsKey) {
+        public Relight withKeys(BranchSums.@Nullable Key topKey, BranchSums.@Nullable Key mirrorsKey) {
             return new Relight(top.withKey(topKey), mirrors == null ? null : mirrors.withKey(mirrorsKey), oldDepth, newDepth, resampled,
                     shapes, paths);
         }

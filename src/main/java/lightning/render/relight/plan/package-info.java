@@ -6,4 +6,7 @@
  * {@link lightning.render.relight.plan.LevelPlan}, for each light a {@link lightning.render.relight.plan.LightUpdate}. An {@link
  * lightning.render.relight.plan.UpdateMethod} implements the updates.
  */
+@NullMarked
 package lightning.render.relight.plan;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,5 +1,7 @@
 package lightning.render.relight.tile;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -12,6 +14,7 @@ import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowSplice;
 import lightning.render.trace.TileVisibility;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Bounce levels of a tile, below the first level: everything seen in mirrors and through clear surfaces. They form a tree, because
@@ -27,7 +30,7 @@ final class BounceLevels {
     /** Hit shapes of the rays, used if rows are not stored. */
     private final ReflectionHitList hitShapes = new ReflectionHitList();
     /** Old levels, and the index of the next one. */
-    private TileLevel[] oldLevels;
+    private TileLevel[] oldLevels = NONE;
     private int nextOldLevel;
     private boolean changed;
     /** True if the colors by which edges are detected may have changed. */
@@ -51,7 +54,7 @@ final class BounceLevels {
      * @param images       colors of the rays that bounce from the first level's rows; null if there are none
      * @param changesEdges true if the colors by which edges are detected may differ from those of the old levels
      */
-    record TracedLevels(TileLevel[] levels, int[][] hitShapes, BounceImages images, boolean changesEdges) {}
+    record TracedLevels(TileLevel[] levels, int[][] hitShapes, @Nullable BounceImages images, boolean changesEdges) {}
 
     private void begin(TileLevel top, TileLevel[] before, int[][] shapes) {
         levels.clear();
@@ -88,10 +91,11 @@ final class BounceLevels {
      * @param top    its new first level
      * @param order  splice of that level's rows; null if they are unchanged
      */
-    TracedLevels updateAll(CachedTile before, TileLevel top, RowSplice order) {
+    TracedLevels updateAll(CachedTile before, TileLevel top, @Nullable RowSplice order) {
         if (!job.storesMirrorRows()) {
             return traceAll(top,
-                    order == null ? ReflectionHitList.validAfter(before.hitShapes, job.plan(), job.mirrorTarget().geometry())
+                    order == null
+                            ? ReflectionHitList.validAfter(before.hitShapes, requireNonNull(job.plan()), job.mirrorTarget().geometry())
                             : ReflectionHitList.NONE);
         }
         begin(top, before.levels, ReflectionHitList.NONE);
@@ -141,7 +145,7 @@ final class BounceLevels {
      * @param order  splice of the level's rows; null if they are unchanged
      * @param before the level's old rows
      */
-    private void update(HitRows rows, RowSplice order, HitRows before, int depth) {
+    private void update(HitRows rows, @Nullable RowSplice order, HitRows before, int depth) {
         for (BounceKind bounce : BounceKind.values()) {
             boolean existed = depth < job.depthBefore() && bounce.rowCount(before) > 0;
             boolean exists = depth < job.depth() && bounce.rowCount(rows) > 0;
@@ -177,7 +181,7 @@ final class BounceLevels {
     }
 
     /** @param retraced rows whose rays may have another hit than before */
-    private void update(HitRows rows, BounceKind bounce, RowSplice order, BitSet retraced, int depth) {
+    private void update(HitRows rows, BounceKind bounce, @Nullable RowSplice order, BitSet retraced, int depth) {
         TileLevel before = oldLevels[nextOldLevel++];
         RowSplice rowSplice = !retraced.isEmpty() || reordersRows(order, before.rows())
                 ? RowSplice.mergeBounce(order, bounce.rowCount(rows), before.rows(), retraced, job.mirrorTarget().geometry().materials())
@@ -210,18 +214,18 @@ final class BounceLevels {
     }
 
     /** Returns whether rows seen from other rows move or disappear. */
-    private boolean reordersRows(RowSplice above, HitRows rows) {
+    private boolean reordersRows(@Nullable RowSplice above, HitRows rows) {
         return above != null || job.mirrorPlan() != null && job.mirrorPlan().materials().mirroringChanged().intersects(rows);
     }
 
     /** Composes all levels; returns the colors of the rays that bounce from the first level's rows. */
-    private BounceImages composeImages() {
+    private @Nullable BounceImages composeImages() {
         nextOldLevel = 1;
         BounceImages images = composeImages(levels.getFirst().rows(), 0);
         return images == null ? null : images.compact(levels.getFirst().rows());
     }
 
-    private BounceImages composeImages(HitRows rows, int depth) {
+    private @Nullable BounceImages composeImages(HitRows rows, int depth) {
         if (depth == job.depth() || rows.reflectiveCount == 0) {
             return worker.composer.blackImages(rows);
         }
@@ -231,7 +235,8 @@ final class BounceLevels {
                 int at = nextOldLevel++;
                 BounceImages below = composeImages(levels.get(at).rows(), depth + 1);
                 levels.set(at,
-                        worker.compose(levels.get(at), job.storesMirrorRows() ? job.mirrorPlan() : null, below, images.forBounce(bounce)));
+                        worker.compose(levels.get(at), job.storesMirrorRows() ? job.mirrorPlan() : null, below,
+                                requireNonNull(images).forBounce(bounce)));
             }
         }
         return images;

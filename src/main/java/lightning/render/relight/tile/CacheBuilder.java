@@ -1,5 +1,7 @@
 package lightning.render.relight.tile;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -20,6 +22,7 @@ import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.EdgeDetector;
 import lightning.scene.AntialiasMode;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Builds the pixel cache of a picture on all threads: the whole cache, only pixel centers, or the finer samples of existing centers.
@@ -31,13 +34,13 @@ public final class CacheBuilder {
     /** With its indirect light, which is computed first. */
     private final RenderJob job;
     private final WorkerPool workers;
-    private final PixelCache oldCache;
+    private final @Nullable PixelCache oldCache;
     private final List<EngineWorkers<TileWorker>> tileWorkers;
     private final int[] tileOrder;
     /** Rays that each thread reported. */
     private final long[] reportedRays;
 
-    private CacheBuilder(RenderJob job, WorkerPool workers, PixelCache old) {
+    private CacheBuilder(RenderJob job, WorkerPool workers, @Nullable PixelCache old) {
         this.job = job;
         this.workers = workers;
         this.oldCache = old;
@@ -57,10 +60,10 @@ public final class CacheBuilder {
      * @param centersOnly true if finer samples are left out
      * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
      */
-    public static BuildResult build(RenderJob planned, WorkerPool workers, PixelCache old, boolean centersOnly) {
+    public static BuildResult build(RenderJob planned, WorkerPool workers, @Nullable PixelCache old, boolean centersOnly) {
         IndirectBuilder indirectBuilder = new IndirectBuilder(planned, workers, old);
         IndirectCache indirect = indirectBuilder.build();
-        IndirectCache mirroredIndirect = planned.mirrorTarget() == planned.target() ? indirect : old.mirrored().indirect();
+        IndirectCache mirroredIndirect = planned.mirrorTarget() == planned.target() ? indirect : requireNonNull(old).mirrored().indirect();
         RenderJob job = planned.withIndirect(indirect, mirroredIndirect, old, indirectBuilder.pointChanges())
                 .withProgress(indirectBuilder.tileProgress());
         BuildResult tiles = new CacheBuilder(job, workers, old).buildTiles(indirect, mirroredIndirect, centersOnly);
@@ -71,30 +74,32 @@ public final class CacheBuilder {
      * Adds the finer samples to existing centers.
      *
      * @param planned job without indirect light
-     * @param old     the cache to start from, or null
+     * @param old     the cache to start from
      * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
      */
-    public static BuildResult finish(RenderJob planned, WorkerPool workers, PixelCache old, PixelCache centers) {
+    public static BuildResult finish(RenderJob planned, WorkerPool workers, @Nullable PixelCache old, PixelCache centers) {
         RenderJob job = planned.withIndirect(centers.indirect(), centers.mirrored().indirect(), old, null);
         return new CacheBuilder(job, workers, old).addSamples(centers);
     }
 
-    private BuildResult buildTiles(IndirectCache indirect, IndirectCache mirroredIndirect, boolean centersOnly) {
+    private BuildResult buildTiles(@Nullable IndirectCache indirect, @Nullable IndirectCache mirroredIndirect, boolean centersOnly) {
         CachedTile[] centers = buildCenters(centersOnly ? 0 : fineTileCount());
         FineTile[] fine = centersOnly ? new FineTile[0] : buildSamples(centers, centers.length);
         List<CachedLight> lights = job.plan() == null ? CachedLight.ofScene(job.scene(), this::freshStamp) : lightsAfter(job.topPlan());
         List<CachedLight> mirrored =
-                job.plan() == null ? lights : job.mirrorPlan() == null ? oldCache.mirrored().lights() : lightsAfter(job.mirrorPlan());
+                job.plan() == null ? lights : job.mirrorPlan() == null ? requireNonNull(oldCache).mirrored().lights()
+                        : lightsAfter(job.mirrorPlan());
         return new BuildResult(new PixelCache(job.target().geometry(), centers, fine, new CachedScene(job.scene(), lights, indirect),
                 new CachedScene(job.mirrorTarget().scene(), mirrored, mirroredIndirect)), work());
     }
 
-    private LayerStamp freshStamp(Light light) {
+    private @Nullable LayerStamp freshStamp(Light light) {
         return WeightedLight.of(light, job.scene()).isDark() ? null : LayerStamp.ofComputed(light);
     }
 
-    private List<CachedLight> lightsAfter(LevelPlan plan) {
-        return plan.lightsAfter(job.options().method(), allWorkers().mapToDouble(TileWorker::minFalloff).reduce(1, Math::min));
+    private List<CachedLight> lightsAfter(@Nullable LevelPlan plan) {
+        return requireNonNull(plan).lightsAfter(job.options().method(),
+                allWorkers().mapToDouble(TileWorker::minFalloff).reduce(1, Math::min));
     }
 
     private BuildResult addSamples(PixelCache centers) {
@@ -124,7 +129,7 @@ public final class CacheBuilder {
     }
 
     /** @param film colors of the tile; null if it was canceled */
-    private void reportTile(int worker, int tile, float[][] film) {
+    private void reportTile(int worker, int tile, float @Nullable [][] film) {
         long rays = 0;
         for (TileWorker engineWorker : tileWorkers.get(worker).workers()) {
             rays += engineWorker.work().rays().total();
@@ -140,7 +145,7 @@ public final class CacheBuilder {
 
     private void relightTiles(CachedTile[] tiles, Progress progress) {
         int batchSize = Math.clamp(tiles.length / (MIN_BATCHES_PER_THREAD * workers.count()), 1, TilePrefetcher.MAX_TILES);
-        CachedTile[] known = oldCache.tiles();
+        CachedTile[] known = requireNonNull(oldCache).tiles();
         TilePrefetcher[] approach = new TilePrefetcher[workers.count()];
         Arrays.setAll(approach, worker -> new TilePrefetcher());
         workers.run(tiles.length, batchSize, (worker, tile) -> {
@@ -168,15 +173,15 @@ public final class CacheBuilder {
         if (fine.length == 0) {
             return fine;
         }
-        boolean known = oldCache != null && oldCache.scene().picture().sampling().hasSameSamples(job.sampling());
+        PixelCache known = oldCache != null && oldCache.scene().picture().sampling().hasSameSamples(job.sampling()) ? oldCache : null;
         EdgeDetector edges = edgeDetector(centers);
-        EdgeDetector edgesBefore = known ? edgeDetector(oldCache.tiles()) : null;
+        EdgeDetector edgesBefore = known == null ? null : edgeDetector(known.tiles());
         FineSampleWorker[] sampleWorkers = new FineSampleWorker[tileWorkers.size()];
         Arrays.setAll(sampleWorkers, worker -> new FineSampleWorker(job, tileWorkers.get(worker), edges, edgesBefore));
         workers.run(fine.length, (worker, i) -> {
             int tile = tileOrder[i];
             fine[tile] = sampleWorkers[worker].buildTile(tile, centers.length == 0 ? null : centers[tile],
-                    !known || centers.length == 0 ? null : oldCache.tile(tile), known ? oldCache.fineTile(tile) : null);
+                    known == null || centers.length == 0 ? null : known.tile(tile), known == null ? null : known.fineTile(tile));
             reportTile(worker, tile, fine[tile] == null ? null : fine[tile].film());
         }, job.progress().subProgress(before, before + fine.length));
         return fine;

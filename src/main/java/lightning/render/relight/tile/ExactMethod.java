@@ -14,6 +14,7 @@ import lightning.render.shading.layer.LightKernel;
 import lightning.render.shading.layer.LightRows;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 
 /** Update method with the bits of a full trace: layers hold terms, which are never scaled. */
 public record ExactMethod() implements UpdateMethod {
@@ -25,7 +26,7 @@ public record ExactMethod() implements UpdateMethod {
     }
 
     @Override
-    public LayerStamp stamp(LayerStamp before, Light light, boolean weight, boolean falloff, double minFalloff) {
+    public LayerStamp stamp(@Nullable LayerStamp before, Light light, boolean weight, boolean falloff, double minFalloff) {
         return LayerStamp.ofComputed(light);
     }
 

@@ -1,5 +1,7 @@
 package lightning.render.relight.tile;
 
+import static java.util.Objects.requireNonNull;
+
 import lightning.render.relight.plan.LayerPlan;
 import lightning.render.relight.plan.LayerUpdater;
 import lightning.render.relight.plan.LightUpdate;
@@ -12,6 +14,7 @@ import lightning.render.shading.layer.ScratchColumns;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialSet;
 import lightning.render.trace.RowSplice;
+import org.jspecify.annotations.Nullable;
 
 /** Updater that leaves a compact layer with the bits of a full trace in all its terms. Use one instance per thread. */
 final class ExactUpdater implements LayerUpdater {
@@ -37,10 +40,11 @@ final class ExactUpdater implements LayerUpdater {
     public LightLayer update(HitRows rows, LightLayer before, LayerPlan plan, MaterialSet speculars) {
         LightRows known = (LightRows) before;
         LightRows layer = compactIfChanged(known,
-                kernel.updateSpeculars(rows, plan.computed().source(), known, speculars, ColumnAllocator.NEW_ARRAYS), rows);
+                kernel.updateSpeculars(rows, requireNonNull(plan.computed()).source(), known, speculars, ColumnAllocator.NEW_ARRAYS), rows);
         if (!plan.shadows().isEmpty()) {
             layer = compactIfChanged(layer,
-                    kernel.updateShadows(rows, plan.computed().source(), layer, plan.shadows(), ColumnAllocator.NEW_ARRAYS), rows);
+                    kernel.updateShadows(rows, requireNonNull(plan.computed()).source(), layer, plan.shadows(), ColumnAllocator.NEW_ARRAYS),
+                    rows);
         }
         return switch (plan.update()) {
             case LightUpdate.Keep _,LightUpdate.Reweight _,LightUpdate.Refresh _ -> layer;
@@ -86,7 +90,7 @@ final class ExactUpdater implements LayerUpdater {
      * Returns a layer without redundant columns. A layer that an edit did not change is compact already, so its columns are not
      * scanned again.
      */
-    private static LightRows compactIfChanged(LightRows before, LightRows after, HitRows rows) {
+    private static LightRows compactIfChanged(@Nullable LightRows before, LightRows after, HitRows rows) {
         return after == before ? after : after.compact(rows.count);
     }
 }

@@ -1,5 +1,7 @@
 package lightning.render.relight.tile;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -15,6 +17,7 @@ import lightning.render.shading.SampleMean;
 import lightning.render.shading.composition.EdgeDetector;
 import lightning.render.trace.SampleCells;
 import lightning.render.trace.SamplePositions;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Builds and updates the finer samples of tiles for anti-aliasing, after the pixel centers. Use one instance per thread.
@@ -31,7 +34,7 @@ final class FineSampleWorker {
     private final RenderJob job;
     private final EngineWorkers<TileWorker> tileWorkers;
     private final EdgeDetector edges;
-    private final EdgeDetector previousEdges;
+    private final @Nullable EdgeDetector previousEdges;
     private final SampleCells firstCells;
     private final SampleCells restCells;
     private final boolean refines;
@@ -40,9 +43,9 @@ final class FineSampleWorker {
 
     /**
      * @param edges the current edges; unread if all pixels have several samples
-     * @param known the edges of the previous picture, or null
+     * @param known the edges of the previous picture
      */
-    FineSampleWorker(RenderJob job, EngineWorkers<TileWorker> tileWorkers, EdgeDetector edges, EdgeDetector known) {
+    FineSampleWorker(RenderJob job, EngineWorkers<TileWorker> tileWorkers, EdgeDetector edges, @Nullable EdgeDetector known) {
         this.job = job;
         this.tileWorkers = tileWorkers;
         this.edges = edges;
@@ -56,13 +59,14 @@ final class FineSampleWorker {
      * Builds the finer samples of a tile; null if the work was canceled.
      *
      * @param center    the centers of the tile's pixels after the update, or null if none are traced
-     * @param oldCenter the centers before the update, or null
-     * @param old       the finer samples before the update, or null
+     * @param oldCenter the centers before the update
+     * @param old       the finer samples before the update
      */
-    FineTile buildTile(int tile, CachedTile center, CachedTile oldCenter, FineTile old) {
+    @Nullable
+    FineTile buildTile(int tile, @Nullable CachedTile center, @Nullable CachedTile oldCenter, @Nullable FineTile old) {
         hasNewColors = false;
-        boolean reusesPixels = old != null && (!job.detectsEdges() || edges.hasSameEdges(tile, previousEdges));
-        short[] pixels = reusesPixels ? old.first().pixels() : pixels(tile);
+        boolean reusesPixels = old != null && (!job.detectsEdges() || edges.hasSameEdges(tile, requireNonNull(previousEdges)));
+        short[] pixels = old != null && reusesPixels ? old.first().pixels() : pixels(tile);
         FineSamples first = update(tile, firstCells, pixels, old == null ? FineSamples.none(firstCells) : old.first());
         if (job.progress().isCanceled()) {
             return null;
@@ -72,9 +76,10 @@ final class FineSampleWorker {
         if (job.progress().isCanceled()) {
             return null;
         }
-        boolean isUnchanged = old != null && !hasNewColors && (center == null || center.film == oldCenter.film)
+        boolean isUnchanged = old != null && !hasNewColors && (center == null || center.film == requireNonNull(oldCenter).film)
                 && Arrays.equals(first.pixels(), old.first().pixels()) && Arrays.equals(rest.pixels(), old.rest().pixels());
-        return isUnchanged ? new FineTile(first, rest, old.film()) : FineTile.of(center == null ? null : center.film, first, rest);
+        return old != null && isUnchanged ? new FineTile(first, rest, old.film())
+                : FineTile.of(center == null ? null : center.film, first, rest);
     }
 
     private short[] pixels(int tile) {
@@ -89,7 +94,8 @@ final class FineSampleWorker {
         int perPixel = first.cells().count();
         for (SampleBlock block : first.blocks()) {
             for (int i = 0; i < block.pixels().length; i++) {
-                if (used.get(block.pixels()[i]) && EdgeColors.needMore(block.rows().edges.colors(), i * perPixel, perPixel)) {
+                if (used.get(block.pixels()[i])
+                        && EdgeColors.needMore(requireNonNull(block.rows().edges).colors(), i * perPixel, perPixel)) {
                     different.set(block.pixels()[i]);
                 }
             }
@@ -111,7 +117,7 @@ final class FineSampleWorker {
                 return needed;
             }
             if (block.pixels().length >= minSize && isWorthKeeping(block, neededPixels)) {
-                blocks.add(relight(tile, cells, block));
+                addTo(blocks, relight(tile, cells, block));
                 for (short pixel : block.pixels()) {
                     missing.clear(pixel);
                 }
@@ -119,9 +125,16 @@ final class FineSampleWorker {
         }
         short[] added = EdgeDetector.toPixels(missing);
         for (int from = 0; from < added.length && !job.progress().isCanceled(); from += batchSize) {
-            blocks.add(trace(tile, cells, Arrays.copyOfRange(added, from, Math.min(added.length, from + batchSize))));
+            addTo(blocks, trace(tile, cells, Arrays.copyOfRange(added, from, Math.min(added.length, from + batchSize))));
         }
         return new FineSamples(cells, Arrays.equals(pixels, old.pixels()) ? old.pixels() : pixels, blocks.toArray(SampleBlock[]::new));
+    }
+
+    /** @param block null if the work was canceled */
+    private static void addTo(List<SampleBlock> blocks, @Nullable SampleBlock block) {
+        if (block != null) {
+            blocks.add(block);
+        }
     }
 
     private static boolean isWorthKeeping(SampleBlock block, BitSet neededPixels) {
@@ -140,17 +153,20 @@ final class FineSampleWorker {
         return refines && cells == firstCells;
     }
 
-    private SampleBlock trace(int tile, SampleCells cells, short[] pixels) {
+    private @Nullable SampleBlock trace(int tile, SampleCells cells, short[] pixels) {
         TileWorker worker = tileWorkers.forTile(tile);
         CachedTile rows = worker.traceSamples(positions(tile, cells, pixels), decides(cells));
         hasNewColors = true;
-        return new SampleBlock(pixels, rows, rows == null ? null : SampleMean.ofPixels(pixels.length, cells.count(), worker.colors()));
+        return rows == null ? null : new SampleBlock(pixels, rows, SampleMean.ofPixels(pixels.length, cells.count(), worker.colors()));
     }
 
-    private SampleBlock relight(int tile, SampleCells cells, SampleBlock old) {
+    private @Nullable SampleBlock relight(int tile, SampleCells cells, SampleBlock old) {
         TileWorker worker = tileWorkers.forTile(tile);
         CachedTile rows = worker.relight(positions(tile, cells, old.pixels()), old.rows(), decides(cells));
-        if (rows == null || !worker.hasNewColors()) {
+        if (rows == null) {
+            return null;
+        }
+        if (!worker.hasNewColors()) {
             return new SampleBlock(old.pixels(), rows, old.means());
         }
         hasNewColors = true;

@@ -1,5 +1,7 @@
 package lightning.render.relight.tile;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -24,6 +26,7 @@ import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.scene.IndirectSettings;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Computes the indirect light of a job's target scene on all threads. Keeps the paths of the last picture if no ray can differ, and
@@ -35,13 +38,13 @@ final class IndirectBuilder {
 
     private final RenderJob job;
     private final WorkerPool workers;
-    private final PixelCache oldCache;
+    private final @Nullable PixelCache oldCache;
     private final List<EngineWorkers<LevelWorker>> surfelWorkers;
     private long gatherRays;
-    private PointChanges pointChanges;
+    private @Nullable PointChanges pointChanges;
 
-    /** @param old cache of the last picture, or null */
-    IndirectBuilder(RenderJob job, WorkerPool workers, PixelCache old) {
+    /** @param old cache of the last picture */
+    IndirectBuilder(RenderJob job, WorkerPool workers, @Nullable PixelCache old) {
         this.job = job;
         this.workers = workers;
         this.oldCache = old;
@@ -54,17 +57,19 @@ final class IndirectBuilder {
      *
      * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
      */
+    @Nullable
     IndirectCache build() {
         Optional<IndirectSettings> settings = job.scene().picture().indirect();
         if (settings.isEmpty()) {
             return null;
         }
         PathUpdate paths = job.plan() == null ? PathUpdate.BUILD : job.plan().paths();
-        IndirectCache before = paths == PathUpdate.BUILD ? null : oldCache.indirect();
+        IndirectCache before = paths == PathUpdate.BUILD ? null : requireNonNull(oldCache).indirect();
         GatherStructure structure;
         TileLevel[] surfels;
         boolean keepsPaths = paths == PathUpdate.KEEP;
         if (keepsPaths) {
+            assert before != null;
             structure = before.structure();
             surfels = updateSurfels(before.surfels());
         } else {
@@ -73,7 +78,7 @@ final class IndirectBuilder {
             gatherRays += structure.rays();
             job.progress().raysCast(structure.rays());
             surfels = lightSurfels(structure);
-            if (structure.kept() != null) {
+            if (before != null && structure.kept() != null) {
                 SurfelUpdate update = new SurfelUpdate(before, structure);
                 workers.run(before.surfels().length,
                         (worker, block) -> update.keep(block, surfelWorker(worker, block), job),
@@ -87,30 +92,33 @@ final class IndirectBuilder {
         return new IndirectCache(settings.get(), surfels, light(structure, surfels, keepsPaths ? before : null));
     }
 
-    /** @param before indirect light of the last picture along the same paths, or null */
-    private IndirectLight light(GatherStructure structure, TileLevel[] surfels, IndirectCache before) {
-        boolean sameBackground = before != null && IndirectSolver.haveSameBackground(oldCache.scene(), job.scene());
-        boolean keepsColors = sameBackground && isUnchanged(before.surfels(), surfels, job.topPlan()::canChangeColors);
-        boolean keepsEdges = !job.detectsEdges() || sameBackground && before.light().edgeLight() != null
-                && isUnchanged(before.surfels(), surfels, job.topPlan()::canChangeEdges);
+    /** @param before indirect light of the last picture along the same paths */
+    private IndirectLight light(GatherStructure structure, TileLevel[] surfels, @Nullable IndirectCache before) {
+        boolean sameBackground = before != null && IndirectSolver.haveSameBackground(requireNonNull(oldCache).scene(), job.scene());
+        boolean keepsColors =
+                before != null && sameBackground && isUnchanged(before.surfels(), surfels, requireNonNull(job.topPlan())::canChangeColors);
+        boolean keepsEdges = !job.detectsEdges() || before != null && sameBackground && before.light().edgeLight() != null
+                && isUnchanged(before.surfels(), surfels, requireNonNull(job.topPlan())::canChangeEdges);
         float[][] edgesBefore = before == null || !job.detectsEdges() ? null : before.light().edgeLight();
-        if (keepsColors && keepsEdges) {
+        if (before != null && keepsColors && keepsEdges) {
             return edgesBefore == before.light().edgeLight() ? before.light()
                     : new IndirectLight(structure, before.light().light(), edgesBefore);
         }
         SurfelSolver solver = new SurfelSolver(structure, surfels, job.target().geometry().materials(), job.options().engines(), workers,
                 job.progress());
-        return new IndirectLight(structure, keepsColors ? before.light().light() : solver.solve(job.target().lights(), job.scene()),
+        return new IndirectLight(structure,
+                before != null && keepsColors ? before.light().light() : solver.solve(job.target().lights(), job.scene()),
                 keepsEdges ? edgesBefore : edgeSolver(solver, structure, surfels).solve(job.target().edgeLights(), job.scene()));
     }
 
     /** Returns whether no light or material changes what any surfel sends. */
     private boolean isUnchanged(TileLevel[] before, TileLevel[] after, BiPredicate<TileLevel, LightLayer[]> canChange) {
-        return job.topPlan().materials().isEmpty()
+        return requireNonNull(job.topPlan()).materials().isEmpty()
                 && IntStream.range(0, after.length).noneMatch(block -> canChange.test(before[block], after[block].layers()));
     }
 
     /** Returns the change of the gather points; null if all may have changed, or none did. */
+    @Nullable
     PointChanges pointChanges() {
         return pointChanges;
     }
@@ -130,14 +138,14 @@ final class IndirectBuilder {
         return surfelWorkers.get(worker).forTile(block);
     }
 
-    /** @param before paths of which those that cannot differ are kept, or null */
-    private GatherBuilder prepare(IndirectSettings settings, IndirectCache before) {
+    /** @param before paths of which those that cannot differ are kept */
+    private GatherBuilder prepare(IndirectSettings settings, @Nullable IndirectCache before) {
         GatherBuilder builder = new GatherBuilder(job.target().geometry(), job.scene(), settings, workers,
                 _ -> job.options().engines().forTile(0).tracer(job.target().geometry()),
                 Math.min(job.options().memory(), HeapBudget.availableBytes()), new ProgressPart(job.progress(), 0, PATHS_SHARE));
         if (before != null && SurfelUpdate.isCompact(before)) {
             HitRows[] rows = Arrays.stream(before.surfels()).map(TileLevel::rows).toArray(HitRows[]::new);
-            Geometry geometry = oldCache.geometry();
+            Geometry geometry = requireNonNull(oldCache).geometry();
             builder.remember(before.structure(), rows, geometry, job.shapeChange(),
                     _ -> job.options().engines().forTile(0).tracer(geometry));
         }
@@ -155,7 +163,7 @@ final class IndirectBuilder {
     private TileLevel[] updateSurfels(TileLevel[] before) {
         TileLevel[] surfels = new TileLevel[before.length];
         workers.run(surfels.length,
-                (worker, block) -> surfels[block] = surfelWorker(worker, block).update(before[block], job.topPlan()),
+                (worker, block) -> surfels[block] = surfelWorker(worker, block).update(before[block], requireNonNull(job.topPlan())),
                 job.progress().cancellationOnly());
         return surfels;
     }

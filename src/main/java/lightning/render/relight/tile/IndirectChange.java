@@ -1,8 +1,11 @@
 package lightning.render.relight.tile;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.render.gather.RowWeights;
 import lightning.render.shading.IndirectLight;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Gather points whose light an update changes. Rows far from these keep their colors.
@@ -10,12 +13,12 @@ import lightning.render.shading.IndirectLight;
  * @param colors true for each point with other light; null if no point has
  * @param edges true for each point with other light as edge detection sees it; null if no point has
  */
-record IndirectChange(boolean[] colors, boolean[] edges, boolean isAll) {
+record IndirectChange(boolean @Nullable [] colors, boolean @Nullable [] edges, boolean isAll) {
     static final IndirectChange NONE = new IndirectChange(null, null, false);
     private static final IndirectChange ALL = new IndirectChange(null, null, true);
 
     /** Compares the indirect light of two pictures, each null if there is none. */
-    static IndirectChange between(IndirectLight before, IndirectLight after) {
+    static IndirectChange between(@Nullable IndirectLight before, @Nullable IndirectLight after) {
         if (before == after) {
             return NONE;
         }
@@ -27,7 +30,7 @@ record IndirectChange(boolean[] colors, boolean[] edges, boolean isAll) {
                 ? null : changedPoints(before.edgeLight(), after.edgeLight()), false);
     }
 
-    private static boolean[] changedPoints(float[][] before, float[][] after) {
+    private static boolean @Nullable [] changedPoints(float[][] before, float[][] after) {
         boolean[] changed = null;
         for (int c = 0; c < 3; c++) {
             if (before[c] != after[c] && !Arrays.equals(before[c], after[c])) {
@@ -45,16 +48,16 @@ record IndirectChange(boolean[] colors, boolean[] edges, boolean isAll) {
      *
      * @param weights weights of the level after the update; null if there is no indirect light
      */
-    boolean changesColors(RowWeights weights) {
+    boolean changesColors(@Nullable RowWeights weights) {
         return changes(colors, weights);
     }
 
     /** Returns whether the indirect light of any row changes as edge detection sees it; parameter as above. */
-    boolean changesEdges(RowWeights weights) {
+    boolean changesEdges(@Nullable RowWeights weights) {
         return changes(edges, weights);
     }
 
-    private boolean changes(boolean[] points, RowWeights weights) {
-        return isAll || points != null && weights.touches(points);
+    private boolean changes(boolean @Nullable [] points, @Nullable RowWeights weights) {
+        return isAll || points != null && requireNonNull(weights).touches(points);
     }
 }

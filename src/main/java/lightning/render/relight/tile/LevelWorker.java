@@ -1,5 +1,7 @@
 package lightning.render.relight.tile;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.function.Function;
@@ -26,6 +28,7 @@ import lightning.render.trace.SamplePositions;
 import lightning.render.trace.TexelUpdater;
 import lightning.render.trace.TileVisibility;
 import lightning.render.trace.Tracer;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Traces, lights and composes the levels that show one scene: those seen directly, or those in mirrors. Holds scratch memory: use
@@ -38,15 +41,15 @@ final class LevelWorker {
     private final RenderJob job;
     private final PreparedScene target;
     /** Created for the first trace. */
-    private TileVisibility visibility;
+    private @Nullable TileVisibility visibility;
     final TileComposer composer;
     private final Tracer tracer;
     /** Created on first use. */
-    private TexelUpdater retexturing;
+    private @Nullable TexelUpdater retexturing;
     private final LightKernel lightKernel;
     private final LayerUpdater updater;
     /** Created on first use. */
-    private RowWeigher weigher;
+    private @Nullable RowWeigher weigher;
     private long rowsComposed;
     private long bytesMoved;
 
@@ -185,7 +188,7 @@ final class LevelWorker {
      *
      * @param speculars materials whose specular term changed
      */
-    private LightLayer update(TileLevel old, LayerPlan plan, MaterialSet speculars) {
+    private @Nullable LightLayer update(TileLevel old, LayerPlan plan, MaterialSet speculars) {
         LightLayer before = plan.layerBefore(old);
         if (before == null) {
             // Never lit, or a mirror level that a larger depth added while the light was dark.
@@ -195,7 +198,7 @@ final class LevelWorker {
             return updater.recompute(old.rows(), plan.target());
         }
         if (plan.target().isDark() && !plan.shadows().isEmpty()
-                && lightKernel.canShadowsChange(old.rows(), plan.computed().source(), before, plan.shadows())) {
+                && lightKernel.canShadowsChange(old.rows(), requireNonNull(plan.computed()).source(), before, plan.shadows())) {
             // Recomputed once the light shines.
             return null;
         }
@@ -249,21 +252,23 @@ final class LevelWorker {
      *
      * @param to receives the colors
      */
-    TileLevel compose(TileLevel before, LevelPlan update, BounceImages images, float[][] to) {
+    TileLevel compose(TileLevel before, @Nullable LevelPlan update, @Nullable BounceImages images, float[][] to) {
         TileLevel level = withWeights(before);
         rowsComposed += level.rows().count;
-        boolean isRepeated = update != null && update.key() != null;
-        BranchSums sums = !isRepeated || target.lights().length < RepeatedEditDetector.MIN_LIGHTS ? null
+        BranchSums.Key key = update == null ? null : update.key();
+        boolean isRepeated = key != null;
+        BranchSums sums = key == null || target.lights().length < RepeatedEditDetector.MIN_LIGHTS ? null
                 : level.branches() != null ? level.branches()
-                : composer.branchSums(level.rows(), target.lights(), level.layers(), update.key());
+                : composer.branchSums(level.rows(), target.lights(), level.layers(), key);
         ClearTerms terms = level.clearTerms();
         if (terms != null && !composer.isCurrent(terms, level.rows())) {
             terms = null;
         }
         terms = terms == null && isRepeated ? composer.clearTerms(level.rows(), images) : terms;
         composer.composeLevel(level.rows(), target.lights(), level.layers(), sums, terms, target.scene().world(),
-                target.indirect() == null ? null : new IndirectRows(level.weights(), target.indirect().light()), images, to);
-        bytesMoved += bytesRead(level, update == null ? null : update.key(), sums) + (terms == null ? 0 : terms.bytes());
+                target.indirect() == null ? null : new IndirectRows(requireNonNull(level.weights()), target.indirect().light()), images,
+                to);
+        bytesMoved += bytesRead(level, key, sums) + (terms == null ? 0 : terms.bytes());
         return level.withCached(sums, terms);
     }
 
@@ -271,12 +276,12 @@ final class LevelWorker {
      * Returns the bytes that composing a level reads: textures, mirror images, and the layers of lights that light a row, or their
      * partial sums.
      */
-    private long bytesRead(TileLevel level, BranchSums.Key key, BranchSums sums) {
+    private long bytesRead(TileLevel level, BranchSums.@Nullable Key key, @Nullable BranchSums sums) {
         HitRows rows = level.rows();
         long bytes =
                 12L * (rows.reflectiveCount + rows.transparentCount) + (rows.texelRed == null ? 0 : 12L * rows.count) + 2L * rows.count;
         for (int l = 0; l < target.lights().length; l++) {
-            boolean read = sums == null || key.light() == l;
+            boolean read = sums == null || requireNonNull(key).light() == l;
             if (read && !target.lights()[l].isDark() && level.layers()[l].litCount() > 0) {
                 bytes += level.layers()[l].bytesReadByCompositing();
             }

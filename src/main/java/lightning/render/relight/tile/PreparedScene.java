@@ -5,6 +5,7 @@ import lightning.render.shading.IndirectLight;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Scene of a level, prepared for rendering.
@@ -15,8 +16,8 @@ import lightning.scene.Scene;
  * @param indirect   the scene's indirect light; null if it has none, or before it is computed
  * @param pointChanges change of its gather points since the last picture; null if all may have changed, or none did
  */
-public record PreparedScene(Geometry geometry, Scene scene, WeightedLight[] lights, WeightedLight[] edgeLights, IndirectLight indirect,
-        PointChanges pointChanges) {
+public record PreparedScene(Geometry geometry, Scene scene, WeightedLight[] lights, WeightedLight[] edgeLights,
+        @Nullable IndirectLight indirect, @Nullable PointChanges pointChanges) {
     // An array in a record: written once by its creator, never after.
 
     /** @param geometry geometry of the same shapes, with any materials */
@@ -26,7 +27,7 @@ public record PreparedScene(Geometry geometry, Scene scene, WeightedLight[] ligh
     }
 
     /** Returns this scene with its indirect light. */
-    PreparedScene withIndirect(IndirectLight light, PointChanges changes) {
+    PreparedScene withIndirect(@Nullable IndirectLight light, @Nullable PointChanges changes) {
         return new PreparedScene(geometry, scene, lights, edgeLights, light, changes);
     }
 }

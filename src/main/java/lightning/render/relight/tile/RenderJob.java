@@ -15,6 +15,7 @@ import lightning.render.trace.ShapeChange;
 import lightning.scene.AntialiasMode;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Shared, immutable data of one update for all threads.
@@ -25,10 +26,11 @@ import lightning.scene.Scene;
  * @param indirectChange changed indirect light of the first level
  * @param mirroredIndirectChange changed indirect light of the mirror levels
  */
-public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, RenderOptions options, UpdatePlan.Relight plan,
+public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, RenderOptions options, UpdatePlan.@Nullable Relight plan,
         Progress progress, IndirectChange indirectChange, IndirectChange mirroredIndirectChange) {
 
-    private RenderJob(PreparedScene target, PreparedScene mirrorTarget, RenderOptions options, UpdatePlan.Relight plan, Progress progress) {
+    private RenderJob(PreparedScene target, PreparedScene mirrorTarget, RenderOptions options, UpdatePlan.@Nullable Relight plan,
+            Progress progress) {
         this(target, mirrorTarget, options, plan, progress, IndirectChange.NONE, IndirectChange.NONE);
     }
 
@@ -64,10 +66,11 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
      *
      * @param shown    indirect light of the target scene
      * @param mirrored indirect light of the scene that mirrors show
-     * @param old      cache of the last picture, or null
-     * @param changes  change of the gather points of the target scene since the last picture, or null
+     * @param old      cache of the last picture
+     * @param changes  change of the gather points of the target scene since the last picture
      */
-    RenderJob withIndirect(IndirectCache shown, IndirectCache mirrored, PixelCache old, PointChanges changes) {
+    RenderJob withIndirect(@Nullable IndirectCache shown, @Nullable IndirectCache mirrored, @Nullable PixelCache old,
+            @Nullable PointChanges changes) {
         IndirectLight shownLight = light(shown);
         IndirectLight mirroredLight = light(mirrored);
         IndirectLight shownBefore = old == null ? null : light(old.indirect());
@@ -80,7 +83,7 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
                         : IndirectChange.between(mirroredBefore, mirroredLight));
     }
 
-    private static IndirectLight light(IndirectCache indirect) {
+    private static @Nullable IndirectLight light(@Nullable IndirectCache indirect) {
         return indirect == null ? null : indirect.light();
     }
 
@@ -104,11 +107,13 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
     }
 
     /** Returns the update of the first level; null in a first pass. */
+    @Nullable
     LevelPlan topPlan() {
         return plan == null ? null : plan.top();
     }
 
     /** Returns the update of the mirror levels; null if they stay unchanged, and in a first pass. */
+    @Nullable
     LevelPlan mirrorPlan() {
         return plan == null ? null : plan.mirrors();
     }

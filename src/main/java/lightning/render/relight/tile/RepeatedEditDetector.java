@@ -3,6 +3,7 @@ package lightning.render.relight.tile;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.composition.BranchSums;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Detects repeated edits of one light, as during a drag, or of ambience and material colors. From the second edit on, the partial
@@ -15,7 +16,7 @@ public final class RepeatedEditDetector {
      */
     public static final int MIN_LIGHTS = 8;
 
-    private BranchSums.Key key;
+    private BranchSums.@Nullable Key key;
 
     /** Detectors for the first level and for the mirror levels. */
     public record LevelDetectors(RepeatedEditDetector top, RepeatedEditDetector mirrors) {
@@ -28,7 +29,7 @@ public final class RepeatedEditDetector {
             return plan.withKeys(nextKey(top, plan.top(), plan), plan.mirrors() == null ? null : nextKey(mirrors, plan.mirrors(), plan));
         }
 
-        private static BranchSums.Key nextKey(RepeatedEditDetector repeated, LevelPlan level, UpdatePlan.Relight plan) {
+        private static BranchSums.@Nullable Key nextKey(RepeatedEditDetector repeated, LevelPlan level, UpdatePlan.Relight plan) {
             return repeated.nextKey(plan.shapes().isEmpty() ? level.singleChange() : LevelPlan.SEVERAL);
         }
 
@@ -43,9 +44,9 @@ public final class RepeatedEditDetector {
      * Records an update and returns the key for it.
      *
      * @param light  the only light that it changes, {@link BranchSums.Key#NO_LIGHT}, or {@link LevelPlan#SEVERAL}
-     * @return the key of sums to use and to cache, or null
+     * @return the key of sums to use and to cache
      */
-    BranchSums.Key nextKey(int light) {
+    BranchSums.@Nullable Key nextKey(int light) {
         if (light != LevelPlan.SEVERAL && key != null && key.light() == light) {
             return key;
         }

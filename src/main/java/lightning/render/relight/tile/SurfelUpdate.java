@@ -1,5 +1,7 @@
 package lightning.render.relight.tile;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -7,6 +9,7 @@ import java.util.List;
 import lightning.render.cache.IndirectCache;
 import lightning.render.cache.TileLevel;
 import lightning.render.gather.GatherStructure;
+import lightning.render.relight.plan.LevelPlan;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RayBatch;
 import lightning.render.trace.RowSplice;
@@ -43,7 +46,8 @@ final class SurfelUpdate {
     void keep(int block, LevelWorker worker, RenderJob job) {
         TileLevel level = before.surfels()[block];
         int[] old = before.structure().numbers(block);
-        int[] number = Arrays.stream(old).map(surfel -> surfel < 0 ? -1 : after.kept()[surfel]).toArray();
+        int[] kept = requireNonNull(after.kept());
+        int[] number = Arrays.stream(old).map(surfel -> surfel < 0 ? -1 : kept[surfel]).toArray();
         BitSet removed = new BitSet();
         for (int row = 0; row < level.rows().count; row++) {
             int parent = level.rows().parent[row];
@@ -53,11 +57,12 @@ final class SurfelUpdate {
             return;
         }
         ShapeChange shapes = job.shapeChange();
-        TileLevel owned = shapes.hasSameIndices() ? level : level.withOwner(shapes.mapIndices(level.rows().owner));
-        boolean isSorted = removed.isEmpty() && !job.topPlan().materials().mirroringChanged().intersects(level.rows());
+        LevelPlan plan = requireNonNull(job.topPlan());
+        TileLevel owned = shapes.hasSameIndices() ? level : level.withOwner(shapes.mapIndices(requireNonNull(level.rows().owner)));
+        boolean isSorted = removed.isEmpty() && !plan.materials().mirroringChanged().intersects(level.rows());
         TileLevel sorted = isSorted ? owned
                 : worker.reorder(RowSplice.sort(owned.rows(), removed, job.target().geometry().materials()), owned);
-        keptLevels[block] = worker.update(sorted, job.topPlan());
+        keptLevels[block] = worker.update(sorted, plan);
         keptNumbers[block] = number;
     }
 

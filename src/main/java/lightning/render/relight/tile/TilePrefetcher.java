@@ -4,6 +4,7 @@ import lightning.render.cache.CachedTile;
 import lightning.render.cache.TileLevel;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.shading.layer.LightRows;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Prefetches the small objects between tiles and their columns into the processor's cache. A tile has about ten of them in a chain,
@@ -54,10 +55,10 @@ final class TilePrefetcher {
 
     /** Reads the array lengths, which precede the values in memory. */
     private static int lengths(LightRows layer) {
-        return layer.litCount == 0 ? 0 : layer.cosine.length + length(layer.specular) + length(layer.falloff);
+        return layer.litCount == 0 ? 0 : length(layer.cosine) + length(layer.specular) + length(layer.falloff);
     }
 
-    private static int length(float[] column) {
+    private static int length(float @Nullable [] column) {
         return column == null ? 0 : column.length;
     }
 }

@@ -1,5 +1,7 @@
 package lightning.render.relight.tile;
 
+import static java.util.Objects.requireNonNull;
+
 import lightning.render.cache.PixelCache;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
@@ -15,6 +17,7 @@ import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Composes tiles from cached layers, independently of earlier compositions. Casts no ray and computes no term. Holds scratch
@@ -24,9 +27,9 @@ public final class TileRecomposer {
     private final TileComposer eye;
     private final TileComposer mirror;
     private final int depth;
-    /** Light of gather points that is added to the first level and to the others; null for none. */
-    private float[][] eyeIndirect;
-    private float[][] mirrorIndirect;
+    /** Light of gather points that is added to the first level and to the others. */
+    private float @Nullable [][] eyeIndirect;
+    private float @Nullable [][] mirrorIndirect;
     /** Index of the next level to compose. */
     private int nextLevel;
 
@@ -55,13 +58,13 @@ public final class TileRecomposer {
      * Sets the indirect light that is added from now on: red, green and blue of the gather points of which all levels have weights; null
      * for none.
      */
-    public void setIndirect(float[][] direct, float[][] mirrored) {
+    public void setIndirect(float @Nullable [][] direct, float @Nullable [][] mirrored) {
         eyeIndirect = direct;
         mirrorIndirect = mirrored;
     }
 
-    private static IndirectRows indirect(TileLevel level, float[][] light) {
-        return light == null ? null : new IndirectRows(level.weights(), light);
+    private static @Nullable IndirectRows indirect(TileLevel level, float @Nullable [][] light) {
+        return light == null ? null : new IndirectRows(requireNonNull(level.weights()), light);
     }
 
     /**
@@ -70,12 +73,12 @@ public final class TileRecomposer {
      *
      * @param levels all levels; {@code lights} light those from the second on
      */
-    public BounceImages composeImages(TileLevel[] levels, WeightedLight[] lights, World world) {
+    public @Nullable BounceImages composeImages(TileLevel[] levels, WeightedLight[] lights, World world) {
         nextLevel = 1;
         return composeImages(levels, 0, 0, lights, world);
     }
 
-    private BounceImages composeImages(TileLevel[] levels, int index, int level, WeightedLight[] lights, World world) {
+    private @Nullable BounceImages composeImages(TileLevel[] levels, int index, int level, WeightedLight[] lights, World world) {
         HitRows rows = levels[index].rows();
         if (level == depth || rows.reflectiveCount == 0) {
             return mirror.blackImages(rows);
@@ -86,14 +89,15 @@ public final class TileRecomposer {
                 int at = nextLevel++;
                 BounceImages below = composeImages(levels, at, level + 1, lights, world);
                 mirror.composeLevel(levels[at].rows(), lights, levels[at].layers(), world, indirect(levels[at], mirrorIndirect), below,
-                        images.forBounce(bounce));
+                        requireNonNull(images).forBounce(bounce));
             }
         }
         return images;
     }
 
     /** Composes the tile of the film: red, green, blue, {@code float[1024]} each. */
-    public float[][] composeFilm(TileLevel top, WeightedLight[] lights, Scene scene, SamplePositions places, BounceImages images) {
+    public float[][] composeFilm(TileLevel top, WeightedLight[] lights, Scene scene, SamplePositions places,
+            @Nullable BounceImages images) {
         float[][] pixels = new float[3][Film.TILE_PIXELS];
         eye.fillBackground(top.rows(), scene, places, pixels);
         eye.composeLevel(top.rows(), lights, top.layers(), scene.world(), indirect(top, eyeIndirect), images, pixels);

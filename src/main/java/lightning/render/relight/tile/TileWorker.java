@@ -1,11 +1,14 @@
 package lightning.render.relight.tile;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.BitSet;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
 import lightning.render.image.Film;
+import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.MaterialUpdate;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.EdgeColors;
@@ -15,6 +18,7 @@ import lightning.render.trace.RowSplice;
 import lightning.render.trace.SamplePositions;
 import lightning.render.trace.TileVisibility;
 import lightning.render.trace.Tracer;
+import org.jspecify.annotations.Nullable;
 
 /** Builds and updates cached tiles with one engine. Holds scratch memory: use one instance per thread. */
 final class TileWorker {
@@ -25,15 +29,15 @@ final class TileWorker {
     /** True if rows store their owner shapes. */
     private final boolean needsOwners;
     /** Created on first use. */
-    private LevelWorker mirrorWorker;
+    private @Nullable LevelWorker mirrorWorker;
     /** Created on first use. */
-    private BounceLevels bounceLevels;
+    private @Nullable BounceLevels bounceLevels;
     /** Composes the colors by which edges are detected; created on first use. */
-    private TileRecomposer edgeComposer;
+    private @Nullable TileRecomposer edgeComposer;
     /** Colors of samples whose colors are not stored; allocated on first use. */
-    private float[][] sampleColors;
+    private float @Nullable [][] sampleColors;
     /** Colors composed last. */
-    private float[][] colors;
+    private float @Nullable [][] colors;
     /** True if the last tile or block was composed. */
     private boolean hasNewColors;
     private long eyeRays;
@@ -73,6 +77,7 @@ final class TileWorker {
     }
 
     /** Traces the centers of a tile's pixels into a new cached tile; null if the work was canceled. */
+    @Nullable
     CachedTile firstPass(int tile) {
         int x0 = tile % job.tilesX() * Film.TILE_SIZE;
         int y0 = tile / job.tilesX() * Film.TILE_SIZE;
@@ -87,6 +92,7 @@ final class TileWorker {
      *
      * @param detectEdges true if their colors decide about further samples
      */
+    @Nullable
     CachedTile traceSamples(SamplePositions places, boolean detectEdges) {
         eyeRays += places.count();
         return buildTraced(places, eyeWorker.visibility().traceSamples(places, allocator(true)), detectEdges, true);
@@ -99,10 +105,10 @@ final class TileWorker {
 
     /** Returns the colors of the last samples if they changed: red, green and blue, valid until the next call. */
     float[][] colors() {
-        return colors;
+        return requireNonNull(colors);
     }
 
-    private CachedTile buildTraced(SamplePositions places, HitRows rows, boolean detectEdges, boolean fine) {
+    private @Nullable CachedTile buildTraced(SamplePositions places, HitRows rows, boolean detectEdges, boolean fine) {
         TileLevel top = eyeWorker.withWeights(eyeWorker.lightLevel(rows));
         BounceLevels.TracedLevels below =
                 top.rows().reflectiveCount == 0 ? new BounceLevels.TracedLevels(new TileLevel[] {top}, new int[0][], null, true)
@@ -122,16 +128,16 @@ final class TileWorker {
         return edgeComposer;
     }
 
-    private static float[][] edgeIndirect(PreparedScene scene) {
+    private static float @Nullable [][] edgeIndirect(PreparedScene scene) {
         return scene.indirect() == null ? null : scene.indirect().edgeLight();
     }
 
     /** Returns the colors for edges of the rays that bounce from the first level's rows, of the levels traced or updated last. */
-    private BounceImages edgeImages(TileLevel top) {
+    private @Nullable BounceImages edgeImages(TileLevel top) {
         return top.rows().reflectiveCount == 0 ? null : edgeImages(bounceLevels().lastLevels());
     }
 
-    private BounceImages edgeImages(TileLevel[] levels) {
+    private @Nullable BounceImages edgeImages(TileLevel[] levels) {
         return edgeComposer().composeImages(bounceLevels().withTerms(levels), job.mirrorTarget().edgeLights(),
                 job.mirrorTarget().scene().world());
     }
@@ -141,11 +147,11 @@ final class TileWorker {
      *
      * @param images colors of the rays that bounce from the first level's rows; null if there are none
      */
-    private EdgeColors edgeColors(SamplePositions places, TileLevel top, BounceImages images) {
+    private EdgeColors edgeColors(SamplePositions places, TileLevel top, @Nullable BounceImages images) {
         float[][] film = edgeComposer().composeFilm(eyeWorker.withTerms(top), job.target().edgeLights(), job.scene(), places, images);
         // Levels that are not stored cannot be composed again.
         boolean storesImages = images != null && !job.storesMirrorRows();
-        return new EdgeColors(EdgeColors.pack(film), storesImages ? images.compact(top.rows()) : null);
+        return new EdgeColors(EdgeColors.pack(film), images != null && storesImages ? images.compact(top.rows()) : null);
     }
 
     private TileVisibility.Allocator allocator(boolean fine) {
@@ -153,6 +159,7 @@ final class TileWorker {
     }
 
     /** Updates the centers of a tile's pixels as planned; null if the work was canceled. */
+    @Nullable
     CachedTile relight(int tile, CachedTile old) {
         SamplePositions places = SamplePositions.centers(tile % job.tilesX() * Film.TILE_SIZE, tile / job.tilesX() * Film.TILE_SIZE);
         BitSet retraced = changedRays(places);
@@ -194,7 +201,7 @@ final class TileWorker {
     }
 
     private TileLevel[] reindexOwners(CachedTile old) {
-        return Arrays.stream(old.levels).map(level -> level.withOwner(job.shapeChange().mapIndices(level.rows().owner)))
+        return Arrays.stream(old.levels).map(level -> level.withOwner(job.shapeChange().mapIndices(requireNonNull(level.rows().owner))))
                 .toArray(TileLevel[]::new);
     }
 
@@ -203,6 +210,7 @@ final class TileWorker {
     }
 
     /** Updates finer samples as planned; null if the work was canceled. */
+    @Nullable
     CachedTile relight(SamplePositions places, CachedTile old, boolean detectEdges) {
         BitSet retraced = changedRays(places);
         return LevelWorker.isWorthUpdating(retraced, places.count()) ? relight(places, old, retraced, detectEdges, true)
@@ -214,22 +222,23 @@ final class TileWorker {
      * @param detectEdges true if edges are detected in these rows
      * @param fine        true if they are finer samples
      */
-    private CachedTile relight(SamplePositions places, CachedTile previous, BitSet retraced, boolean detectEdges, boolean fine) {
+    private @Nullable CachedTile relight(SamplePositions places, CachedTile previous, BitSet retraced, boolean detectEdges, boolean fine) {
         CachedTile old = updateOwners(places, previous);
         TileLevel known = old.levels[0];
-        MaterialUpdate materials = job.topPlan().materials();
+        LevelPlan plan = requireNonNull(job.topPlan());
+        MaterialUpdate materials = plan.materials();
         RowSplice order = !retraced.isEmpty() || materials.mirroringChanged().intersects(known.rows())
                 ? RowSplice.sort(known.rows(), retraced, job.target().geometry().materials()) : null;
         TileLevel sorted = order == null ? known : eyeWorker.reorder(order, known);
-        sorted = eyeWorker.retexture(sorted, places, job.topPlan());
-        TileLevel top = eyeWorker.update(sorted, job.topPlan());
+        sorted = eyeWorker.retexture(sorted, places, plan);
+        TileLevel top = eyeWorker.update(sorted, plan);
         if (!retraced.isEmpty() && !job.progress().isCanceled()) {
             TileLevel added =
                     eyeWorker.lightLevel(eyeWorker.visibility().traceEyeRays(places, retraced, allocator(fine)));
             eyeRays += retraced.cardinality();
             RowSplice all = RowSplice.join(Film.TILE_PIXELS, top.rows(), added.rows(), job.target().geometry().materials());
             top = eyeWorker.join(all, top, added);
-            order = order.andThen(all);
+            order = requireNonNull(order).andThen(all);
         }
         if (job.progress().isCanceled()) {
             return null;
@@ -256,11 +265,11 @@ final class TileWorker {
     }
 
     /** Returns the colors for edges of the rays that bounce in an old tile, whose bounce levels do not change; null if none bounces. */
-    private BounceImages knownEdgeImages(CachedTile old) {
+    private @Nullable BounceImages knownEdgeImages(CachedTile old) {
         if (old.levels[0].rows().reflectiveCount == 0) {
             return null;
         }
-        return job.storesMirrorRows() ? edgeImages(old.levels) : old.edges.images();
+        return job.storesMirrorRows() ? edgeImages(old.levels) : requireNonNull(old.edges).images();
     }
 
     /**
@@ -270,7 +279,7 @@ final class TileWorker {
      * @param fine true if the rows are finer samples, whose colors are stored only to bound errors
      */
     private CachedTile buildTile(SamplePositions places, TileLevel top, BounceLevels.TracedLevels below, boolean isUnchanged,
-            float[][] film, EdgeColors edges, boolean fine) {
+            float @Nullable [][] film, @Nullable EdgeColors edges, boolean fine) {
         TileLevel[] levels = below.levels().clone();
         levels[0] = top;
         boolean storesColors = !fine || !job.options().method().isExact();
@@ -290,7 +299,7 @@ final class TileWorker {
     }
 
     /** @param order splice of the first level's rows; null if they are unchanged */
-    private BounceLevels.TracedLevels updateLower(CachedTile old, TileLevel top, RowSplice order) {
+    private BounceLevels.TracedLevels updateLower(CachedTile old, TileLevel top, @Nullable RowSplice order) {
         if (top.rows().reflectiveCount == 0) {
             return new BounceLevels.TracedLevels(new TileLevel[] {top}, new int[0][], null, old.levels[0].rows().reflectiveCount > 0);
         }

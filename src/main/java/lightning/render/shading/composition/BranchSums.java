@@ -1,5 +1,7 @@
 package lightning.render.shading.composition;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * Partial sums of the light tree for one light of one tile: the sums of all branches next to the light's path to the root. While
  * only that light is edited, each frame adds these few sums instead of all lights, with the same bits. If no light is edited, it is
@@ -27,9 +29,9 @@ public final class BranchSums {
     }
 
     private final Key key;
-    private final SumColumns[] leafToRoot;
+    private final @Nullable SumColumns[] leafToRoot;
 
-    BranchSums(Key key, SumColumns[] fromLeaf) {
+    BranchSums(Key key, @Nullable SumColumns[] fromLeaf) {
         this.key = key;
         this.leafToRoot = fromLeaf;
     }
@@ -39,6 +41,7 @@ public final class BranchSums {
     }
 
     /** Returns the sums from the leaf to the root; null for a branch that adds nothing. */
+    @Nullable
     SumColumns[] fromLeaf() {
         return leafToRoot;
     }

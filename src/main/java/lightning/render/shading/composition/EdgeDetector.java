@@ -5,6 +5,7 @@ import java.util.BitSet;
 import java.util.stream.IntStream;
 import lightning.render.image.Film;
 import lightning.render.shading.EdgeColors;
+import org.jspecify.annotations.Nullable;
 
 /** Finds the pixels that anti-aliasing samples: those whose color differs visibly from a neighbor's to the left, right, top or bottom. */
 public final class EdgeDetector {
@@ -72,7 +73,7 @@ public final class EdgeDetector {
     }
 
     /** Returns the packed colors of a tile; null outside the picture. */
-    private int[] colors(int tile, boolean inside) {
+    private int @Nullable [] colors(int tile, boolean inside) {
         return inside && tile >= 0 && tile < tiles.length ? tiles[tile].colors() : null;
     }
 
@@ -82,7 +83,7 @@ public final class EdgeDetector {
         int y0 = tile / tilesX * SIDE;
         int columns = Math.min(SIDE, width - x0);
         int lines = Math.min(SIDE, height - y0);
-        int[] own = colors(tile, true);
+        int[] own = tiles[tile].colors();
         int[] left = colors(tile - 1, x0 > 0);
         int[] right = colors(tile + 1, x0 + SIDE < width);
         int[] above = colors(tile - tilesX, true);
@@ -105,7 +106,7 @@ public final class EdgeDetector {
     }
 
     /** @param neighbor colors of the neighbor's tile; null if it is outside the picture */
-    private static boolean differ(int[] own, int i, int[] neighbor, int at) {
+    private static boolean differ(int[] own, int i, int @Nullable [] neighbor, int at) {
         return neighbor != null && EdgeColors.differ(own[i], neighbor[at]);
     }
 }

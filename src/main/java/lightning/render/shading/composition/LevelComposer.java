@@ -1,5 +1,7 @@
 package lightning.render.shading.composition;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.List;
 import lightning.render.shading.BounceImages;
@@ -18,6 +20,7 @@ import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.MaterialTable;
 import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Third stage for one tile and level: sums the lights' contributions and evaluates the equation over all rows. Holds scratch
@@ -33,12 +36,12 @@ final class LevelComposer {
     private final LightSum lightSum;
     private final ShadingMaterial[] shadingMaterials;
     /** Created on first use. */
-    private ClearMaterialShader clearShader;
+    private @Nullable ClearMaterialShader clearShader;
     private final float[][] colors = new float[3][ROWS];
     /** Stands for an omitted sum. */
     private final float[][] zeros = new float[3][ROWS];
     /** Allocated on first use. */
-    private float[][] indirectSum;
+    private float @Nullable [][] indirectSum;
     private LightComponent component = LightComponent.ALL;
     private boolean showsGlow = true;
     /** Emitted light of the run that is being shaded: red, green, blue. */
@@ -73,14 +76,14 @@ final class LevelComposer {
      *
      * @param lights   lights in scene order
      * @param layers   layer of each light; unread if the light is dark
-     * @param branches cached partial sums, or null
-     * @param terms    cached terms of clear rows, or null
-     * @param indirect indirect light of the rows, or null
+     * @param branches cached partial sums
+     * @param terms    cached terms of clear rows
+     * @param indirect indirect light of the rows
      * @param images   colors of the rays that bounce from the rows; null if there are none
      * @param to       receives the linear colors: red, green, blue, {@code float[1024]} each
      */
-    void compose(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums branches, ClearTerms terms, World world,
-            IndirectRows indirect, BounceImages images, float[][] to) {
+    void compose(HitRows rows, WeightedLight[] lights, LightLayer[] layers, @Nullable BranchSums branches, @Nullable ClearTerms terms,
+            World world, @Nullable IndirectRows indirect, @Nullable BounceImages images, float[][] to) {
         int from = firstLitRow(rows);
         SumColumns sum = branches == null ? lightSum.total(from, rows.count, rows.owner, lights, layers)
                 : lightSum.total(from, rows.count, rows.owner, lights, layers, branches);
@@ -98,14 +101,15 @@ final class LevelComposer {
 
     /** Returns the lights' diffuse sum plus the indirect light. */
     private float[][] addIndirect(IndirectRows indirect, float[][] direct, int from, int to) {
-        indirectSum = indirectSum == null ? new float[3][ROWS] : indirectSum;
-        indirect.weights().interpolate(indirect.light(), indirectSum);
+        float[][] sum = indirectSum == null ? new float[3][ROWS] : indirectSum;
+        indirectSum = sum;
+        indirect.weights().interpolate(indirect.light(), sum);
         for (int c = 0; c < 3; c++) {
             for (int i = from; i < to; i++) {
-                indirectSum[c][i] += direct[c][i];
+                sum[c][i] += direct[c][i];
             }
         }
-        return indirectSum;
+        return sum;
     }
 
     private ClearMaterialShader clearShader() {
@@ -114,7 +118,8 @@ final class LevelComposer {
     }
 
     /** Returns the terms of a level's clear rows if its colors depend on them; otherwise null. */
-    ClearTerms clearTerms(HitRows rows, BounceImages images) {
+    @Nullable
+    ClearTerms clearTerms(HitRows rows, @Nullable BounceImages images) {
         for (int run = 0; run < rows.runCount && rows.runStart(run) < rows.transparentCount; run++) {
             if (ClearMaterialShader.needsTerms(shadingMaterials[rows.runMaterial[run]], images)) {
                 return clearShader().terms(rows, shadingMaterials);
@@ -137,8 +142,8 @@ final class LevelComposer {
         return run == rows.runCount ? rows.count : rows.runStart(run);
     }
 
-    private void shade(HitRows rows, int run, SumColumns sum, float[][] allDiffuse, float ambience, ClearTerms terms, BounceImages images,
-            float[][] to) {
+    private void shade(HitRows rows, int run, SumColumns sum, float[][] allDiffuse, float ambience, @Nullable ClearTerms terms,
+            @Nullable BounceImages images, float[][] to) {
         ShadingMaterial material = shadingMaterials[rows.runMaterial[run]];
         for (int c = 0; c < 3; c++) {
             emitted[c] = EmittedLight.unmapped(material.texels(), material.ambient()[c], ambience, showsGlow ? material.glow()[c] : 0);
@@ -158,8 +163,8 @@ final class LevelComposer {
         }
     }
 
-    private void shadeLit(HitRows rows, int run, ShadingMaterial material, SumColumns sum, float[][] allDiffuse, ClearTerms terms,
-            BounceImages images, float[][] to) {
+    private void shadeLit(HitRows rows, int run, ShadingMaterial material, SumColumns sum, float[][] allDiffuse, @Nullable ClearTerms terms,
+            @Nullable BounceImages images, float[][] to) {
         boolean shines = component != LightComponent.DIFFUSE;
         float[][] diffuse = component == LightComponent.SPECULAR ? zeros : allDiffuse;
         float[][] specular = shines && sum.hasSpecular && material.hasSpecular() ? sum.specular : null;
@@ -174,7 +179,7 @@ final class LevelComposer {
     /** Shades an unlit texture, which shows its own color regardless of the lights. */
     private void shadeUnlit(HitRows rows, int run, ShadingMaterial material, float[][] to) {
         for (int c = 0; c < 3; c++) {
-            float[] texel = rows.texel(c);
+            float[] texel = requireNonNull(rows.texel(c));
             for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
                 to[c][i] = emitted[c] + material.diffuse()[c] * texel[i];
             }
@@ -182,13 +187,13 @@ final class LevelComposer {
     }
 
     /** Adds emitted light that an image multiplies to the colors of a run's rows. */
-    private void addMapped(HitRows rows, int run, ShadingMaterial material, ColumnGroup map, ClearTerms terms, float[][] to) {
+    private void addMapped(HitRows rows, int run, ShadingMaterial material, ColumnGroup map, @Nullable ClearTerms terms, float[][] to) {
         if (material.clarity() != null) {
             clearShader().addMapped(rows, run, material, mapped, map, terms, to);
             return;
         }
         for (int c = 0; c < 3; c++) {
-            float[] texel = rows.texel(map, c);
+            float[] texel = requireNonNull(rows.texel(map, c));
             float weight = 1 - material.reflective()[c];
             for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
                 to[c][i] = LightingEquation.addMapped(to[c][i], mapped[c], texel[i], weight);

@@ -1,5 +1,7 @@
 package lightning.render.shading.composition;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
 import lightning.render.shading.LightingEquation;
@@ -11,6 +13,7 @@ import lightning.render.shading.WeightedLight;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.shading.layer.LightRows;
 import lightning.render.shading.layer.WeightedLayer;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Sums the lights' contributions over the rows of a tile as the balanced tree of {@link LightingEquation#sum}. Holds scratch
@@ -39,9 +42,9 @@ final class LightSum {
     private final float[][][] diffuseFactors = new float[SumOperands.MAX_LIGHTS][][];
     private final float[][][] specularFactors = new float[SumOperands.MAX_LIGHTS][][];
     /** Shape of each row; read only for lights with gains. */
-    private int[] owners;
-    private WeightedLight[] lights;
-    private LightLayer[] layers;
+    private int @Nullable [] owners;
+    private WeightedLight[] lights = {};
+    private LightLayer[] layers = {};
 
     LightSum(SumKernel kernel) {
         this.sumKernel = kernel;
@@ -52,14 +55,15 @@ final class LightSum {
      *
      * @param shapes shape of each row; read only for lights with gains
      */
-    SumColumns total(int from, int count, int[] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers) {
+    SumColumns total(int from, int count, int @Nullable [] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers) {
         begin(from, count, shapes, sceneLights, lightLayers);
         collectOperands(0, sceneLights.length);
         return sum();
     }
 
     /** Returns the sum over all lights from the cached branches next to one light's path to the root. */
-    SumColumns total(int from, int count, int[] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers, BranchSums branches) {
+    SumColumns total(int from, int count, int @Nullable [] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers,
+            BranchSums branches) {
         begin(from, count, shapes, sceneLights, lightLayers);
         int light = branches.key().light();
         if (light != BranchSums.Key.NO_LIGHT) {
@@ -72,7 +76,7 @@ final class LightSum {
     }
 
     /** Computes the sums of all branches next to a light's path to the root. */
-    BranchSums branchSums(int count, int[] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers, BranchSums.Key key) {
+    BranchSums branchSums(int count, int @Nullable [] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers, BranchSums.Key key) {
         begin(0, count, shapes, sceneLights, lightLayers);
         if (key.light() == BranchSums.Key.NO_LIGHT) {
             return new BranchSums(key, new SumColumns[] {compact(sum(0, sceneLights.length))});
@@ -91,11 +95,11 @@ final class LightSum {
         return new BranchSums(key, fromRoot.reversed().toArray(SumColumns[]::new));
     }
 
-    private SumColumns compact(SumColumns sum) {
+    private @Nullable SumColumns compact(@Nullable SumColumns sum) {
         return sum == null ? null : sum.compact(rows);
     }
 
-    private void begin(int from, int count, int[] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers) {
+    private void begin(int from, int count, int @Nullable [] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers) {
         firstRow = from;
         rows = count;
         owners = shapes;
@@ -124,7 +128,7 @@ final class LightSum {
             addChain(left, left + right);
         } else if (to - from == 1) {
             WeightedLayer layer = (WeightedLayer) layers[from];
-            diffuse.addSum(layer.diffuse);
+            diffuse.addSum(requireNonNull(layer.diffuse));
             if (layer.specular != null) {
                 specular.addSum(layer.specular);
             }
@@ -174,7 +178,7 @@ final class LightSum {
             LightRows layer = (LightRows) layers[chain[i]];
             int operand = diffuse.lightCount;
             float[][] factors = factors(light.gains(), layer.tint, layer.face, diffuseFactors, operand);
-            diffuse.addLight(light.diffuse(), layer.cosine, layer.falloff, factors);
+            diffuse.addLight(light.diffuse(), requireNonNull(layer.cosine), layer.falloff, factors);
             if (layer.specular == null && layer.grazing == null) {
                 continue;
             }
@@ -197,13 +201,15 @@ final class LightSum {
      * @param tint    null if all are 1, as {@code colors} and {@code gains}
      * @param scratch columns for products, by operand
      */
-    private float[][] factors(ObjectGains gains, float[][] tint, float[][] colors, float[][][] scratch, int operand) {
+    private float @Nullable [][] factors(@Nullable ObjectGains gains, float @Nullable [][] tint, float @Nullable [][] colors,
+            float[][][] scratch, int operand) {
         if (gains == null && (tint == null || colors == null)) {
             return tint == null ? colors : tint;
         }
         float[][] columns = scratch[operand];
         if (tint == null && colors == null) {
             columns = columns == null ? new float[][] {new float[TermKernel.MAX_ROWS], null, null} : columns;
+            assert gains != null && owners != null;
             gains.write(owners, firstRow, rows, null, columns[0]);
             scratch[operand] = columns;
             return new float[][] {columns[0], columns[0], columns[0]};
@@ -213,12 +219,13 @@ final class LightSum {
             scratch[operand] = columns;
         }
         for (int c = 0; c < 3; c++) {
-            float[] factor = tint == null ? colors[c] : tint[c];
+            float[] factor = tint == null ? requireNonNull(colors)[c] : tint[c];
             if (tint != null && colors != null) {
                 multiply(tint[c], colors[c], columns[c]);
                 factor = columns[c];
             }
             if (gains != null) {
+                assert owners != null;
                 gains.write(owners, firstRow, rows, factor, columns[c]);
             }
         }
@@ -231,21 +238,21 @@ final class LightSum {
         }
     }
 
-    private void addBranch(SumColumns known) {
+    private void addBranch(@Nullable SumColumns known) {
         if (known == null) {
             return;
         }
         diffuse.addSum(known.diffuse);
         if (known.hasSpecular) {
-            specular.addSum(known.specular);
+            specular.addSum(requireNonNull(known.specular));
         }
         if (known.hasGrazing) {
-            grazing.addSum(known.grazing);
+            grazing.addSum(known.grazing());
         }
     }
 
     /** Computes the sum over lights {@code from … to − 1} in scratch columns, which stay in use; null if none contributes. */
-    private SumColumns sum(int from, int to) {
+    private @Nullable SumColumns sum(int from, int to) {
         int freeCount = usedScratch;
         collectOperands(from, to);
         if (diffuse.isEmpty()) {
@@ -270,7 +277,7 @@ final class LightSum {
         sumKernel.sum(firstRow, rows, diffuse, sum.diffuse);
         sum.hasSpecular = !specular.isEmpty();
         if (sum.hasSpecular) {
-            sumKernel.sum(firstRow, rows, specular, sum.specular);
+            sumKernel.sum(firstRow, rows, specular, requireNonNull(sum.specular));
         }
         sum.hasGrazing = !grazing.isEmpty();
         if (sum.hasGrazing) {

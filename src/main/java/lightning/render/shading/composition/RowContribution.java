@@ -1,5 +1,7 @@
 package lightning.render.shading.composition;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.render.shading.ClearMaterialShader;
 import lightning.render.shading.LightWeight;
@@ -12,6 +14,7 @@ import lightning.render.shading.layer.WeightedLayer;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.Refraction;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Contribution of one light to single rows, without ambience and glow, by the {@link LightingEquation} itself. Used for the few rows of a
@@ -27,7 +30,7 @@ public final class RowContribution {
     }
 
     /** Returns whether a light contributes nothing to any row of a layer. */
-    public static boolean isZero(WeightedLight light, LightLayer layer) {
+    public static boolean isZero(WeightedLight light, @Nullable LightLayer layer) {
         return light.isDark() || layer == null || layer.litCount() == 0;
     }
 
@@ -41,10 +44,8 @@ public final class RowContribution {
      *                 refracted} has the same layout
      * @param to       receives the row's color at {@code at}
      */
-    public void color(HitRows rows, int row, int material, WeightedLight light, LightLayer layer, float[] indirect, float[] mirrored,
-            float[] refracted,
-            int from,
-            float[] to, int at) {
+    public void color(HitRows rows, int row, int material, WeightedLight light, LightLayer layer, float @Nullable [] indirect,
+            float[] mirrored, float[] refracted, int from, float[] to, int at) {
         ShadingMaterial shading = shadingMaterials[material];
         boolean isZero = isZero(light, layer);
         float fresnel = 0;
@@ -52,6 +53,7 @@ public final class RowContribution {
             fresnel = Refraction.fresnelReflectance(shading.clarity(), rows.isInside(row), rows.nx[row], rows.ny[row], rows.nz[row],
                     rows.vx[row],
                     rows.vy[row], rows.vz[row]);
+            assert shading.interior() != null && rows.insideDistance != null;
             shading.interior().write(rows.insideDistance[row], tint);
         }
         // Not a loop: a compiled loop reads the length of an absent column before it checks for null, a fault of the virtual machine.
@@ -61,8 +63,8 @@ public final class RowContribution {
     }
 
     private void writeChannel(int c, HitRows rows, int row, ShadingMaterial shading, boolean isZero, WeightedLight light, LightLayer layer,
-            float[] indirect, float fresnel, float[] mirrored, float[] refracted, int from, float[] to, int at) {
-        float texel = shading.isTextured() ? rows.texel(c)[row] : 1;
+            float @Nullable [] indirect, float fresnel, float[] mirrored, float[] refracted, int from, float[] to, int at) {
+        float texel = shading.isTextured() ? requireNonNull(rows.texel(c))[row] : 1;
         float diffuse = 0;
         float specular = 0;
         float grazing = 0;
@@ -105,15 +107,15 @@ public final class RowContribution {
         };
     }
 
-    private static float term(LightWeight weight, WeightedLight light, LightRows layer, float[] term, float[][] colors, HitRows rows,
-            int row,
-            int c) {
+    private static float term(LightWeight weight, WeightedLight light, LightRows layer, float @Nullable [] term,
+            float @Nullable [][] colors, HitRows rows, int row, int c) {
         float tint = layer.factor(colors, c, row);
         return term == null ? 0 : LightingEquation.contribution(weight.channel(c), term[row],
-                layer.falloff == null ? 1 : layer.falloff[row], light.gains() == null ? tint : tint * light.gains().of(rows.owner[row]));
+                layer.falloff == null ? 1 : layer.falloff[row],
+                light.gains() == null ? tint : tint * light.gains().of(requireNonNull(rows.owner)[row]));
     }
 
-    private static float column(float[][] columns, int row, int c) {
+    private static float column(float @Nullable [][] columns, int row, int c) {
         return columns == null ? 0 : columns[c][row];
     }
 }

@@ -1,22 +1,25 @@
 package lightning.render.shading.composition;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
+import org.jspecify.annotations.Nullable;
 
 /** Sum of lights' contributions over the rows of a tile: red, green and blue columns. */
 final class SumColumns {
     final float[][] diffuse;
     /** Null if no specular term is ever stored. */
-    final float[][] specular;
+    final float @Nullable [][] specular;
     /** Null until a grazing term is stored. */
-    float[][] grazing;
+    float @Nullable [][] grazing;
     /** True if any light in the sum has specular terms; otherwise those columns are undefined. */
     boolean hasSpecular;
     /** True if any light in the sum has grazing terms; otherwise those columns are undefined. */
     boolean hasGrazing;
 
-    private SumColumns(float[][] diffuse, float[][] specular) {
+    private SumColumns(float[][] diffuse, float @Nullable [][] specular) {
         this.diffuse = diffuse;
         this.specular = specular;
     }
@@ -36,8 +39,8 @@ final class SumColumns {
 
     /** Returns a copy that is just long enough. */
     SumColumns compact(int rows) {
-        var compact = new SumColumns(copy(diffuse, rows), hasSpecular ? copy(specular, rows) : null);
-        compact.grazing = hasGrazing ? copy(grazing, rows) : null;
+        var compact = new SumColumns(copy(diffuse, rows), hasSpecular ? copy(requireNonNull(specular), rows) : null);
+        compact.grazing = hasGrazing ? copy(requireNonNull(grazing), rows) : null;
         compact.hasSpecular = hasSpecular;
         compact.hasGrazing = hasGrazing;
         return compact;

@@ -1,5 +1,7 @@
 package lightning.render.shading.composition;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.render.shading.ShadingMaterial;
 import lightning.render.shading.SumKernel;
@@ -11,6 +13,8 @@ import lightning.render.trace.MaterialTable;
 
 /** Computes the direct light, the albedo and the glow of surfels. Holds scratch columns: use one instance per thread. */
 public final class SurfelShader {
+    private static final float[] NO_TEXELS = {};
+
     private final LightSum lightSum;
     private final ShadingMaterial[] materials;
     private final MaterialTable table;
@@ -49,11 +53,12 @@ public final class SurfelShader {
         for (int run = 0; run < rows.runCount; run++) {
             ShadingMaterial material = materials[rows.runMaterial[run]];
             for (int c = 0; c < 3; c++) {
+                float[] texel = material.isTextured() ? requireNonNull(rows.texel(c)) : NO_TEXELS;
                 float emitted = (1 - material.reflective()[c]) * table.ownGlow(rows.runMaterial[run], c);
                 float[] map = material.texels().has(ColumnGroup.GLOW_TEXEL) ? rows.texel(ColumnGroup.GLOW_TEXEL, c) : null;
                 float share = (1 - material.reflective()[c]) * material.diffuse()[c];
                 for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
-                    albedo[c][numbers[rows.parent[row]]] = material.isTextured() ? share * rows.texel(c)[row] : share;
+                    albedo[c][numbers[rows.parent[row]]] = material.isTextured() ? share * texel[row] : share;
                     glow[c][numbers[rows.parent[row]]] = map == null ? emitted : emitted * map[row];
                 }
             }

@@ -16,6 +16,7 @@ import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
+import org.jspecify.annotations.Nullable;
 
 /** Composes colors from the deepest level of a tile up to its pixels. Holds scratch columns: use one instance per thread. */
 public final class TileComposer {
@@ -34,7 +35,7 @@ public final class TileComposer {
      * Returns black images for the rays that bounce from a level's rows if the recursion ended there; shared, and null if no ray
      * bounces.
      */
-    public BounceImages blackImages(HitRows rows) {
+    public @Nullable BounceImages blackImages(HitRows rows) {
         return rows.reflectiveCount == 0 ? null : BounceImages.BLACK;
     }
 
@@ -45,17 +46,17 @@ public final class TileComposer {
      * @param depth number of levels above this one
      * @return valid until the next call for the same depth; null if no ray bounces
      */
-    public BounceImages backgroundImages(HitRows rows, World world, int depth) {
+    public @Nullable BounceImages backgroundImages(HitRows rows, World world, int depth) {
         BounceImages images = scratchImages(rows, depth);
         for (BounceKind bounce : BounceKind.values()) {
-            if (bounce.rowCount(rows) > 0) {
+            if (images != null && bounce.rowCount(rows) > 0) {
                 backgroundShader.shadeBounceRays(rows, bounce, materials, world, images.forBounce(bounce));
             }
         }
         return images;
     }
 
-    private BounceImages scratchImages(HitRows rows, int depth) {
+    private @Nullable BounceImages scratchImages(HitRows rows, int depth) {
         if (rows.reflectiveCount == 0) {
             return null;
         }
@@ -79,30 +80,31 @@ public final class TileComposer {
      *
      * @param lights   lights in scene order
      * @param layers   layer of each light; unread if the light is dark
-     * @param branches cached partial sums, or null
-     * @param terms    cached terms of clear rows, or null
-     * @param indirect indirect light of the rows, or null
+     * @param branches cached partial sums
+     * @param terms    cached terms of clear rows
+     * @param indirect indirect light of the rows
      * @param images   colors of the rays that bounce from the rows; null if there are none
      * @param to       receives each row's linear color at its parent: red, green, blue, {@code float[1024]} each
      */
-    public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums branches, ClearTerms terms,
-            World world, IndirectRows indirect, BounceImages images, float[][] to) {
+    public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, @Nullable BranchSums branches,
+            @Nullable ClearTerms terms, World world, @Nullable IndirectRows indirect, @Nullable BounceImages images, float[][] to) {
         composer.compose(rows, lights, layers, branches, terms, world, indirect, images, to);
     }
 
     /** Composes the rows of one level without cached sums and terms. */
-    public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, World world, IndirectRows indirect,
-            BounceImages images, float[][] to) {
+    public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, World world, @Nullable IndirectRows indirect,
+            @Nullable BounceImages images, float[][] to) {
         composeLevel(rows, lights, layers, null, null, world, indirect, images, to);
     }
 
     /** Composes the rows of one level without cached sums and terms, and without indirect light. */
-    public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, World world, BounceImages images, float[][] to) {
+    public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, World world, @Nullable BounceImages images,
+            float[][] to) {
         composeLevel(rows, lights, layers, world, null, images, to);
     }
 
     /** Returns the terms of a level's clear rows, for {@link #composeLevel}; null if its colors do not depend on them. */
-    public ClearTerms clearTerms(HitRows rows, BounceImages images) {
+    public @Nullable ClearTerms clearTerms(HitRows rows, @Nullable BounceImages images) {
         return composer.clearTerms(rows, images);
     }
 

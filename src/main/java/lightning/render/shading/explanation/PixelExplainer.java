@@ -1,5 +1,7 @@
 package lightning.render.shading.explanation;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -27,6 +29,7 @@ import lightning.render.trace.SurfacePoint;
 import lightning.render.trace.tree.ShadowRayTarget;
 import lightning.scene.Scene;
 import lightning.scene.material.AlphaCutout;
+import org.jspecify.annotations.Nullable;
 
 /** Traces single pixels and reports every part of their color. The color has the bits of the film's. */
 public final class PixelExplainer {
@@ -36,11 +39,11 @@ public final class PixelExplainer {
     private final Scene scene;
     private final Geometry geometry;
     private final MaterialTable materials;
-    private final Geometry uncutGeometry;
+    private final @Nullable Geometry uncutGeometry;
     private final List<WeightedLight> lights;
     /** Null without indirect light, as the weigher. */
-    private final IndirectLight indirect;
-    private final RowWeigher weigher;
+    private final @Nullable IndirectLight indirect;
+    private final @Nullable RowWeigher weigher;
 
     /** Shadow ray targets by light position. */
     private final Map<Vec3, ShadowRayTarget> shadowRayTargets;
@@ -55,8 +58,8 @@ public final class PixelExplainer {
         this(scene, known.forScene(scene, known.castsReflections()), new HashMap<>(), null, null);
     }
 
-    private PixelExplainer(Scene scene, Geometry geometry, Map<Vec3, ShadowRayTarget> ends, Geometry uncut,
-            IndirectLight indirect) {
+    private PixelExplainer(Scene scene, Geometry geometry, Map<Vec3, ShadowRayTarget> ends, @Nullable Geometry uncut,
+            @Nullable IndirectLight indirect) {
         this.scene = scene;
         this.geometry = geometry;
         this.shadowRayTargets = ends;
@@ -75,7 +78,7 @@ public final class PixelExplainer {
     }
 
     /** Returns this explainer with the indirect light of its scene; null for none, as initially. */
-    public PixelExplainer withIndirect(IndirectLight light) {
+    public PixelExplainer withIndirect(@Nullable IndirectLight light) {
         return light == indirect ? this : new PixelExplainer(scene, geometry, shadowRayTargets, uncutGeometry, light);
     }
 
@@ -85,7 +88,7 @@ public final class PixelExplainer {
     }
 
     /** Returns the indirect light of the scene; null for none. */
-    public IndirectLight indirect() {
+    public @Nullable IndirectLight indirect() {
         return indirect;
     }
 
@@ -115,7 +118,7 @@ public final class PixelExplainer {
         for (WeightedLight light : lights) {
             reports.add(lightReport(light, hit, normals));
         }
-        float[] bounced = indirect == null ? null : indirect.at(hit, weigher);
+        float[] bounced = indirect == null || weigher == null ? null : indirect.at(hit, weigher);
         float[] color = new float[3];
         float[] ambient = new float[3];
         float[] glow = new float[3];
@@ -146,7 +149,7 @@ public final class PixelExplainer {
             for (EmittedLight kind : EmittedLight.values()) {
                 color[c] = kind.isMapped(materials.texels(hit.material()))
                         ? LightingEquation.addMapped(color[c], kind.amount(ka, ambience, ownLight),
-                                hit.maps().get(kind.map().orElseThrow())[c], share.bodyWeight(kr, c))
+                                requireNonNull(hit.maps().get(kind.map().orElseThrow()))[c], share.bodyWeight(kr, c))
                         : color[c];
             }
         }
@@ -163,7 +166,7 @@ public final class PixelExplainer {
     }
 
     /** Returns the geometry without cutouts; null if the scene has none. */
-    private static Geometry withoutCutouts(Scene scene) {
+    private static @Nullable Geometry withoutCutouts(Scene scene) {
         return scene.materials().stream().noneMatch(m -> m.cutout().isActive()) ? null : Geometry.of(
                 scene.withMaterials(
                         scene.materials().stream().map(m -> m.cutout().isActive() ? m.withCutout(AlphaCutout.NONE) : m).toList()));
@@ -177,14 +180,15 @@ public final class PixelExplainer {
         return LightingEquation.sum(terms, 0, terms.length);
     }
 
-    private LightReport lightReport(WeightedLight light, SurfacePoint hit, NormalSteps normals) {
+    private LightReport lightReport(WeightedLight light, SurfacePoint hit, @Nullable NormalSteps normals) {
         return light.source().isArea() && !light.isDark() ? areaReport(light, hit, normals)
                 : lightReport(light, light.source(), hit, normals);
     }
 
     /** Returns the means of a light's samples. If no sample reaches the point, the state is that of the sample that passed most tests. */
-    private LightReport areaReport(WeightedLight light, SurfacePoint hit, NormalSteps normals) {
-        int samples = light.source().centerSamples().samples();
+    private LightReport areaReport(WeightedLight light, SurfacePoint hit, @Nullable NormalSteps normals) {
+        AreaSamples area = requireNonNull(light.source().centerSamples());
+        int samples = area.samples();
         double diffuse = 0;
         double specular = 0;
         double grazing = 0;
@@ -195,7 +199,6 @@ public final class PixelExplainer {
         double[] tints = new double[3];
         double[][] faces = new double[2][3];
         double shine = 0;
-        AreaSamples area = light.source().centerSamples();
         int freeCount = 0;
         for (int s = 0; s < samples; s++) {
             LightReport one =
@@ -228,6 +231,7 @@ public final class PixelExplainer {
             best = best == null || one.state().compareTo(best.state()) > 0 ? one : best;
             blocked = blocked == null && one.state() == LightReport.State.SHADOWED ? one : blocked;
         }
+        assert best != null;
         float cosine = LightingEquation.mean(diffuse, samples);
         float highlight = LightingEquation.mean(specular, samples);
         float sheen = LightingEquation.mean(grazing, samples);
@@ -254,7 +258,7 @@ public final class PixelExplainer {
         return new float[] {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
     }
 
-    private LightReport lightReport(WeightedLight light, LightSource source, SurfacePoint hit, NormalSteps normals) {
+    private LightReport lightReport(WeightedLight light, LightSource source, SurfacePoint hit, @Nullable NormalSteps normals) {
         var equation = new LightingEquation(source);
         equation.moveTo(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz());
         float cosine = equation.cosine(hit.nx(), hit.ny(), hit.nz());
@@ -324,6 +328,6 @@ public final class PixelExplainer {
 
     /** Returns a sample of an area light as a row of a pixel center uses it. */
     private static LightSource sample(LightSource area, SurfacePoint hit, int s) {
-        return area.at(area.centerSamples().position(AreaSamples.rotation(hit.px(), hit.py(), hit.pz()), s));
+        return area.at(requireNonNull(area.centerSamples()).position(AreaSamples.rotation(hit.px(), hit.py(), hit.pz()), s));
     }
 }

@@ -3,6 +3,7 @@ package lightning.render.shading.explanation;
 import java.util.List;
 import lightning.render.trace.NormalSteps;
 import lightning.render.trace.SurfacePoint;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Lighting equation at one point with all its parts.
@@ -18,12 +19,9 @@ import lightning.render.trace.SurfacePoint;
  * @param refracted     report of the refracted ray; null if the material is opaque, reflects totally, or the depth ends here
  * @param reflected     report of the mirrored ray; null if the material does not mirror or the depth ends here
  */
-public record PointReport(SurfacePoint hit, List<Integer> passedCutouts, NormalSteps normals, float[] color, float[] ambient,
-        float[] glow,
-        float[] indirect,
-        List<LightReport> lights,
-        PointReport reflected,
-        PointReport refracted) {
+public record PointReport(@Nullable SurfacePoint hit, List<Integer> passedCutouts, @Nullable NormalSteps normals, float[] color,
+        float[] ambient, float[] glow, float @Nullable [] indirect, List<LightReport> lights, @Nullable PointReport reflected,
+        @Nullable PointReport refracted) {
     /** Returns whether the ray hit nothing. */
     public boolean isBackground() {
         return hit == null;

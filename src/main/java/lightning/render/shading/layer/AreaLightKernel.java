@@ -9,6 +9,7 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
 import lightning.render.trace.Tracer;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Second stage for one tile and an area light, whose terms are means over samples. Holds scratch memory: use one instance per
@@ -45,11 +46,12 @@ final class AreaLightKernel {
     private final float[] cosine = new float[TermKernel.MAX_ROWS];
     private final VisibleSampleColumns sampleColumns = new VisibleSampleColumns();
     /** Sums of the tints of unblocked shadow rays; allocated on first use. */
-    private double[][] tintSum;
+    private double @Nullable [][] tintSum;
     private boolean hasTint;
 
     AreaLightKernel(LightLinks links, Tracer tracer, TermKernel terms, TermColumnWriter writer, RequiredWork required) {
         this.links = links;
+        shadowCaster = links.unrestrictedCaster();
         this.tracer = tracer;
         this.terms = terms;
         sums = new AreaTermSums(terms, writer);
@@ -193,7 +195,8 @@ final class AreaLightKernel {
                                 mergeColors(rows, before.highlight, changed.highlight, columns));
     }
 
-    private float[][] mergeColors(HitRows rows, float[][] before, float[][] changed, ColumnAllocator columns) {
+    private float @Nullable [][] mergeColors(HitRows rows, float @Nullable [][] before, float @Nullable [][] changed,
+            ColumnAllocator columns) {
         if (before == null && changed == null) {
             return null;
         }
@@ -205,7 +208,8 @@ final class AreaLightKernel {
     }
 
     /** Merges two columns; null stands for {@code missing} in all rows. */
-    private float[] merge(HitRows rows, float[] before, float[] changed, float missing, ColumnAllocator columns) {
+    private float @Nullable [] merge(HitRows rows, float @Nullable [] before, float @Nullable [] changed, float missing,
+            ColumnAllocator columns) {
         if (before == null && changed == null) {
             return null;
         }
@@ -298,7 +302,8 @@ final class AreaLightKernel {
     }
 
     /** Returns the mean tints over the unblocked shadow rays of recomputed rows; other rows keep their values. */
-    private float[][] tintColumns(HitRows rows, LightSource source, int[] recomputed, float[][] before, ColumnAllocator columns) {
+    private float @Nullable [][] tintColumns(HitRows rows, LightSource source, int[] recomputed, float @Nullable [][] before,
+            ColumnAllocator columns) {
         if (!hasTint && before == null) {
             return null;
         }
@@ -309,7 +314,12 @@ final class AreaLightKernel {
                 freeCount += RowBits.contains(unblocked[s], i) ? 1 : 0;
             }
             for (int c = 0; c < 3 && RowBits.contains(recomputed, i); c++) {
-                to[c][i] = freeCount == 0 ? 1 : LightingEquation.mean(tintSum[c][i], freeCount);
+                if (freeCount == 0) {
+                    to[c][i] = 1;
+                } else {
+                    assert tintSum != null;
+                    to[c][i] = LightingEquation.mean(tintSum[c][i], freeCount);
+                }
             }
         }
         return TintTracer.nullIfUntinted(rows, to);
@@ -344,7 +354,7 @@ final class AreaLightKernel {
      * @param written    rows whose states are written
      * @param recomputed rows whose shadow rays were just cast
      */
-    private short[][] writeStates(HitRows rows, LightSource source, byte[] state, int[] written, int[] recomputed,
+    private short @Nullable [][] writeStates(HitRows rows, LightSource source, byte[] state, int[] written, int[] recomputed,
             ColumnAllocator columns) {
         Arrays.fill(anyLit, 0);
         Arrays.fill(anyUnblocked, 0);
@@ -370,7 +380,8 @@ final class AreaLightKernel {
     }
 
     /** Computes the mean terms over all samples, whose visibility is known, for the rows in {@link #anyLit}. */
-    private LightRows meanTerms(HitRows rows, LightSource source, byte[] state, short[][] visibleSamples, ColumnAllocator columns) {
+    private LightRows meanTerms(HitRows rows, LightSource source, byte[] state, short @Nullable [][] visibleSamples,
+            ColumnAllocator columns) {
         if (RowBits.count(anyLit, rows.count) == 0) {
             return LightRows.unlit(state, visibleSamples);
         }

@@ -8,6 +8,7 @@ import lightning.render.shading.LightingEquation;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
+import org.jspecify.annotations.Nullable;
 
 /** Sums of an area light's terms over its visible samples. Holds scratch memory: use one instance per thread. */
 final class AreaTermSums {
@@ -25,9 +26,9 @@ final class AreaTermSums {
     private final double[] specularSum = new double[TermKernel.MAX_ROWS];
     private final double[] grazingSum = new double[TermKernel.MAX_ROWS];
     /** Sums for a light with an image: terms times color, and the specular terms; allocated on first use. */
-    private double[][] diffuseColor;
-    private double[][] specularColor;
-    private double[] specularWeight;
+    private double @Nullable [][] diffuseColor;
+    private double @Nullable [][] specularColor;
+    private double @Nullable [] specularWeight;
     /** True if any row's material has specular terms or is metallic; computed once per tile and light. */
     private boolean hasSpecular;
     private boolean hasMetallic;
@@ -56,7 +57,7 @@ final class AreaTermSums {
     }
 
     private void beginColors(int rows) {
-        if (diffuseColor == null) {
+        if (diffuseColor == null || specularColor == null || specularWeight == null) {
             diffuseColor = new double[3][TermKernel.MAX_ROWS];
             specularColor = new double[3][TermKernel.MAX_ROWS];
             specularWeight = new double[TermKernel.MAX_ROWS];
@@ -98,6 +99,7 @@ final class AreaTermSums {
 
     /** Adds the terms times the color of sample {@code s}; the falloffs, and the terms of rows with highlights, are those of the sample. */
     private void addColors(HitRows rows, AreaSamples samples, int s, int[] rowSet, float[] cosine, RowShadowRays rays) {
+        assert samples.color != null && diffuseColor != null && specularColor != null && specularWeight != null;
         for (int b = 0; b < RowBits.words(rows.count); b++) {
             for (int left = rowSet[b]; left != 0; left &= left - 1) {
                 int i = b * RowBits.WIDTH + Integer.numberOfTrailingZeros(left);
@@ -114,7 +116,7 @@ final class AreaTermSums {
         }
     }
 
-    private void addGrazing(HitRows rows, float[] falloffOrNull, int[] rowSet) {
+    private void addGrazing(HitRows rows, float @Nullable [] falloffOrNull, int[] rowSet) {
         System.arraycopy(rowSet, 0, metallicRows, 0, RowBits.words(rows.count));
         for (int r = 0; r < rows.runCount; r++) {
             if (!columnWriter.isMetallic(rows.runMaterial[r])) {
@@ -143,7 +145,7 @@ final class AreaTermSums {
      *
      * @param lit number of lit rows
      */
-    LightRows layer(HitRows rows, LightSource source, byte[] state, short[][] visibleSamples, int lit, ColumnAllocator columns) {
+    LightRows layer(HitRows rows, LightSource source, byte[] state, short @Nullable [][] visibleSamples, int lit, ColumnAllocator columns) {
         if (lit == 0) {
             return LightRows.unlit(state, visibleSamples);
         }
@@ -152,7 +154,7 @@ final class AreaTermSums {
                 hasSpecular ? meanColumn(specularSum, samples, rows, columns) : null,
                 hasMetallic ? meanColumn(grazingSum, samples, rows, columns) : null, null), lit)
                 .withVisibleSamples(visibleSamples);
-        return source.samples(rows).color == null ? layer
+        return source.samples(rows).color == null || diffuseColor == null || specularColor == null || specularWeight == null ? layer
                 : layer.withFaceColors(meanColors(diffuseColor, diffuseSum, rows, columns),
                         hasSpecular ? meanColors(specularColor, specularWeight, rows, columns) : null);
     }

@@ -1,5 +1,7 @@
 package lightning.render.shading.layer;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Optional;
@@ -14,6 +16,7 @@ import lightning.render.trace.RowSplice;
 import lightning.render.trace.ShapeChange;
 import lightning.render.trace.Tracer;
 import lightning.scene.effects.ViewEffects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Second stage for one tile: computes or updates a light's layer over the hit rows. Holds scratch memory: use one instance per
@@ -22,7 +25,7 @@ import lightning.scene.effects.ViewEffects;
 public final class LightKernel {
     private final LightLinks links;
     /** Created for the first area light. */
-    private AreaLightKernel areaKernel;
+    private @Nullable AreaLightKernel areaKernel;
     private final Tracer tracer;
     private final TermKernel terms;
     private final TermColumnWriter columnWriter;
@@ -388,7 +391,8 @@ public final class LightKernel {
     }
 
     /** Returns the old column if it has the same bits. */
-    private static float[] reuseIfEqual(HitRows rows, float[] before, float[] updated) {
+    private static float[] reuseIfEqual(HitRows rows, float @Nullable [] before, float @Nullable [] updated) {
+        assert before != null && updated != null;
         return Arrays.equals(before, 0, rows.count, updated, 0, rows.count) ? before : updated;
     }
 
@@ -409,7 +413,7 @@ public final class LightKernel {
     }
 
     /** @param added null if there are no added rows; then {@code source} is unread */
-    private LightRows splice(RowSplice splice, LightRows before, LightRows added, LightSource source) {
+    private LightRows splice(RowSplice splice, LightRows before, @Nullable LightRows added, @Nullable LightSource source) {
         if (before.isUnreached() && (added == null || added.isUnreached())) {
             return LightRows.UNREACHED;
         }
@@ -438,6 +442,7 @@ public final class LightKernel {
                     .withTint(LightRows.readChannels(columns, LightRows.Column.TINT_COLUMNS));
         }
         if (mixed) {
+            assert source != null;
             aim(rows, source);
             terms.cosines(rows, cosine);
             return buildLayer(rows, source, state, lit, Optional.empty(), ColumnAllocator.NEW_ARRAYS)
@@ -445,7 +450,7 @@ public final class LightKernel {
         }
         return premultiplied ? LightRows.premultiplied(columns, count)
                 : haveFalloff || added == null ? LightRows.lit(columns, count)
-                : LightRows.lit(columns, count).withFalloff(falloffs(rows, source));
+                : LightRows.lit(columns, count).withFalloff(falloffs(rows, requireNonNull(source)));
     }
 
     /** Returns whether the terms of all lit rows include the falloff. */
@@ -454,7 +459,7 @@ public final class LightKernel {
     }
 
     /** Returns the falloff column; for a light without falloff, or if one of the spliced layers has no lit row and so no falloffs. */
-    private float[] falloffs(HitRows rows, LightSource source) {
+    private float @Nullable [] falloffs(HitRows rows, LightSource source) {
         if (source.needsFalloffColumn()) {
             aim(rows, source);
         }

@@ -1,18 +1,20 @@
 package lightning.render.shading.layer;
 
+import org.jspecify.annotations.Nullable;
+
 /** Layer of one light over the hit rows of one tile and level: terms, or finished contributions. */
 public sealed interface LightLayer permits LightRows, WeightedLayer {
     /** Returns the state and shadow ray result of each row; see {@link LightRows}. */
     byte[] states();
 
     /** Returns for each row the set of visible light samples; see {@link LightRows#visibleSamples}. */
-    short[][] visibleSamples();
+    short @Nullable [][] visibleSamples();
 
     /** Returns whether the light reaches no row of the tile, so that none was tested. */
     boolean isUnreached();
 
     /** Returns the tints of unblocked shadow rays: red, green and blue columns; null if all are 1. */
-    float[][] tint();
+    float @Nullable [][] tint();
 
     /** Returns the number of lit rows. */
     int litCount();
@@ -20,12 +22,12 @@ public sealed interface LightLayer permits LightRows, WeightedLayer {
     /** Returns the bytes of the columns, without array headers. */
     long bytes();
 
-    /** Returns the bytes of the columns that are not shared with {@code before}, which may be null. */
-    long newBytes(LightLayer before);
+    /** Returns the bytes of the columns that are not shared with {@code before}. */
+    long newBytes(@Nullable LightLayer before);
 
     /** Returns the bytes that compositing reads. */
     long bytesReadByCompositing();
 
-    /** Returns the bytes per row that an update from {@code before}, which may be null, must read. */
-    long rowBytesRead(LightLayer before);
+    /** Returns the bytes per row that an update from {@code before} must read. */
+    long rowBytesRead(@Nullable LightLayer before);
 }

@@ -8,6 +8,7 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.Tracer;
 import lightning.scene.effects.ViewEffects;
 import lightning.scene.value.ShapeLinks;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Light linking for the rows of a tile: selects the rows that a light illuminates and the caster of its shadow rays. A row that is
@@ -34,6 +35,11 @@ final class LightLinks {
         return shadowedBy.isAll() ? unrestrictedCaster : restrictedCasters.computeIfAbsent(shadowedBy, this::createCaster);
     }
 
+    /** Returns the shadow caster of lights that all shapes shadow. */
+    ShadowCaster unrestrictedCaster() {
+        return unrestrictedCaster;
+    }
+
     private ShadowCaster createCaster(ShapeLinks shadowedBy) {
         Geometry casting = geometry.shadowGeometry(shadowedBy);
         return new ShadowCaster(casting, tracer.withGeometry(casting), view);
@@ -45,7 +51,7 @@ final class LightLinks {
     }
 
     /** Returns for each primitive whether the light illuminates it; null if it illuminates all. */
-    boolean[] litPrimitives(LightSource source) {
+    boolean @Nullable [] litPrimitives(LightSource source) {
         ShapeLinks illuminated = source.light().illuminates();
         return illuminated.isAll() ? null : geometry.linkedPrimitives(illuminated);
     }
@@ -55,6 +61,7 @@ final class LightLinks {
         boolean[] lit = litPrimitives(source);
         boolean any = lit == null || rows.count == 0;
         for (int i = 0; i < rows.count && !any; i++) {
+            assert lit != null && rows.owner != null;
             any = lit[rows.owner[i]];
         }
         return any;
@@ -67,6 +74,7 @@ final class LightLinks {
     void retainLit(LightSource source, HitRows rows, int[] set) {
         boolean[] lit = rows.owner == null ? null : litPrimitives(source);
         for (int i = 0; lit != null && i < rows.count; i++) {
+            assert rows.owner != null;
             if (!lit[rows.owner[i]]) {
                 RowBits.remove(set, i, i + 1);
             }

@@ -13,6 +13,7 @@ import lightning.render.column.ElementType;
 import lightning.render.shading.TermKernel;
 import lightning.render.shading.Transmittance;
 import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Term layer of one light over the hit rows of one tile and level: state, cosine, specular term and falloff. The columns share the
@@ -126,21 +127,21 @@ public final class LightRows implements LightLayer {
     /** State and shadow ray flags of each row. */
     public final byte[] state;
     /** N·L, or the diffuse term of a metallic material; null if no row is lit. */
-    public final float[] cosine;
+    public final float @Nullable [] cosine;
     /** max(V·R, 0)<sup>shininess</sup>, or the factor of F0 for a metallic material; null if no row is lit or none is specular. */
-    public final float[] specular;
+    public final float @Nullable [] specular;
     /** Grazing terms of metallic materials; null if no row is lit or none is metallic. */
-    public final float[] grazing;
+    public final float @Nullable [] grazing;
     /** atten·spot; only for kind {@link Kind#SEPARATE}, and null there if it is 1. */
-    public final float[] falloff;
+    public final float @Nullable [] falloff;
     /** Columns of visible samples, as many as the light needs; null if it has one sample or no row sees any. */
-    final short[][] visibleSamples;
+    final short @Nullable [][] visibleSamples;
     /** Red, green and blue tints of unblocked shadow rays; null if all are 1. */
-    public final float[][] tint;
+    public final float @Nullable [][] tint;
     /** Mean colors of the light's image for the diffuse terms: red, green and blue; null if all are 1. */
-    public final float[][] face;
+    public final float @Nullable [][] face;
     /** Mean colors of the light's image for the specular and grazing terms; null if all are 1. */
-    public final float[][] highlight;
+    public final float @Nullable [][] highlight;
     /** Number of lit rows. */
     public final int litCount;
     private final Kind kind;
@@ -154,35 +155,36 @@ public final class LightRows implements LightLayer {
         this.litCount = lit;
         this.kind = kind;
         state = (byte[]) columns.get(Column.STATE);
-        cosine = (float[]) columns.get(Column.COSINE);
-        specular = (float[]) columns.get(Column.SPECULAR);
-        grazing = (float[]) columns.get(Column.GRAZING);
-        falloff = (float[]) columns.get(Column.FALLOFF);
+        cosine = (float[]) columns.find(Column.COSINE);
+        specular = (float[]) columns.find(Column.SPECULAR);
+        grazing = (float[]) columns.find(Column.GRAZING);
+        falloff = (float[]) columns.find(Column.FALLOFF);
         visibleSamples = readVisibleSamples(columns, Column.SAMPLE_COLUMNS);
         tint = readChannels(columns, Column.TINT_COLUMNS);
         face = readChannels(columns, Column.FACE_COLUMNS);
         highlight = readChannels(columns, Column.HIGHLIGHT_COLUMNS);
     }
 
-    /** Returns the column of samples 16·{@code group} and up, or null. */
-    public static short[] sampleColumn(short[][] visibleSamples, int group) {
+    /** Returns the column of samples 16·{@code group} and up. */
+    public static short @Nullable [] sampleColumn(short @Nullable [][] visibleSamples, int group) {
         return visibleSamples == null || visibleSamples.length <= group ? null : visibleSamples[group];
     }
 
     /** Returns the existing sample columns, a prefix of the kinds; null if there are none. */
-    public static <C extends Enum<C> & ColumnKind> short[][] readVisibleSamples(ColumnSet<C> columns, List<C> kinds) {
+    public static <C extends Enum<C> & ColumnKind> short @Nullable [][] readVisibleSamples(ColumnSet<C> columns, List<C> kinds) {
         return !columns.has(kinds.getFirst()) ? null
                 : kinds.stream().filter(columns::has).map(kind -> (short[]) columns.get(kind)).toArray(short[][]::new);
     }
 
     /** Returns three columns; null if the first does not exist. */
-    public static <C extends Enum<C> & ColumnKind> float[][] readChannels(ColumnSet<C> columns, List<C> channels) {
+    public static <C extends Enum<C> & ColumnKind> float @Nullable [][] readChannels(ColumnSet<C> columns, List<C> channels) {
         return !columns.has(channels.getFirst()) ? null
                 : channels.stream().map(channel -> (float[]) columns.get(channel)).toArray(float[][]::new);
     }
 
     /** Returns the columns with three of them replaced, or removed if {@code colors} is null. */
-    public static <C extends Enum<C> & ColumnKind> ColumnSet<C> withChannels(ColumnSet<C> columns, List<C> channels, float[][] colors) {
+    public static <C extends Enum<C> & ColumnKind> ColumnSet<C> withChannels(ColumnSet<C> columns, List<C> channels,
+            float @Nullable [][] colors) {
         ColumnSet<C> result = columns;
         for (int c = 0; c < channels.size(); c++) {
             result = result.with(channels.get(c), colors == null ? null : colors[c]);
@@ -239,8 +241,8 @@ public final class LightRows implements LightLayer {
         return new LightRows(ColumnSet.of(Column.class, state), 0, Kind.UNLIT);
     }
 
-    /** Creates a layer without lit rows, in which samples may be visible; {@code visibleSamples} may be null. */
-    static LightRows unlit(byte[] state, short[][] visibleSamples) {
+    /** Creates a layer without lit rows, in which samples may be visible. */
+    static LightRows unlit(byte[] state, short @Nullable [][] visibleSamples) {
         return unlit(state).withVisibleSamples(visibleSamples);
     }
 
@@ -252,7 +254,7 @@ public final class LightRows implements LightLayer {
      * @param grazing  as {@link LightRows#grazing}; null if no row is metallic
      * @param falloff  as {@link LightRows#falloff}; null if all are 1
      */
-    public record Terms(float[] cosine, float[] specular, float[] grazing, float[] falloff) {}
+    public record Terms(float @Nullable [] cosine, float @Nullable [] specular, float @Nullable [] grazing, float @Nullable [] falloff) {}
 
     /**
      * Creates a layer of one sample with the falloff apart.
@@ -278,7 +280,7 @@ public final class LightRows implements LightLayer {
     }
 
     /** Returns this layer with other visible samples, or without them if null. */
-    public LightRows withVisibleSamples(short[][] samples) {
+    public LightRows withVisibleSamples(short @Nullable [][] samples) {
         if (samples == visibleSamples) {
             return this;
         }
@@ -286,23 +288,23 @@ public final class LightRows implements LightLayer {
         for (int group = 0; group < Column.SAMPLE_COLUMNS.size(); group++) {
             Column kind = Column.SAMPLE_COLUMNS.get(group);
             short[] column = sampleColumn(samples, group);
-            changed = column == changed.get(kind) ? changed : changed.with(kind, column);
+            changed = column == changed.find(kind) ? changed : changed.with(kind, column);
         }
         return withColumns(changed);
     }
 
     /** Returns this layer with falloffs apart from the cosines; null if all are 1. */
-    public LightRows withFalloff(float[] falloffs) {
+    public LightRows withFalloff(float @Nullable [] falloffs) {
         return new LightRows(columns.with(Column.FALLOFF, falloffs), litCount, Kind.SEPARATE);
     }
 
     /** Returns this layer with other tints, or without tints if null. */
-    public LightRows withTint(float[][] tints) {
+    public LightRows withTint(float @Nullable [][] tints) {
         return tints == tint ? this : withColumns(withChannels(columns, Column.TINT_COLUMNS, tints));
     }
 
     /** Returns this layer with other colors of the light's image for its diffuse and specular terms, or without them if null. */
-    LightRows withFaceColors(float[][] diffuse, float[][] specular) {
+    LightRows withFaceColors(float @Nullable [][] diffuse, float @Nullable [][] specular) {
         return diffuse == face && specular == highlight ? this
                 : withColumns(withChannels(withChannels(columns, Column.FACE_COLUMNS, diffuse), Column.HIGHLIGHT_COLUMNS, specular));
     }
@@ -317,23 +319,23 @@ public final class LightRows implements LightLayer {
      *
      * @param colors {@link #face} or {@link #highlight}
      */
-    public float factor(float[][] colors, int channel, int row) {
+    public float factor(float @Nullable [][] colors, int channel, int row) {
         float tinted = tint == null ? 1 : tint[channel][row];
         return colors == null ? tinted : tinted * colors[channel][row];
     }
 
     /** Returns {@link #face}. */
-    public float[][] face() {
+    public float @Nullable [][] face() {
         return face;
     }
 
     /** Returns {@link #highlight}. */
-    public float[][] highlight() {
+    public float @Nullable [][] highlight() {
         return highlight;
     }
 
     /** Returns this layer with another column, or without it if null; the same rows are lit. */
-    LightRows with(Column column, float[] values) {
+    LightRows with(Column column, float @Nullable [] values) {
         return withColumns(columns.with(column, values));
     }
 
@@ -400,6 +402,7 @@ public final class LightRows implements LightLayer {
         if (falloff == null || grazing != null || specular != null && hasHighlight(rows)) {
             return copyCompact(rows);
         }
+        assert cosine != null;
         ColumnSet<Column> own = columns.without(SEPARATE_COLUMNS).deepCopy(rows);
         float[] product = own.get(Column.COSINE) == cosine ? cosine.clone() : (float[]) own.get(Column.COSINE);
         for (int i = 0; i < rows; i++) {
@@ -433,12 +436,12 @@ public final class LightRows implements LightLayer {
     }
 
     @Override
-    public short[][] visibleSamples() {
+    public short @Nullable [][] visibleSamples() {
         return visibleSamples;
     }
 
     @Override
-    public float[][] tint() {
+    public float @Nullable [][] tint() {
         return tint;
     }
 
@@ -475,7 +478,7 @@ public final class LightRows implements LightLayer {
         return layer.compact(Math.min(layer.state.length, Math.min(length(layer.cosine), length(layer.specular))));
     }
 
-    private static int length(float[] column) {
+    private static int length(float @Nullable [] column) {
         return column == null ? Integer.MAX_VALUE : column.length;
     }
 
@@ -504,12 +507,12 @@ public final class LightRows implements LightLayer {
 
     /** A new falloff needs only the point; new terms need point, normal and direction. */
     @Override
-    public long rowBytesRead(LightLayer before) {
+    public long rowBytesRead(@Nullable LightLayer before) {
         return before instanceof LightRows b && cosine != null && b.cosine == cosine && b.state == state ? 12 : 36;
     }
 
     @Override
-    public long newBytes(LightLayer before) {
+    public long newBytes(@Nullable LightLayer before) {
         if (!(before instanceof LightRows b)) {
             return bytes();
         }

@@ -1,5 +1,7 @@
 package lightning.render.shading.layer;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
@@ -23,6 +25,7 @@ import lightning.render.trace.tree.RayBeam;
 import lightning.render.trace.tree.ShadowRayTarget;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
+import org.jspecify.annotations.Nullable;
 
 /** Casts shadow rays from chosen rows to a light. Holds scratch memory: use one instance per thread. */
 final class ShadowCaster {
@@ -48,21 +51,21 @@ final class ShadowCaster {
     private Vec3 targetMax = Vec3.ZERO;
     private boolean hasPointTargets;
     /** Origins of the rays whose occluders were collected last. */
-    private PointBox origins;
+    private @Nullable PointBox origins;
     /** Returns whether a target lies on a primitive. */
     private IntPredicate isUnderTarget = s -> false;
     /** Shadow ray targets of point lights. */
     private final Map<Vec3, ShadowRays> pointTargets = new HashMap<>();
     /** Shadow ray targets of area light samples, by index in the area. */
     private final Map<AreaSamples, ShadowRayTarget[]> areaTargets = new HashMap<>();
-    private ShadowRayTarget[] currentTargets;
+    private ShadowRayTarget[] currentTargets = {};
     /** Rows with possibly blocked and possibly unblocked rays to the area, and rows whose rays are all blocked. */
     private final int[] possiblyBlocked = RowBits.allocate();
     private final int[] fullyOccluded = RowBits.allocate();
     private final int[] queried = RowBits.allocate();
     private final boolean castsShadows;
     /** Null if light passes through no shape. */
-    private final TintTracer tintTracer;
+    private final @Nullable TintTracer tintTracer;
     /** True if shadow rays to the current area may pass through clear shapes. */
     private boolean canBeTinted;
     private long rayCount;
@@ -230,7 +233,8 @@ final class ShadowCaster {
      * @param before  tints of the other rows; null if all are 1
      * @return red, green and blue columns; null if all are 1
      */
-    float[][] tintColumns(HitRows rows, LightSource source, int[] queried, float[][] before, ColumnAllocator columns) {
+    float @Nullable [][] tintColumns(HitRows rows, LightSource source, int[] queried, float @Nullable [][] before,
+            ColumnAllocator columns) {
         if (before == null && (tintTracer == null || RowBits.count(queried, rows.count) == 0)) {
             return null;
         }
@@ -248,6 +252,7 @@ final class ShadowCaster {
             }
         }
         if (any) {
+            assert tintTracer != null;
             tintTracer.writeTints(rows, queried, rayTarget, to);
         }
         return TintTracer.nullIfUntinted(rows, to);
@@ -262,7 +267,7 @@ final class ShadowCaster {
      * @param sums     receives red, green and blue
      */
     void sumTints(HitRows rows, int[] patterns, AreaSamples area, int[] rowSet, int[][] unblocked, double[][] sums) {
-        tintTracer.sumTints(rows, patterns, area, hasPointTargets, rowSet, unblocked, sums);
+        requireNonNull(tintTracer).sumTints(rows, patterns, area, hasPointTargets, rowSet, unblocked, sums);
     }
 
     /** Returns whether shadow rays to the current area may pass through clear shapes. */
@@ -355,7 +360,7 @@ final class ShadowCaster {
 
     /** Returns whether one of the collected occluders certainly blocks all rays of the current group. */
     private boolean isFullyOccluded(LightSource source) {
-        occlusionTest.setRays(origins, source.position(), source.extent(), hasPointTargets, isUnderTarget);
+        occlusionTest.setRays(requireNonNull(origins), source.position(), source.extent(), hasPointTargets, isUnderTarget);
         boolean isOccluded = false;
         for (int c = 0; !blockers.overflow && c < groupBlockers.count && !isOccluded; c++) {
             isOccluded = occlusionTest.isFullOccluder(geometry.primitives(), groupBlockers.primitive[c]);

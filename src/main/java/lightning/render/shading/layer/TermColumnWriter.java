@@ -6,6 +6,7 @@ import lightning.render.shading.LightSource;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Writes the columns of a layer from terms that were aimed at the light: 0 for unlit rows. Holds scratch memory: use one instance
@@ -46,11 +47,11 @@ final class TermColumnWriter {
     }
 
     /** Specular and grazing columns of a layer, each null if no material needs it. */
-    record SpecularColumns(float[] specular, float[] grazing) {
+    record SpecularColumns(float @Nullable [] specular, float @Nullable [] grazing) {
         static final SpecularColumns NONE = new SpecularColumns(null, null);
 
         /** Returns the columns of a layer; none if there is no layer. */
-        static SpecularColumns of(LightRows layer) {
+        static SpecularColumns of(@Nullable LightRows layer) {
             return layer == null ? NONE : new SpecularColumns(layer.specular, layer.grazing);
         }
     }
@@ -58,9 +59,9 @@ final class TermColumnWriter {
     /**
      * Returns the specular and grazing terms of lit rows.
      *
-     * @param known rows whose terms are in {@code before}, as far as it has these columns; null for none
+     * @param known rows whose terms are in {@code before}, as far as it has these columns
      */
-    SpecularColumns specularColumns(HitRows rows, int[] lit, int[] known, SpecularColumns before, ColumnAllocator columns) {
+    SpecularColumns specularColumns(HitRows rows, int[] lit, int @Nullable [] known, SpecularColumns before, ColumnAllocator columns) {
         if (!hasSpecular(rows)) {
             return SpecularColumns.NONE;
         }
@@ -80,7 +81,7 @@ final class TermColumnWriter {
     }
 
     /** Returns a column with the terms of the rows in {@link #reused}, and 0 elsewhere. */
-    private float[] startColumn(HitRows rows, int[] known, float[] before, ColumnAllocator columns) {
+    private float[] startColumn(HitRows rows, int @Nullable [] known, float @Nullable [] before, ColumnAllocator columns) {
         float[] column = columns.floats(rows.count);
         if (known == null || before == null) {
             Arrays.fill(column, 0, rows.count, 0);
@@ -95,10 +96,11 @@ final class TermColumnWriter {
      *
      * @param grazing receives the grazing terms of metallic rows; unread if there are none
      */
-    void writeSpeculars(HitRows rows, int[] queried, float[] column, float[] grazing) {
+    void writeSpeculars(HitRows rows, int[] queried, float[] column, float @Nullable [] grazing) {
         for (int r = 0; r < rows.runCount; r++) {
             int material = rows.runMaterial[r];
             if (materials.isMetallic(material)) {
+                assert grazing != null;
                 terms.metallicSpeculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.alpha(material), column, grazing);
             } else if (isSpecular(material)) {
                 terms.speculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.shininess(material), column);
@@ -147,7 +149,7 @@ final class TermColumnWriter {
     }
 
     /** Returns the falloff of all rows, lit or not; null if it is 1 everywhere. */
-    float[] falloffColumn(HitRows rows, LightSource source, ColumnAllocator columns) {
+    float @Nullable [] falloffColumn(HitRows rows, LightSource source, ColumnAllocator columns) {
         if (!requiredWork.needsFalloff(source)) {
             return null;
         }

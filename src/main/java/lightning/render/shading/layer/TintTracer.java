@@ -1,5 +1,7 @@
 package lightning.render.shading.layer;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
@@ -17,6 +19,7 @@ import lightning.render.trace.tree.Bvh;
 import lightning.render.trace.tree.CandidateList;
 import lightning.render.trace.tree.RayBeam;
 import lightning.render.trace.tree.ShadowRayTarget;
+import org.jspecify.annotations.Nullable;
 
 /** Computes the transmittance of unblocked shadow rays through clear shapes. Holds scratch memory: use one instance per thread. */
 final class TintTracer {
@@ -28,12 +31,12 @@ final class TintTracer {
     private final Bvh tree;
     private final Geometry geometry;
     /** Area of the latest rays, and its light buffers. */
-    private AreaSamples bufferedArea;
-    private LightBuffers lightBuffers;
+    private @Nullable AreaSamples bufferedArea;
+    private @Nullable LightBuffers lightBuffers;
     /** Clear shapes that shadow rays from the tile may pass. */
     private final CandidateList candidates = new CandidateList();
     private final CandidateList allCandidates;
-    private CandidateList activeCandidates;
+    private CandidateList activeCandidates = candidates;
     private final Map<Vec3, ShadowRayTarget> pointTargets = new HashMap<>();
     private final Map<AreaSamples, ShadowRayTarget[]> areaTargets = new HashMap<>();
     private final ShadowRayBatch rays = new ShadowRayBatch();
@@ -45,8 +48,8 @@ final class TintTracer {
         this.tracer = tracer;
         this.geometry = geometry;
         transmittance = new TransmittanceBatch(geometry.primitives(), tracer);
-        tree = geometry.tintBvh();
-        allCandidates = CandidateList.fromBvh(tree, geometry.tintCasters());
+        tree = requireNonNull(geometry.tintBvh());
+        allCandidates = CandidateList.fromBvh(tree, requireNonNull(geometry.tintCasters()));
     }
 
     /** Collects the clear shapes that rays of a beam may pass; returns whether there are any. */
@@ -153,7 +156,7 @@ final class TintTracer {
         transmittance.begin(rays, crossings);
     }
 
-    private LightBuffers lightBuffers(AreaSamples area) {
+    private @Nullable LightBuffers lightBuffers(AreaSamples area) {
         if (bufferedArea != area) {
             bufferedArea = area;
             lightBuffers = geometry.tintLightBuffers(area.x, area.y, area.z);
@@ -168,7 +171,7 @@ final class TintTracer {
     }
 
     /** Returns columns that are 1 for rows without a known tint. */
-    static float[][] startColumns(HitRows rows, float[][] before, ColumnAllocator columns) {
+    static float[][] startColumns(HitRows rows, float @Nullable [][] before, ColumnAllocator columns) {
         float[][] tints = new float[3][];
         for (int c = 0; c < 3; c++) {
             tints[c] = columns.floats(rows.count);
@@ -182,8 +185,8 @@ final class TintTracer {
     }
 
     /** Returns the tints as a layer stores them: null if all of them are 1. */
-    static float[][] nullIfUntinted(HitRows rows, float[][] tints) {
-        for (int c = 0; tints != null && c < 3; c++) {
+    static float @Nullable [][] nullIfUntinted(HitRows rows, float[][] tints) {
+        for (int c = 0; c < 3; c++) {
             for (int i = 0; i < rows.count; i++) {
                 if (tints[c][i] != 1) {
                     return tints;
@@ -194,7 +197,7 @@ final class TintTracer {
     }
 
     /** Returns whether columns have the same bits; null means 1 everywhere. */
-    static boolean areEqual(HitRows rows, float[][] a, float[][] b) {
+    static boolean areEqual(HitRows rows, float @Nullable [][] a, float @Nullable [][] b) {
         if (a == null || b == null) {
             return a == b;
         }

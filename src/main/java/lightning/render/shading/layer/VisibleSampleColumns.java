@@ -2,6 +2,7 @@ package lightning.render.shading.layer;
 
 import java.util.Arrays;
 import lightning.render.trace.HitRows;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Conversion of visible samples of an area light between columns, which hold a set of samples for each row, and {@link RowBits},
@@ -17,7 +18,7 @@ final class VisibleSampleColumns {
      * @param columns  null if no row sees any
      * @param unblocked receives a set of rows for each sample
      */
-    void read(HitRows rows, short[][] columns, int samples, int[][] unblocked) {
+    void read(HitRows rows, short @Nullable [][] columns, int samples, int[][] unblocked) {
         for (int first = 0; first < samples; first += LightRows.SAMPLES_PER_COLUMN) {
             short[] column = columns == null ? null : columns[first / LightRows.SAMPLES_PER_COLUMN];
             for (int b = 0; b < RowBits.words(rows.count); b++) {
@@ -55,9 +56,9 @@ final class VisibleSampleColumns {
     }
 
     /** Returns whether all rows see the same samples in both; null means that no row sees any. */
-    static boolean areEqual(HitRows rows, short[][] a, short[][] b) {
+    static boolean areEqual(HitRows rows, short @Nullable [][] a, short @Nullable [][] b) {
         boolean isEqual = a == null == (b == null);
-        for (int k = 0; isEqual && a != null && k < a.length; k++) {
+        for (int k = 0; isEqual && a != null && b != null && k < a.length; k++) {
             isEqual = Arrays.equals(a[k], 0, rows.count, b[k], 0, rows.count);
         }
         return isEqual;

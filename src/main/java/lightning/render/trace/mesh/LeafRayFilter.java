@@ -1,5 +1,6 @@
 package lightning.render.trace.mesh;
 
+import lightning.base.Initializer;
 import lightning.render.trace.solid.LaneRays;
 
 /**
@@ -57,6 +58,7 @@ final class LeafRayFilter {
      * @param rayMask rays to test, one bit each
      * @param beam beam of these rays, which enters the leaf at a distance with the bits {@code entryBits}
      */
+    @Initializer
     long findCandidates(MeshTree newTree, int at, int box, long rayMask, int from, int end, MeshBeam beam, int entryBits) {
         tree = newTree;
         leaf = at;

@@ -1,6 +1,7 @@
 package lightning.render.trace.mesh;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Leaves of a mesh's BVH by direction from one point, for shadow rays that end there (Haines and Greenberg 1986, The Light Buffer).
@@ -48,8 +49,8 @@ public final class LightBuffer {
     private double scaleV;
     private int side;
     /** The cell {@code i} lists the children {@code references[start[i] … start[i + 1] − 1]} of nodes. */
-    private int[] start;
-    private char[] references;
+    private int[] start = {};
+    private char[] references = {};
 
     private LightBuffer(MeshTree tree, double x, double y, double z, int axis, double sign, double minDepth) {
         this.x = x;
@@ -64,7 +65,7 @@ public final class LightBuffer {
     }
 
     /** Returns the buffer of a point in the mesh's space; null if the point is too near to the mesh or the mesh is too large. */
-    public static LightBuffer of(MeshSolid solid, double x, double y, double z) {
+    public static @Nullable LightBuffer of(MeshSolid solid, double x, double y, double z) {
         MeshTree tree = solid.tree;
         float[] b = tree.bounds;
         double extent = Math.max(b[3] - b[0], Math.max(b[4] - b[1], b[5] - b[2]));

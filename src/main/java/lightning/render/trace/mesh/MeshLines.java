@@ -15,6 +15,7 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.LongVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
+import lightning.base.Initializer;
 import lightning.render.trace.solid.DoubleLanes;
 import lightning.render.trace.solid.LaneRays;
 
@@ -105,6 +106,7 @@ final class MeshLines {
      * @param anyHit true if any hit suffices
      * @return common start depth along the largest component
      */
+    @Initializer
     double setRays(MeshTree tree, int[] active, int[] tooShort, int packets, double[] limits, boolean anyHit) {
         reversed = anyHit && hasCommonEnd(active, packets, limits);
         double[][][] lines = reversed ? reversedLines : forwardLines;

@@ -8,8 +8,10 @@ import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
+import lightning.base.Initializer;
 import lightning.render.trace.solid.DoubleLanes;
 import lightning.render.trace.solid.LaneRays;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Lane version of {@link MeshRayQuery} for groups of rays, with the same bits. Holds scratch memory: use one per thread.
@@ -70,7 +72,7 @@ public final class MeshPacketTraversal {
     private int mapAt;
     private int count;
     /** Null if the mesh has no cutouts. */
-    private GroupAlphaTest alphaTest;
+    private @Nullable GroupAlphaTest alphaTest;
     private boolean anyHit;
     private int maxLimitBits;
     /** Number of leaves that the beam visited in which no ray may hit a triangle. */
@@ -87,6 +89,7 @@ public final class MeshPacketTraversal {
      *
      * @param m transform to the mesh's space at {@code m[at …]}
      */
+    @Initializer
     public void beginGroup(MeshSolid solid, double[] m, int at) {
         tree = solid.tree;
         map = m;

@@ -1,6 +1,8 @@
 package lightning.render.trace.mesh;
 
+import lightning.base.Initializer;
 import lightning.scene.node.Mesh;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Queries for the triangle that a single ray hits, in the space of the mesh. Holds scratch memory: use one per thread.
@@ -16,9 +18,10 @@ public final class MeshRayQuery {
     private MeshSolid solid;
     private int triangle;
     /** Null if the mesh has no cutouts. */
-    private AlphaTest alphaTest;
+    private @Nullable AlphaTest alphaTest;
 
     /** Sets a mesh and a ray; the direction has any length. */
+    @Initializer
     public void setRay(MeshSolid newSolid, double ox, double oy, double oz, double dx, double dy, double dz) {
         solid = newSolid;
         ray.setRay(ox, oy, oz, dx, dy, dz, newSolid.tree.maxCoordinate);

@@ -8,6 +8,7 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
+import lightning.base.Initializer;
 import lightning.render.trace.solid.LaneRays;
 
 /**
@@ -65,6 +66,7 @@ public final class MeshRayStream {
      *
      * @param m transform to the mesh's space at {@code m[at …]}
      */
+    @Initializer
     public void begin(MeshSolid solid, double[] m, int at) {
         tree = solid.tree;
         map = m;

@@ -1,6 +1,7 @@
 package lightning.render.trace.mesh;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /** Single-ray traversal of a mesh's BVH. Holds scratch memory: use one per thread. */
 final class MeshTraversal {
@@ -18,9 +19,9 @@ final class MeshTraversal {
      * Returns the distance of the triangle hit first, the one with the lowest index among equal distances; {@code +∞} if there
      * is none up to {@code limit}.
      *
-     * @param alphaTest test for holes; null for none
+     * @param alphaTest test for holes
      */
-    double nearest(MeshTree tree, MeshRay ray, AlphaTest alphaTest, double limit) {
+    double nearest(MeshTree tree, MeshRay ray, @Nullable AlphaTest alphaTest, double limit) {
         ensureCapacity(tree);
         double nearestDistance = limit;
         triangle = -1;
@@ -51,7 +52,7 @@ final class MeshTraversal {
     }
 
     /** Returns whether the ray hits a triangle at a distance below {@code limit}. */
-    boolean isBlocked(MeshTree tree, MeshRay ray, AlphaTest alphaTest, double limit) {
+    boolean isBlocked(MeshTree tree, MeshRay ray, @Nullable AlphaTest alphaTest, double limit) {
         ensureCapacity(tree);
         int top = push(tree, ray, 0, 0, limit);
         while (top > 0) {

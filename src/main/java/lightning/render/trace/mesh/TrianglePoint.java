@@ -1,5 +1,6 @@
 package lightning.render.trace.mesh;
 
+import lightning.base.Initializer;
 import lightning.scene.node.Mesh;
 
 /** Point on a triangle of a mesh with its barycentric weights, in the space of the mesh. Reused. */
@@ -16,6 +17,7 @@ public final class TrianglePoint {
     private double pz;
 
     /** Sets a triangle and a point on it. */
+    @Initializer
     public void setPoint(Mesh newMesh, int triangle, double x, double y, double z) {
         mesh = newMesh;
         px = x;
@@ -86,7 +88,9 @@ public final class TrianglePoint {
 
     /** Returns coordinate {@code axis} of the normal at vertex {@code v}. */
     public double normal(int v, int axis) {
-        return mesh.normals()[3 * vertex[v] + axis];
+        float[] n = mesh.normals();
+        assert n != null;
+        return n[3 * vertex[v] + axis];
     }
 
     /** Returns whether the mesh has vertex tangents. */
@@ -97,6 +101,7 @@ public final class TrianglePoint {
     /** Returns coordinate {@code axis} of the interpolated tangent, of any length; 3 for the handedness, below 0 for −1. */
     public double tangent(int axis) {
         float[] t = mesh.tangents();
+        assert t != null;
         return weight[0] * t[4 * vertex[0] + axis] + weight[1] * t[4 * vertex[1] + axis] + weight[2] * t[4 * vertex[2] + axis];
     }
 
@@ -116,6 +121,7 @@ public final class TrianglePoint {
      */
     public double color(int channel) {
         float[] c = mesh.colors();
+        assert c != null;
         double value = weight[0] * c[3 * vertex[0] + channel] + weight[1] * c[3 * vertex[1] + channel]
                 + weight[2] * c[3 * vertex[2] + channel];
         // Clamps rounded weights, and makes zero positive.

@@ -1,6 +1,7 @@
 package lightning.render.trace.mesh;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Collapse of a binary BVH to nodes of up to eight children: a node adopts its children's children, the largest first, until it
@@ -15,7 +16,7 @@ final class WideNodes {
     private int depth;
 
     /** @param root set of all triangles; null if there are none */
-    WideNodes(TriangleSet root) {
+    WideNodes(@Nullable TriangleSet root) {
         addNode();
         if (root != null) {
             collapse(root, 0, 1);

@@ -1,5 +1,6 @@
 package lightning.render.trace.primitive;
 
+import lightning.base.Initializer;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 
@@ -17,6 +18,7 @@ final class BilinearLookup {
     private double fractionY;
 
     /** Sets texture coordinates, which are multiplied by the map's repeat counts. */
+    @Initializer
     void setCoordinates(TextureMap map, double u, double v) {
         image = map.image();
         double scaledU = u * map.repeatU();

@@ -1,18 +1,21 @@
 package lightning.render.trace.primitive;
 
+import static java.util.Objects.requireNonNull;
+
 import lightning.render.trace.mesh.AlphaTest;
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.render.trace.mesh.TrianglePoint;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.material.AlphaCutout;
+import org.jspecify.annotations.Nullable;
 
 /** Alpha test of single rays against primitives with cutout materials. Reused; not thread-safe. */
 public final class CutoutTest implements AlphaTest {
     private final PrimitiveTable primitives;
     private int s;
-    private TextureMap map;
+    private @Nullable TextureMap map;
     private double cutoff;
-    private AlphaCutout.Clip clip;
+    private AlphaCutout.Clip clip = AlphaCutout.Clip.NONE;
     private double ox;
     private double oy;
     private double oz;
@@ -30,7 +33,7 @@ public final class CutoutTest implements AlphaTest {
     /** Sets a primitive with cutouts and a ray. */
     public CutoutTest setRay(int primitive, double originX, double originY, double originZ, double directionX, double directionY,
             double directionZ) {
-        AlphaCutout cutout = primitives.cutout(primitive);
+        AlphaCutout cutout = requireNonNull(primitives.cutout(primitive));
         s = primitive;
         map = cutout.hasHoles() ? cutout.map().orElseThrow() : null;
         clip = cutout.clip();

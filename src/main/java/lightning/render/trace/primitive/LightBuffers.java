@@ -1,11 +1,14 @@
 package lightning.render.trace.primitive;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicIntegerArray;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import lightning.render.trace.mesh.LightBuffer;
 import lightning.render.trace.mesh.MeshSolid;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Light buffers of an area light's sample points, for some meshes. Each is built for all threads by the one that requests it often
@@ -43,7 +46,7 @@ public final class LightBuffers {
     }
 
     /** Returns the buffer of point {@code p} for primitive {@code s}; null if there is none yet, or if none is possible. */
-    public LightBuffer get(int s, int p) {
+    public @Nullable LightBuffer get(int s, int p) {
         int mesh = Arrays.binarySearch(meshes, s);
         if (mesh < 0) {
             return null;
@@ -54,8 +57,8 @@ public final class LightBuffers {
     }
 
     /** Exactly one thread counts the request that builds the buffer. */
-    private LightBuffer countRequest(int s, int p, int i) {
-        MeshSolid mesh = primitives.mesh(s);
+    private @Nullable LightBuffer countRequest(int s, int p, int i) {
+        MeshSolid mesh = requireNonNull(primitives.mesh(s));
         if (requests.incrementAndGet(i) != (int) (REQUESTS_PER_LEAF * LightBuffer.leafCount(mesh)) + 1 || bytes.get() > MAX_BYTES) {
             return null;
         }

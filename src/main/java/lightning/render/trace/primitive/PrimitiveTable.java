@@ -18,6 +18,7 @@ import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Material;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
+import org.jspecify.annotations.Nullable;
 
 /**
  * All primitives of a scene as columns, in render space.
@@ -44,7 +45,7 @@ public final class PrimitiveTable {
     /** Ordinal of each solid's kind; {@link #MESH} for a mesh. */
     private final byte[] kind;
     /** Meshes by primitive; null if there are none. */
-    private final MeshSolid[] meshes;
+    private final MeshSolid @Nullable [] meshes;
     private final SurfaceTraits traits;
     /** Maximum distance from the primitive of a point placed on it, because shape and camera are rounded, scene units. */
     private final double[] placementError;
@@ -70,7 +71,7 @@ public final class PrimitiveTable {
     public record BoxedPrimitives(PrimitiveTable primitives, float[] boxes) {}
 
     /** Also writes {@code bounds}, {@code padding} and {@code roundingShare} for {@link PrimitiveBoxes}. */
-    private PrimitiveTable(byte[] kind, MeshSolid[] meshes, SurfaceTraits traits, int[] material, int[] owner, int[] dataStart,
+    private PrimitiveTable(byte[] kind, MeshSolid @Nullable [] meshes, SurfaceTraits traits, int[] material, int[] owner, int[] dataStart,
             double[] data,
             Stage stage, Vec3 camera, double[] bounds, double[] padding, double[] roundingShare) {
         count = kind.length;
@@ -122,7 +123,7 @@ public final class PrimitiveTable {
         byte[] kind = new byte[count];
         int[] owner = new int[count];
         int[] dataStart = new int[count];
-        MeshSolid[] meshes = null;
+        MeshSolid @Nullable [] meshes = null;
         int dataCount = 0;
         for (int s = 0; s < count; s++) {
             owner[s] = s;
@@ -150,7 +151,7 @@ public final class PrimitiveTable {
         return withBoxes(kind, meshes, new SurfaceTraits(stage), material, owner, dataStart, data, stage, camera);
     }
 
-    private static BoxedPrimitives withBoxes(byte[] kind, MeshSolid[] meshes, SurfaceTraits traits, int[] material, int[] owner,
+    private static BoxedPrimitives withBoxes(byte[] kind, MeshSolid @Nullable [] meshes, SurfaceTraits traits, int[] material, int[] owner,
             int[] dataStart, double[] data,
             Stage stage, Vec3 camera) {
         double[] bounds = new double[6 * kind.length];
@@ -166,7 +167,9 @@ public final class PrimitiveTable {
      * render space. Materials, bent normals and transmission may differ.
      */
     public boolean hasSameGeometry(int s, PrimitiveTable other, int t) {
-        return kind[s] == other.kind[t] && (kind[s] != MESH || mesh(s).mesh() == other.mesh(t).mesh())
+        MeshSolid mesh = mesh(s);
+        MeshSolid otherMesh = other.mesh(t);
+        return kind[s] == other.kind[t] && (mesh == null || otherMesh == null || mesh.mesh() == otherMesh.mesh())
                 && Arrays.equals(data, dataStart[s], dataEnd(s), other.data, other.dataStart[t], other.dataEnd(t))
                 && hitError[s] == other.hitError[t] && placementError[s] == other.placementError[t]
                 && extent[s] == other.extent[t] && eyeOnSurface[s] == other.eyeOnSurface[t] && traits.hasSameCutout(s, other.traits, t);
@@ -231,7 +234,7 @@ public final class PrimitiveTable {
     }
 
     /** Returns the mesh of primitive {@code s}; null for a canonical solid. */
-    public MeshSolid mesh(int s) {
+    public @Nullable MeshSolid mesh(int s) {
         return meshes == null ? null : meshes[s];
     }
 
@@ -270,6 +273,7 @@ public final class PrimitiveTable {
         return cutout(s) != null;
     }
 
+    @Nullable
     AlphaCutout cutout(int s) {
         return traits.cutout(s);
     }
@@ -280,13 +284,14 @@ public final class PrimitiveTable {
     }
 
     /** Returns the bump mapping of primitive {@code s}; null for none. */
-    public BumpMapping bumpMapping(int s) {
+    public @Nullable BumpMapping bumpMapping(int s) {
         return traits.bumpMapping(s);
     }
 
     /** Returns whether primitive {@code s} may be shaded by other normals than those of its surface. */
     public boolean hasShadingNormals(int s) {
-        return bumpMapping(s) != null || mesh(s) != null && mesh(s).mesh().normals() != null;
+        MeshSolid mesh = mesh(s);
+        return bumpMapping(s) != null || mesh != null && mesh.mesh().normals() != null;
     }
 
     /** Returns whether primitive {@code s} refracts rays like primitive {@code t} of another table. */
@@ -345,8 +350,7 @@ public final class PrimitiveTable {
 
     /** Sets a mesh and a ray with an alpha test, null for none, on a query. */
     private void setProbeRay(MeshRayQuery probe, int s, double ox, double oy, double oz, double dx, double dy, double dz,
-            SurfaceContact contact,
-            AlphaTest alphaTest) {
+            SurfaceContact contact, @Nullable AlphaTest alphaTest) {
         double[] m = data;
         int i = dataStart[s];
         double px = m[i] * ox + m[i + 1] * oy + m[i + 2] * oz + m[i + 3];
@@ -355,6 +359,7 @@ public final class PrimitiveTable {
         double vx = m[i] * dx + m[i + 1] * dy + m[i + 2] * dz;
         double vy = m[i + 4] * dx + m[i + 5] * dy + m[i + 6] * dz;
         double vz = m[i + 8] * dx + m[i + 9] * dy + m[i + 10] * dz;
+        assert meshes != null;
         probe.setRay(meshes[s], px, py, pz, vx, vy, vz);
         if (alphaTest != null) {
             probe.setAlphaTest(alphaTest);
@@ -471,7 +476,7 @@ public final class PrimitiveTable {
     }
 
     /** Returns the material of primitive {@code s} if it tints shadow rays, otherwise null. */
-    public Material shadowTint(int s) {
+    public @Nullable Material shadowTint(int s) {
         return traits.shadowTint(s);
     }
 
@@ -517,6 +522,7 @@ public final class PrimitiveTable {
             ShadowRayHits hits) {
         double[] m = data;
         int i = dataStart[s];
+        assert meshes != null;
         probe.collectHits(buffer, meshes[s], m[i] * ox + m[i + 1] * oy + m[i + 2] * oz + m[i + 3],
                 m[i + 4] * ox + m[i + 5] * oy + m[i + 6] * oz + m[i + 7], m[i + 8] * ox + m[i + 9] * oy + m[i + 10] * oz + m[i + 11],
                 m[i] * dx + m[i + 1] * dy + m[i + 2] * dz, m[i + 4] * dx + m[i + 5] * dy + m[i + 6] * dz,
@@ -526,7 +532,7 @@ public final class PrimitiveTable {
         }
     }
 
-    private static void addHits(int s, MeshRayQuery probe, double limit, CutoutTest cutoutTest, ShadowRayHits hits) {
+    private static void addHits(int s, MeshRayQuery probe, double limit, @Nullable CutoutTest cutoutTest, ShadowRayHits hits) {
         for (int i = 0; i < probe.hitCount(); i++) {
             hits.add(s, probe.hitTriangle(i), probe.hitDistance(i), limit, cutoutTest);
         }

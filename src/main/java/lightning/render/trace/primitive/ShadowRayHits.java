@@ -1,6 +1,7 @@
 package lightning.render.trace.primitive;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Hits of shadow rays on primitives, per ray the nearest hit first; among equal distances the lowest primitive, then its lowest
@@ -57,7 +58,7 @@ public final class ShadowRayHits {
     }
 
     /** Adds a hit unless it is at or beyond the limit, or in a hole; {@code cutoutTest} is null if there are no cutouts. */
-    public void add(int s, int partIndex, double distance, double limit, CutoutTest cutoutTest) {
+    public void add(int s, int partIndex, double distance, double limit, @Nullable CutoutTest cutoutTest) {
         if (!(distance < limit) || distance == Double.POSITIVE_INFINITY || cutoutTest != null && cutoutTest.isHole(partIndex, distance)) {
             return;
         }

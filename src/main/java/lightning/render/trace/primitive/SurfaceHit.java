@@ -4,6 +4,7 @@ import lightning.base.math.Vec3;
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.render.trace.mesh.TrianglePoint;
 import lightning.scene.material.BumpMapping;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Surface data at a ray's hit: the point in local space, in double, and the values for shading, rounded to float.
@@ -126,6 +127,7 @@ public final class SurfaceHit {
         if (smoothMesh) {
             smoothNormal.compute(facet, m, i, bx, by, bz, shadingNormal);
         }
+        @Nullable
         BumpMapping bumpMapping = primitives.bumpMapping(s);
         if (smoothMesh || bumpMapping != null) {
             applyShadingNormal(primitives, s, bumpMapping, smoothMesh, dx, dy, dz);
@@ -162,7 +164,7 @@ public final class SurfaceHit {
      * @param bumpMapping null for none
      * @return normal of length 1, on the visible side; null if the bump mapping does not tilt it
      */
-    public Vec3 unbentNormal(PrimitiveTable primitives, int s, boolean smoothMesh, BumpMapping bumpMapping) {
+    public @Nullable Vec3 unbentNormal(PrimitiveTable primitives, int s, boolean smoothMesh, @Nullable BumpMapping bumpMapping) {
         if (smoothMesh) {
             smoothNormal.compute(facet, primitives.data, primitives.dataStart[s], geometricX, geometricY, geometricZ, shadingNormal);
         }
@@ -182,8 +184,8 @@ public final class SurfaceHit {
     }
 
     /** Replaces the geometric normal by the shading normal from bump mapping and vertex normals, if any. */
-    private void applyShadingNormal(PrimitiveTable primitives, int s, BumpMapping bumpMapping, boolean smoothMesh, double dx, double dy,
-            double dz) {
+    private void applyShadingNormal(PrimitiveTable primitives, int s, @Nullable BumpMapping bumpMapping, boolean smoothMesh, double dx,
+            double dy, double dz) {
         hasShadingNormal = tiltNormal(primitives, s, bumpMapping, smoothMesh) || smoothMesh;
         if (hasShadingNormal) {
             shadingNormal.bend(geometricX, geometricY, geometricZ, dx, dy, dz);
@@ -194,7 +196,7 @@ public final class SurfaceHit {
     }
 
     /** Applies bump mapping to the geometric normal, or to the smooth normal if one is set; returns true if it tilts it. */
-    private boolean tiltNormal(PrimitiveTable primitives, int s, BumpMapping bumpMapping, boolean smoothMesh) {
+    private boolean tiltNormal(PrimitiveTable primitives, int s, @Nullable BumpMapping bumpMapping, boolean smoothMesh) {
         if (!smoothMesh) {
             shadingNormal.x = geometricX;
             shadingNormal.y = geometricY;

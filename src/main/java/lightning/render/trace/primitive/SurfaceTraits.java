@@ -11,17 +11,18 @@ import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Material;
 import lightning.scene.material.Transmission;
 import lightning.scene.node.Shape;
+import org.jspecify.annotations.Nullable;
 
 /** Material properties of primitives that affect rays: bump mapping, transmission and cutouts. */
 final class SurfaceTraits {
     /** Bump mapping of each primitive, null for none; null if there is none at all. */
-    private final BumpMapping[] bumpMappings;
+    private final @Nullable BumpMapping @Nullable [] bumpMappings;
     /** Transmission of each primitive, null for none; null if there is none at all. */
-    private final Transmission[] transmissions;
+    private final @Nullable Transmission @Nullable [] transmissions;
     /** Cutout of each primitive, null for none; null if there is none at all. */
-    private final AlphaCutout[] cutouts;
+    private final @Nullable AlphaCutout @Nullable [] cutouts;
     /** Material of each primitive that tints shadow rays, null for others; null if there is none at all. */
-    private final Material[] shadowTints;
+    private final @Nullable Material @Nullable [] shadowTints;
 
     SurfaceTraits(Stage stage) {
         bumpMappings = forEachShape(stage, Material::bumpMapping, r -> !r.isFlat(), BumpMapping[]::new);
@@ -30,7 +31,8 @@ final class SurfaceTraits {
         shadowTints = forEachShape(stage, m -> m, m -> m.transmission().tintsShadows(), Material[]::new);
     }
 
-    private static <T> T[] forEachShape(Stage stage, Function<Material, T> trait, Predicate<T> hasEffect, IntFunction<T[]> array) {
+    private static <T> @Nullable T @Nullable [] forEachShape(Stage stage, Function<Material, T> trait, Predicate<T> hasEffect,
+            IntFunction<T[]> array) {
         Map<String, Material> materials = stage.materialsByName();
         if (materials.values().stream().map(trait).noneMatch(hasEffect)) {
             return null;
@@ -40,21 +42,24 @@ final class SurfaceTraits {
     }
 
     /** Returns the bump mapping of primitive {@code s}; null for none. */
+    @Nullable
     BumpMapping bumpMapping(int s) {
         return bumpMappings == null ? null : bumpMappings[s];
     }
 
     /** Returns the transmission of primitive {@code s}; null for none. */
-    private Transmission transmission(int s) {
+    private @Nullable Transmission transmission(int s) {
         return transmissions == null ? null : transmissions[s];
     }
 
     /** Returns the cutout of primitive {@code s}; null for none. */
+    @Nullable
     AlphaCutout cutout(int s) {
         return cutouts == null ? null : cutouts[s];
     }
 
     /** Returns the material of primitive {@code s} if it tints shadow rays, otherwise null. */
+    @Nullable
     Material shadowTint(int s) {
         return shadowTints == null ? null : shadowTints[s];
     }

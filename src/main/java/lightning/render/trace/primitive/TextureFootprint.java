@@ -1,7 +1,10 @@
 package lightning.render.trace.primitive;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.scene.asset.TextureMap;
+import org.jspecify.annotations.Nullable;
 
 /** Mean texture color of a square on a surface. Holds scratch memory: use one per thread. */
 public final class TextureFootprint {
@@ -21,8 +24,8 @@ public final class TextureFootprint {
      * @param nx   unit normal of the square in render space, with {@code ny} and {@code nz}
      * @param side of the square, scene units
      */
-    public void lookUp(PrimitiveTable primitives, int s, int part, TextureMap map, double x, double y, double z, float nx, float ny,
-            float nz, double side, float[] rgb) {
+    public void lookUp(PrimitiveTable primitives, int s, int part, @Nullable TextureMap map, double x, double y, double z, float nx,
+            float ny, float nz, double side, float[] rgb) {
         lookUp(primitives, s, part, map, true, x, y, z, nx, ny, nz, side, rgb);
     }
 
@@ -32,8 +35,8 @@ public final class TextureFootprint {
         lookUp(primitives, s, part, map, false, x, y, z, nx, ny, nz, side, rgb);
     }
 
-    private void lookUp(PrimitiveTable primitives, int s, int part, TextureMap map, boolean withVertexColors, double x, double y, double z,
-            float nx, float ny, float nz, double side, float[] rgb) {
+    private void lookUp(PrimitiveTable primitives, int s, int part, @Nullable TextureMap map, boolean withVertexColors, double x, double y,
+            double z, float nx, float ny, float nz, double side, float[] rgb) {
         // Two directions across the normal: the first also across the x axis, or across the z axis if the normal is near the x axis.
         boolean nearX = Math.abs(nx) > 0.75f;
         double ax = nearX ? -ny : 0;
@@ -61,7 +64,7 @@ public final class TextureFootprint {
             if (withVertexColors) {
                 lookup.lookUp(primitives, s, part, map, cellX, cellY, cellZ, texel);
             } else {
-                lookup.lookUpMap(primitives, s, part, map, cellX, cellY, cellZ, texel);
+                lookup.lookUpMap(primitives, s, part, requireNonNull(map), cellX, cellY, cellZ, texel);
             }
             for (int c = 0; c < 3; c++) {
                 rgb[c] += SHARE * texel[c];

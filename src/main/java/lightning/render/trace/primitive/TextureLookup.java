@@ -4,6 +4,7 @@ import java.util.Arrays;
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.render.trace.mesh.TrianglePoint;
 import lightning.scene.asset.TextureMap;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Lookup of the factor for the diffuse color at a hit: texture color times interpolated vertex color. Holds scratch memory: use
@@ -23,7 +24,7 @@ public final class TextureLookup {
      * @param part part that was hit
      * @param map texture of its material; null if it has none
      */
-    public void lookUp(PrimitiveTable primitives, int s, int part, TextureMap map, double x, double y, double z, float[] rgb) {
+    public void lookUp(PrimitiveTable primitives, int s, int part, @Nullable TextureMap map, double x, double y, double z, float[] rgb) {
         MeshSolid mesh = setPoint(primitives, s, part, x, y, z);
         if (map == null) {
             Arrays.fill(rgb, 1);
@@ -42,7 +43,7 @@ public final class TextureLookup {
         read(primitives, s, setPoint(primitives, s, part, x, y, z), map, x, y, z, rgb);
     }
 
-    private MeshSolid setPoint(PrimitiveTable primitives, int s, int part, double x, double y, double z) {
+    private @Nullable MeshSolid setPoint(PrimitiveTable primitives, int s, int part, double x, double y, double z) {
         MeshSolid mesh = primitives.mesh(s);
         if (mesh != null) {
             facet.setPoint(mesh.mesh(), part, x, y, z);
@@ -50,13 +51,14 @@ public final class TextureLookup {
         return mesh;
     }
 
-    private void read(PrimitiveTable primitives, int s, MeshSolid mesh, TextureMap map, double x, double y, double z, float[] rgb) {
+    private void read(PrimitiveTable primitives, int s, @Nullable MeshSolid mesh, TextureMap map, double x, double y, double z,
+            float[] rgb) {
         coordinates(primitives, s, mesh, x, y, z);
         lookup.setCoordinates(map, uv[0], uv[1]);
         lookup.readColor(rgb);
     }
 
-    private void coordinates(PrimitiveTable primitives, int s, MeshSolid mesh, double x, double y, double z) {
+    private void coordinates(PrimitiveTable primitives, int s, @Nullable MeshSolid mesh, double x, double y, double z) {
         if (mesh == null) {
             primitives.kind(s).geometry().textureCoordinates(primitives.data, primitives.dataStart[s], x, y, z, uv);
         } else {

@@ -5,4 +5,7 @@
  * its transform and the shape that it belongs to. This package also bounds the errors of transforms, for rays that start or end
  * on a primitive.
  */
+@NullMarked
 package lightning.render.trace.primitive;
+
+import org.jspecify.annotations.NullMarked;

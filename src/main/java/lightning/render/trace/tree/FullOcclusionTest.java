@@ -1,6 +1,7 @@
 package lightning.render.trace.tree;
 
 import java.util.function.IntPredicate;
+import lightning.base.Initializer;
 import lightning.base.math.Vec3;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.solid.SolidGeometry;
@@ -42,6 +43,7 @@ public final class FullOcclusionTest {
      * @param toPoints true for end points, false for directions
      * @param canHoldEnd primitives that may contain such an end point
      */
+    @Initializer
     public void setRays(PointBox points, Vec3 center, double endRadius, boolean toPoints, IntPredicate canHoldEnd) {
         end[0] = center.x();
         end[1] = center.y();

@@ -1,6 +1,7 @@
 package lightning.render.trace.tree;
 
 import java.util.function.IntPredicate;
+import lightning.base.Initializer;
 import lightning.base.math.Vec3;
 import lightning.render.trace.primitive.PrimitiveTable;
 
@@ -33,6 +34,7 @@ public final class HorizonCulling {
      * @param toPoints true for end points, false for directions
      * @param canHoldEnd primitives that may contain such an end point
      */
+    @Initializer
     public void setRays(PointBox points, Vec3 min, Vec3 max, boolean toPoints, IntPredicate canHoldEnd) {
         box = points;
         low = min;

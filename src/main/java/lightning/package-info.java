@@ -1,0 +1,5 @@
+/** Start of the program. */
+@NullMarked
+package lightning;
+
+import org.jspecify.annotations.NullMarked;
