@@ -27,11 +27,11 @@ record ExrWindow(int left, int top, int width, int height) {
     static ExrWindow of(int[] data, int @Nullable [] display) throws IOException {
         long dataWidth = (long) data[2] - data[0] + 1;
         long dataHeight = (long) data[3] - data[1] + 1;
-        long width = display == null ? 0 : (long) display[2] - display[0] + 1;
-        long height = display == null ? 0 : (long) display[3] - display[1] + 1;
-        if (width < 1 || height < 1) {
+        if (display == null || display[2] < display[0] || display[3] < display[1]) {
             return new ExrWindow(0, 0, (int) dataWidth, (int) dataHeight);
         }
+        long width = (long) display[2] - display[0] + 1;
+        long height = (long) display[3] - display[1] + 1;
         long left = (long) data[0] - display[0];
         long top = (long) data[1] - display[1];
         if (width > Integer.MAX_VALUE || height > Integer.MAX_VALUE || Math.abs(left) > Integer.MAX_VALUE
