@@ -85,4 +85,14 @@ class MetallicWorkTest {
             assertThat(bytes(studio, LightRows.Column.GRAZING)).isPositive();
         }
     }
+
+    @Test
+    void metalChangedToPhongWithoutHighlights_hasPhongDiffuse() {
+        try (StudioRenderer studio = studio()) {
+            studio.render(studio.scene().withMaterials(studio.scene().materials().stream()
+                    .map(m -> m.name().equals(MATT) ? m : m.withSpecular(Rgb.BLACK)).toList()));
+            edit(studio, m -> m.withModel(ShadingModel.PHONG).withSpecular(Rgb.BLACK));
+            assertThat(bytes(studio, LightRows.Column.GRAZING) + bytes(studio, LightRows.Column.SPECULAR)).isZero();
+        }
+    }
 }
