@@ -21,6 +21,7 @@ import lightning.scene.light.LightType;
 import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
 import lightning.scene.value.Attenuation;
+import lightning.scene.value.BarnDoors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -124,38 +125,70 @@ class LayerUpdateTest {
         }
     }
 
-    /** Eight lights without highlights store cosine times falloff. */
+    /** Eight lights without highlights store cosine times falloff. The shape is outside the picture, so that no row is traced again. */
     @Test
-    void movedShapeUnderManyLights_keepsFalloffs() {
+    void movedShadowUnderManyLights_keepsFalloffs() {
         String lights = IntStream.range(0, 8)
-                .mapToObj(i -> "light l" + i + " point { at " + (i - 4) + " 3 2  attenuation 0.2 0.1 0.05  intensity 0.2 }\n")
+                .mapToObj(i -> "light l" + i + " point { at " + (i - 4) + " 9 2  attenuation 0.2 0.1 0.05 }\n")
                 .collect(Collectors.joining());
-        try (StudioRenderer studio = studio(read(STUDIO.replaceFirst("(?s)light key.*", lights)))) {
+        Scene scene = read(STUDIO.replaceFirst("(?s)light key.*", "sphere above { material matt  at 0 6 1 }\n" + lights));
+        try (StudioRenderer studio = studio(scene)) {
             LightRows layer = (LightRows) studio.renderer().cache().tile(0).levels[0].layers()[0];
             assertThat(layer.kind()).isEqualTo(LightRows.Kind.PREMULTIPLIED);
-            node(studio, "ball", shape -> shape.withPlacement(shape.placement().withPosition(new Vec3(0.4, 0.2, 0))));
+            UpdateResult update =
+                    node(studio, "above", shape -> shape.withPlacement(shape.placement().withPosition(new Vec3(0.6, 6, 1))));
+            assertThat(update.rays().eye()).isZero();
+            assertThat(update.rays().shadow()).isPositive();
         }
     }
 
-    /** Two tiles side by side, each with a ball. The material of one changes while the cone grows in both. */
+    /**
+     * Four tiles side by side, with two balls each in the left and the right half. The material of one half changes while the cone grows
+     * over all.
+     */
     @ParameterizedTest
     @ValueSource(strings = {"left", "right"})
-    void shininessInOneTileAndLargerCone_keepHighlightsOfOther(String side) {
+    void shininessInOneHalfAndLargerCone_keepHighlightsOfOther(String side) {
         Scene scene = read("""
                 jen 1
-                picture { size 64 32  depth 0 }
-                camera { from 0 2 12  to 0 0 0  fov 30 }
+                picture { size 128 32  depth 0 }
+                camera { from 0 14 0  to 0 0 0  up 0 0 -1  fov 25 }
                 material floor { diffuse 0.5 0.5 0.5  specular 0.4 0.4 0.4  shininess 1 }
                 material left { diffuse 0.5 0.5 0.5  specular 0.4 0.4 0.4  shininess 2 }
                 material right { diffuse 0.5 0.5 0.5  specular 0.4 0.4 0.4  shininess 2 }
-                plane floor { material floor  at 0 -1 0  scale 20 1 20 }
+                plane floor { material floor  scale 20 1 20 }
                 sphere left { material left  at -2.5 0 0 }
+                sphere left2 { material left  at -9 0 0 }
                 sphere right { material right  at 2.5 0 0 }
-                light key spot { at 0 8 3  direction 0 -8 -3  angle 18 }
+                sphere right2 { material right  at 9 0 0 }
+                light key spot { at 0 12 0  direction 0 -1 0  angle 18 }
                 """);
         try (StudioRenderer studio = studio(scene)) {
             Scene shinier = scene.withMaterial(scene.material(side).orElseThrow().withShininess(5));
             render(studio, shinier.withLight(scene.lights().getFirst().withAngle(60)));
+        }
+    }
+
+    /** All rows are lit then, so that they share one state. */
+    @Test
+    void coneGrownOverAllRows_takesMemoryOfFirstPass() {
+        try (StudioRenderer studio = studio(read(STUDIO.replace("sphere ball { material matt }", "")))) {
+            light(studio, l -> l.withAngle(80));
+            assertMemoryOfFirstPass(studio);
+        }
+    }
+
+    @Test
+    void doorsOverFullTile_equalFullTrace() {
+        Scene scene = read("""
+                jen 1
+                picture { size 32 32  depth 0 }
+                camera { from 0 10 0  to 0 0 0  up 0 0 -1 }
+                plane floor { scale 20 1 20 }
+                light key spot { at 0 8 0  direction 0 -1 0  angle 60 }
+                """);
+        try (StudioRenderer studio = studio(scene)) {
+            light(studio, l -> l.withDoors(new BarnDoors(5, 20, 90, 8)));
         }
     }
 
