@@ -161,7 +161,7 @@ class LayerUpdateTest {
                 sphere left2 { material left  at -9 0 0 }
                 sphere right { material right  at 2.5 0 0 }
                 sphere right2 { material right  at 9 0 0 }
-                light key spot { at 0 12 0  direction 0 -1 0  angle 18 }
+                light key spot { at 0 12 0  direction 0 -1 0  angle 34 }
                 """);
         try (StudioRenderer studio = studio(scene)) {
             Scene shinier = scene.withMaterial(scene.material(side).orElseThrow().withShininess(5));
