@@ -233,6 +233,19 @@ class ObjectWorkTest {
     }
 
     @Test
+    void sphereMovedOutsideRaysOfDarkLight_keepsItsLayers() {
+        for (Light light : List.of(SUN, WIDE_SUN)) {
+            try (StudioRenderer studio = studio(scene(light))) {
+                edit(studio, "above", ball -> moved(ball, 20, 0, 0));
+                studio.render(studio.scene().withLight(light.withOn(false)));
+                edit(studio, "above", ball -> moved(ball, 1, 1, 1));
+                assertThat(studio.render(studio.scene().withLight(light)).rays().shadow()).isZero();
+                FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(studio.scene()).trace(), "object-work");
+            }
+        }
+    }
+
+    @Test
     void addedAndDeletedSpheres_keepOtherIndices() {
         try (StudioRenderer studio = studio(scene(SUN))) {
             List<SceneNode> more = new ArrayList<>(studio.scene().nodes());
