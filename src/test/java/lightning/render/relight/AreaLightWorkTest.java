@@ -24,11 +24,13 @@ import lightning.scene.light.AreaShape;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
 import lightning.scene.value.Attenuation;
 import lightning.scene.value.BarnDoors;
 import lightning.scene.value.Placement;
+import lightning.scene.value.ShapeLinks;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -188,5 +190,51 @@ class AreaLightWorkTest {
         assertThat(LightRows.columns(fine, false, false)).contains(LightRows.Column.SEEN_2).doesNotContain(LightRows.Column.SEEN_3);
         assertThat(LightRows.columns(StudioScene.key(LightType.POINT), false, false)).containsExactlyInAnyOrder(LightRows.Column.STATE,
                 LightRows.Column.COSINE, LightRows.Column.SPECULAR, LightRows.Column.FALLOFF);
+    }
+
+    @ParameterizedTest
+    @EnumSource(LightType.class)
+    void otherShadowCasters_castRaysOnlyForTheirShadows(LightType type) {
+        try (StudioRenderer studio = studio(type)) {
+            long all = edit(studio, l -> l.withPosition(l.position().plus(new Vec3(1e-9, 0, 0))).withDirection(
+                    l.direction().plus(new Vec3(1e-9, 0, 0)))).rays().shadow();
+            assertThat(edit(studio, l -> l.withShadowedBy(ShapeLinks.except("ball"))).rays().shadow()).isBetween(1L, all - 1);
+            assertThat(edit(studio, l -> l.withShadowedBy(ShapeLinks.ALL)).rays().shadow()).isBetween(1L, all - 1);
+        }
+    }
+
+    /** Other samples may be in the cone of any row. */
+    @Test
+    void falloff_touchesLitRowsAndCone_touchesAll() {
+        try (StudioRenderer studio = studio(LightType.SPOT)) {
+            long rows = studio.referenceRows().rowsOfLevel(0).size();
+            assertThat(studio.edit(l -> l.withAttenuation(new Attenuation(0, 1, 1))).rowsTouched()).isBetween(1L, rows - 1);
+            assertThat(studio.edit(l -> l.withAngle(l.angle() * 0.9)).rowsTouched()).isEqualTo(rows);
+        }
+    }
+
+    @Test
+    void shininess_touchesLitRows() {
+        try (StudioRenderer studio = studio(LightType.RECT)) {
+            long rows = studio.referenceRows().rowsOfLevel(0).size();
+            UpdateResult update = studio.render(studio.scene().withMaterials(
+                    studio.scene().materials().stream().map(m -> m.withShininess(30)).toList()));
+            assertThat(update.rowsTouched()).isBetween(1L, rows - 1);
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(LightType.class)
+    void modelOfMaterialUnderImage_changesAllTerms(LightType type) {
+        try (StudioRenderer studio = studio(type)) {
+            edit(studio, l -> l.withTexture(Optional.of(new LightTexture("face.png", RED_AND_GREEN))));
+            Material matt = studio.scene().material("matt").orElseThrow();
+            for (Material material : List.of(matt.withModel(ShadingModel.METALLIC).withMetalness(0.5).withRoughness(0.4), matt)) {
+                UpdateResult update = studio.render(studio.scene().withMaterial(material));
+                assertThat(update.rays().shadow()).isZero();
+                studio.renderer().updateReflections(Progress.NONE);
+                assertThat(studio.renderer().film().hasSameBits(new ReferenceTracer(studio.scene()).trace())).isTrue();
+            }
+        }
     }
 }

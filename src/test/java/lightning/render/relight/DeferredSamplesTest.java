@@ -251,4 +251,34 @@ class DeferredSamplesTest {
             assertThatThrownBy(() -> renderer.finish(Progress.NONE)).isInstanceOf(IllegalStateException.class);
         }
     }
+
+    /** Samples of the finished picture have reflections of the scene before the depth changed, so they cannot follow the centers. */
+    @Test
+    void editAfterDepthWithStaleMirrors_rendersSamplesBetween() {
+        Scene shallow = key(0.5, true).withPicture(studio().picture().withDepth(1));
+        Light key = shallow.light(StudioScene.KEY).orElseThrow();
+        Scene last = shallow.withLight(key.withIntensity(0.2));
+        RenderOptions options = RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE);
+        try (Renderer renderer = new Renderer(options)) {
+            renderer.render(studio(), Progress.NONE);
+            for (Scene scene : List.of(key(0.5, true), shallow, last)) {
+                centers(renderer, scene);
+            }
+            renderer.finish(Progress.NONE);
+            assertThat(renderer.cache().mirroredScene()).isEqualTo(shallow);
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(last, shallow).trace(), "depth-between-edits");
+        }
+    }
+
+    @Test
+    void state_countsCentersAndFinishedPicture() {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+            assertThat(renderer.state().bytes()).isZero();
+            renderer.render(studio(), Progress.NONE);
+            long finished = MemoryEstimate.usedBytes(renderer.cache());
+            assertThat(renderer.state().bytes()).isEqualTo(finished);
+            centers(renderer, key(0.5, true));
+            assertThat(renderer.state().bytes()).isEqualTo(finished + MemoryEstimate.usedBytes(renderer.cache()));
+        }
+    }
 }

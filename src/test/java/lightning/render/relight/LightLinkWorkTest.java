@@ -2,11 +2,23 @@ package lightning.render.relight;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
+import java.util.List;
 import lightning.base.math.Vec3;
+import lightning.render.image.FilmAssert;
 import lightning.render.relight.plan.LightUpdate;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.shading.layer.ConeChange;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
+import lightning.scene.Scene;
 import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
+import lightning.scene.value.Placement;
 import lightning.scene.value.ShapeLinks;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -92,6 +104,26 @@ class LightLinkWorkTest {
         try (studio) {
             assertThat(StudioRenderer.layers(illuminate(studio, ShapeLinks.only("floor"))).stream().skip(1))
                     .containsOnly(new LightUpdate.Keep());
+        }
+    }
+
+    /** The rows of the other shapes were not tested when they were joined with those of the shown one. */
+    @Test
+    void shapesLinkedAfterAnotherWasShown_castRaysFromFacingRows() {
+        Scene scene = StudioScene.of(LightType.POINT);
+        Shape small = new Shape(Solid.SPHERE, "small", "small", new Placement(new Vec3(1.5, 0.5, 1), Vec3.ZERO, Vec3.ONE.times(0.3)));
+        List<SceneNode> nodes = new ArrayList<>(scene.nodes());
+        nodes.add(small.withVisible(false));
+        List<Material> materials = new ArrayList<>(scene.materials());
+        materials.add(Material.of("small"));
+        scene = scene.withPicture(scene.picture().withDepth(0)).withMaterials(materials).withNodes(nodes)
+                .withLight(scene.lights().getFirst().withIlluminates(ShapeLinks.only("small")));
+        try (StudioRenderer studio = new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, scene)) {
+            long tested = shadowRays(studio.render(scene.withNode("small", small)));
+            assertThat(tested).isPositive();
+            long facing = studio.referenceRows().count(0, studio.referenceRows().isFacing(studio.key()));
+            assertThat(shadowRays(illuminate(studio, ShapeLinks.ALL))).isEqualTo(facing - tested);
+            FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(studio.scene()).trace(), "links");
         }
     }
 }

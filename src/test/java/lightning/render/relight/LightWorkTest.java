@@ -5,14 +5,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.render.image.FilmAssert;
 import lightning.render.relight.plan.LightUpdate;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.ReferenceRows;
 import lightning.render.shading.layer.ConeChange;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
+import lightning.scene.Scene;
 import lightning.scene.asset.Gobo;
 import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.Texture;
@@ -65,6 +69,19 @@ class LightWorkTest {
                     studio.edit(l -> l.withProfile(Optional.empty())))) {
                 assertPlan(update, FALLOFF);
                 assertWork(update, lit, rows(studio), 0, 0);
+            }
+        }
+    }
+
+    @Test
+    void doorsAndGobo_equalFullTrace() {
+        var gobo = Optional.of(new Gobo("half.png", new Texture(1, 2, new float[] {1, 1, 1, 0, 0, 0})));
+        try (StudioRenderer studio = StudioRenderer.of(LightType.SPOT)) {
+            Scene mirrored = studio.scene();
+            for (UnaryOperator<Light> edit : List.<UnaryOperator<Light>>of(l -> l.withDoors(new BarnDoors(5, 90, 90, -10)),
+                    l -> l.withGobo(gobo), l -> l.withAngle(30))) {
+                studio.edit(edit);
+                FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(studio.scene(), mirrored).trace(), "mask");
             }
         }
     }

@@ -225,4 +225,21 @@ class MemoryEstimateTest {
             assertThatCode(() -> renderer.render(second, Progress.NONE)).doesNotThrowAnyException();
         }
     }
+
+    @Test
+    void imageThatFitsAlone_replacesPreviousImage() throws Exception {
+        Scene first = ballsScene(128, 128, AntialiasMode.OFF, 2);
+        Scene second = first.withCamera(new Camera(first.camera().from(), first.camera().to(), first.camera().up(), 30));
+        try (Renderer renderer = new Renderer(OPTIONS.withMemory(usedBytes(first, OPTIONS) * 3 / 2))) {
+            renderer.render(first, Progress.NONE);
+            assertThat(renderer.renderOrClear(second, Progress.NONE).rays().eye()).isEqualTo(128L * 128);
+            assertThat(renderer.scene()).isEqualTo(second);
+            Scene huge = ballsScene(16384, 16384, AntialiasMode.EVERY, 8);
+            for (boolean hasPicture : new boolean[] {true, false}) {
+                assertThat(renderer.state().hasPicture()).isEqualTo(hasPicture);
+                assertThatThrownBy(() -> renderer.renderOrClear(huge, Progress.NONE)).isInstanceOf(PictureTooLargeException.class);
+                assertThat(renderer.state().hasPicture()).isFalse();
+            }
+        }
+    }
 }

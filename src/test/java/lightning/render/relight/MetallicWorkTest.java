@@ -14,6 +14,7 @@ import lightning.sample.StudioScene;
 import lightning.scene.Scene;
 import lightning.scene.light.LightType;
 import lightning.scene.material.Material;
+import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.ShadingModel;
 import org.junit.jupiter.api.Test;
 
@@ -83,6 +84,26 @@ class MetallicWorkTest {
             assertThat(bytes(studio, LightRows.Column.GRAZING)).isZero();
             edit(studio, MetallicWorkTest::metal);
             assertThat(bytes(studio, LightRows.Column.GRAZING)).isPositive();
+        }
+    }
+
+    @Test
+    void metalChangedToPhongWithoutHighlights_hasPhongDiffuse() {
+        try (StudioRenderer studio = studio()) {
+            studio.render(studio.scene().withMaterials(studio.scene().materials().stream()
+                    .map(m -> m.name().equals(MATT) ? m : m.withSpecular(Rgb.BLACK)).toList()));
+            edit(studio, m -> m.withModel(ShadingModel.PHONG).withSpecular(Rgb.BLACK));
+            assertThat(bytes(studio, LightRows.Column.GRAZING) + bytes(studio, LightRows.Column.SPECULAR)).isZero();
+        }
+    }
+
+    /** Shininess and roughness keep their initial values. */
+    @Test
+    void modelAlone_changesTerms() {
+        try (StudioRenderer studio = new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, StudioScene.of(LightType.SPOT))) {
+            edit(studio, m -> m.withSpecular(Rgb.gray(0.4)).withShininess(MaterialAttribute.SHININESS.initial()));
+            edit(studio, m -> m.withModel(ShadingModel.METALLIC));
+            edit(studio, m -> m.withModel(ShadingModel.PHONG).withSpecular(Rgb.gray(0.4)));
         }
     }
 }

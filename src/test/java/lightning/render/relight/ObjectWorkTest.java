@@ -143,7 +143,9 @@ class ObjectWorkTest {
             ReferenceRows reference = studio.referenceRows();
             long shaded = reference.count(0, reference.isShadowed(SUN).and(row -> row.px() > 0));
             assertThat(shaded).isPositive();
-            assertRays(edit(studio, "above", ball -> ball.withVisible(false)), 0, 0, shaded);
+            UpdateResult update = edit(studio, "above", ball -> ball.withVisible(false));
+            assertRays(update, 0, 0, shaded);
+            assertThat(update.rowsTouched()).isEqualTo(shaded);
         }
     }
 
@@ -184,9 +186,11 @@ class ObjectWorkTest {
 
     @Test
     void sphereMovedOutsideAllRays_costsNothing() {
-        try (StudioRenderer studio = studio(scene(SUN))) {
-            edit(studio, "above", ball -> moved(ball, 20, 0, 0));
-            assertWork(edit(studio, "above", ball -> moved(ball, 1, 1, 1)), 0, 0, 0, 0);
+        for (Light light : List.of(SUN, WIDE_SUN)) {
+            try (StudioRenderer studio = studio(scene(light))) {
+                edit(studio, "above", ball -> moved(ball, 20, 0, 0));
+                assertWork(edit(studio, "above", ball -> moved(ball, 1, 1, 1)), 0, 0, 0, 0);
+            }
         }
     }
 
@@ -225,6 +229,19 @@ class ObjectWorkTest {
             UpdateResult update = studio.render(studio.scene().withLight(SUN));
             assertRays(update, 0, 0, facing(studio.referenceRows(), SUN, false));
             FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(studio.scene()).trace(), "object-work");
+        }
+    }
+
+    @Test
+    void sphereMovedOutsideRaysOfDarkLight_keepsItsLayers() {
+        for (Light light : List.of(SUN, WIDE_SUN)) {
+            try (StudioRenderer studio = studio(scene(light))) {
+                edit(studio, "above", ball -> moved(ball, 20, 0, 0));
+                studio.render(studio.scene().withLight(light.withOn(false)));
+                edit(studio, "above", ball -> moved(ball, 1, 1, 1));
+                assertThat(studio.render(studio.scene().withLight(light)).rays().shadow()).isZero();
+                FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(studio.scene()).trace(), "object-work");
+            }
         }
     }
 

@@ -2,6 +2,7 @@ package lightning.render.relight;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.function.UnaryOperator;
@@ -22,6 +23,7 @@ import lightning.scene.light.LightType;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadowCasting;
 import lightning.scene.material.Transmission;
+import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
 import lightning.scene.value.Placement;
@@ -142,6 +144,52 @@ class TintedShadowWorkTest {
             light(studio, l -> l.withDirection(new Vec3(0.1, -1, 0)));
             light(studio, l -> l.withType(LightType.POINT).withPosition(new Vec3(-2, 15, 0)));
             light(studio, l -> l.withArea(l.area().withRadius(0.5)));
+        }
+    }
+
+    private static Scene withLid(boolean visible) {
+        List<SceneNode> nodes = new ArrayList<>(scene().nodes());
+        nodes.add(square("lid", "floor", new Vec3(-2, 13, 0), 2).withVisible(visible));
+        return scene().withNodes(nodes);
+    }
+
+    @Test
+    void hiddenLidAboveGlass_leavesTintedLight() {
+        try (StudioRenderer studio = new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, withLid(true))) {
+            assertThat(render(studio, withLid(false)).rays().shadow()).isPositive().isLessThan(TILE);
+        }
+    }
+
+    /** The lid shadows the same rows that the glass tints. */
+    @Test
+    void lidAndGlassColor_castOneRayPerRow() {
+        try (StudioRenderer studio = new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, withLid(false))) {
+            long tinted = edit(studio, c -> c.withColor(new Rgb(1, 0.5, 0.5))).rays().shadow();
+            Scene covered = withLid(true);
+            assertThat(render(studio, covered).rays().shadow()).isEqualTo(tinted);
+        }
+    }
+
+    @Test
+    void coneGrowingUnderGlass_isTinted() {
+        try (StudioRenderer studio = studio()) {
+            light(studio, l -> l.withType(LightType.SPOT).withPosition(new Vec3(-2, 15, 0)).withAngle(2));
+            light(studio, l -> l.withAngle(8));
+            light(studio, l -> l.withAngle(1));
+            light(studio, l -> l.withAngle(30));
+        }
+    }
+
+    @Test
+    void shapeShownUnderGlass_isTintedAndLeavesOtherTints() {
+        List<SceneNode> nodes = new ArrayList<>(scene().nodes());
+        nodes.add(square("tile", "floor", new Vec3(-3, 1, 0), 1).withVisible(false));
+        Scene before = scene().withNodes(nodes);
+        try (StudioRenderer studio = new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, before)) {
+            Scene shown = before.withNode("tile", nodes.getLast().withVisible(true));
+            render(studio, shown);
+            render(studio, shown.withNode("pane", shown.stage().node("pane").orElseThrow().withVisible(false)));
+            render(studio, before);
         }
     }
 }

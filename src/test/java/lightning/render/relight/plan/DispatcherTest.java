@@ -3,6 +3,8 @@ package lightning.render.relight.plan;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
@@ -19,11 +21,22 @@ import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.asset.Gobo;
+import lightning.scene.asset.Texture;
+import lightning.scene.effects.RenderEffect;
+import lightning.scene.effects.ViewEffects;
+import lightning.scene.light.Contribution;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
+import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
+import lightning.scene.value.Placement;
+import lightning.scene.value.ShapeGains;
+import lightning.scene.value.ShapeLinks;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** Tests the origin of each layer and its least update, for lists of lights and at accuracy ratio. */
 class DispatcherTest {
@@ -172,5 +185,147 @@ class DispatcherTest {
                 }
             }
         }
+    }
+
+    private static Scene sampled(Scene scene, AntialiasMode antialias) {
+        return scene.withPicture(scene.picture().withSampling(new SamplingSettings(antialias, 2)));
+    }
+
+    private static Scene withMirrorBall(Scene scene) {
+        return scene.withMaterial(scene.material("matt").orElseThrow().withReflective(Rgb.gray(0.5)));
+    }
+
+    private static Scene withMovedBall(Scene scene, Vec3 to) {
+        Shape ball = (Shape) scene.stage().node("ball").orElseThrow();
+        return scene.withNode("ball", ball.withPlacement(new Placement(to, Vec3.ZERO, Vec3.ONE)));
+    }
+
+    private static void assertFirstPass(Renderer renderer, Scene target, String reason) {
+        assertThat(renderer.plan(target).update()).isEqualTo(new UpdatePlan.FirstPass(reason));
+    }
+
+    @Test
+    void edgesEnabled_keepCentersUnlessMirrorsOrShapesChange() {
+        Scene edges = sampled(STUDIO, AntialiasMode.EDGES);
+        try (Renderer renderer = renderedWith(Accuracy.EXACT, ReflectionMode.CURRENT, STUDIO)) {
+            assertThat(renderer.plan(edges).update()).isInstanceOf(UpdatePlan.Relight.class);
+            assertFirstPass(renderer, withMirrorBall(edges), "anti-aliasing and reflections changed");
+            assertFirstPass(renderer, withMovedBall(edges, new Vec3(0.5, 0, 0)), "objects changed");
+            assertThat(renderer.plan(withMovedBall(STUDIO, new Vec3(0.5, 0, 0))).update()).isInstanceOf(UpdatePlan.Relight.class);
+        }
+    }
+
+    /** The mirror images still show a ball that does not mirror. */
+    @Test
+    void edgesEnabledAfterNewMirror_needFirstPassIfReflectionsAreStale() {
+        try (Renderer renderer = renderedWith(Accuracy.EXACT, ReflectionMode.STALE, STUDIO)) {
+            renderer.render(withMirrorBall(STUDIO), Progress.NONE);
+            assertFirstPass(renderer, sampled(withMirrorBall(STUDIO), AntialiasMode.EDGES), "anti-aliasing and reflections changed");
+        }
+    }
+
+    @Test
+    void samplesOfEveryPixel_leaveNoCentersToKeep() {
+        try (Renderer renderer = renderedWith(Accuracy.EXACT, ReflectionMode.STALE, sampled(STUDIO, AntialiasMode.EVERY))) {
+            assertFirstPass(renderer, sampled(STUDIO, AntialiasMode.EDGES), "anti-aliasing changed");
+        }
+    }
+
+    @Test
+    void edgesEnabledWithForcedMirrors_needFirstPass() {
+        ViewEffects forced = ViewEffects.ALL.withForced(Set.of(RenderEffect.REFLECTION));
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withView(forced).withThreads(1))) {
+            renderer.render(STUDIO, Progress.NONE);
+            assertFirstPass(renderer, sampled(STUDIO, AntialiasMode.EDGES), "anti-aliasing changed");
+        }
+    }
+
+    private static LevelPlan top(Renderer renderer, Scene target) {
+        return ((UpdatePlan.Relight) renderer.plan(target).update()).top();
+    }
+
+    @Test
+    void lightThatNeverShone_isAddedWhenSwitchedOn() {
+        Scene dark = STUDIO.withLights(List.of(A, B.withOn(false)));
+        try (Renderer renderer = renderedWith(Accuracy.EXACT, ReflectionMode.STALE, dark)) {
+            assertThat(updates(top(renderer, STUDIO))).containsExactly(KEEP, ADDED);
+        }
+    }
+
+    @Test
+    void lightThatNeverShone_keepsSumOfOthers() {
+        Scene dark = STUDIO.withLights(List.of(A, B.withOn(false)));
+        try (Renderer renderer = renderedWith(Accuracy.EXACT, ReflectionMode.STALE, dark)) {
+            LevelPlan plan = top(renderer, dark.withLight(A.withIntensity(2)));
+            assertThat(updates(plan)).containsExactly(REWEIGHT, KEEP);
+            assertThat(plan.recomposeAll()).isFalse();
+        }
+    }
+
+    /** Returns the studio with two groups: the ball is in the second, or in the first. */
+    private static Scene grouped(boolean inFirst, Light... lights) {
+        SceneNode ball = STUDIO.stage().node("ball").orElseThrow();
+        NodeGroup first = new NodeGroup("first", Placement.IDENTITY, inFirst ? List.of(ball) : List.of(), true);
+        NodeGroup second = new NodeGroup("second", Placement.IDENTITY, inFirst ? List.of() : List.of(ball), true);
+        return STUDIO.replaceNode("ball", List.of(first, second)).withLights(List.of(lights));
+    }
+
+    /** All its rows on the ball are outside its links afterwards. A dark light loses its layers until it shines. */
+    @Test
+    void regroupedShape_invalidatesLayersOfLinkedLight() {
+        Light linked = A.withIlluminates(ShapeLinks.only("second"));
+        try (Renderer renderer = renderedWith(Accuracy.EXACT, ReflectionMode.STALE, grouped(false, linked, B))) {
+            LevelPlan lit = top(renderer, grouped(true, linked, B));
+            assertThat(updates(lit)).containsExactly(MOVED, KEEP);
+            assertThat(lit.layers().getFirst().base()).isNotNull();
+            assertThat(lit.recomposeAll()).isFalse();
+            renderer.render(grouped(false, linked.withOn(false), B), Progress.NONE);
+            LevelPlan dark = top(renderer, grouped(true, linked.withOn(false), B));
+            assertThat(updates(dark)).containsExactly(KEEP, KEEP);
+            assertThat(dark.layers()).extracting(layer -> layer.base() == null).containsExactly(true, false);
+            assertThat(dark.recomposeAll()).as("the sum has lost a layer").isTrue();
+        }
+    }
+
+    /** Contributions contain gains, terms do not. */
+    @ParameterizedTest
+    @EnumSource(Accuracy.class)
+    void regroupedShape_invalidatesGainsAtAccuracyRatio(Accuracy accuracy) {
+        Light gained = A.withContribution(Contribution.DEFAULT.withGains(ShapeGains.of("first", 0.5)));
+        try (Renderer renderer = renderedWith(accuracy, ReflectionMode.STALE, grouped(false, gained, B))) {
+            assertThat(updates(top(renderer, grouped(true, gained, B)))).containsExactly(accuracy == Accuracy.RATIO ? MOVED : KEEP, KEEP);
+            assertThat(updates(top(renderer, withMovedBallInGroup(gained)))).containsExactly(KEEP, KEEP);
+        }
+    }
+
+    private static Scene withMovedBallInGroup(Light gained) {
+        return withMovedBall(grouped(false, gained, B), new Vec3(0.5, 0, 0));
+    }
+
+    /**
+     * Whether a light lies on a surface is decided up to the rounding of shadow rays, 2⁻⁴⁷ of the largest coordinates in the scene: less
+     * than 10⁻¹² with the ball in the studio, more than 10⁻⁸ with the ball at 10⁶.
+     */
+    @Test
+    void farShape_invalidatesLayersOfLightJustAboveAnother() {
+        Light near = Light.of("near", LightType.POINT).withPosition(new Vec3(0, -1 + 1e-9, 3));
+        Light above = near.withName("above").withPosition(new Vec3(0, 1, 3));
+        Light sun = Light.of("sun", LightType.DIRECTIONAL);
+        Scene scene = STUDIO.withLights(List.of(near, above, sun));
+        try (Renderer renderer = renderedWith(Accuracy.EXACT, ReflectionMode.STALE, scene)) {
+            assertThat(updates(top(renderer, withMovedBall(scene, new Vec3(1e6, 0, 0))))).containsExactly(MOVED, KEEP, KEEP);
+            assertThat(updates(top(renderer, withMovedBall(scene, new Vec3(0.5, 0, 0))))).containsExactly(KEEP, KEEP, KEEP);
+        }
+    }
+
+    /** A gobo fills the cone, so another angle changes the light at each point. */
+    @Test
+    void goboInCone_changesFalloffWithAngleOnly() {
+        Light gobo = A.withGobo(Optional.of(new Gobo("half.png", new Texture(1, 2, new float[] {1, 1, 1, 0, 0, 0}))));
+        assertThat(LightDifference.between(gobo, gobo.withAngle(10)).update())
+                .isEqualTo(new LightUpdate.Partial(ConeChange.ANGLE_REMOVE, true, false));
+        assertThat(LightDifference.between(gobo, gobo.withIntensity(2)).update()).isEqualTo(REWEIGHT);
+        assertThat(LightDifference.between(A, A.withAngle(10)).update())
+                .isEqualTo(new LightUpdate.Partial(ConeChange.ANGLE_REMOVE, false, false));
     }
 }

@@ -41,6 +41,14 @@ class PathUpdateTest {
         return ((UpdatePlan.Relight) update.plan()).paths();
     }
 
+    private PathUpdate plannedPaths(Scene target) {
+        return ((UpdatePlan.Relight) renderer.plan(target).update()).paths();
+    }
+
+    private static Scene withMirroringWalls(Scene scene, double reflectance) {
+        return scene.withMaterial(scene.material("red").orElseThrow().withReflective(Rgb.gray(reflectance)));
+    }
+
     @Test
     void editedLight_keepsPaths() {
         UpdateResult moved = update(s -> s.withLights(List.of(s.lights().getFirst().withPosition(new Vec3(0, 0.5, 0)))));
@@ -86,5 +94,25 @@ class PathUpdateTest {
         UpdateResult direct = update(Scene::withoutIndirect);
         assertThat(paths(direct)).isEqualTo(PathUpdate.NONE);
         assertThat(direct.plan().description()).doesNotContain("indirect");
+    }
+
+    @Test
+    void newMirror_repeatsPathsAndAnotherReflectance_keepsThem() {
+        Scene mirroring = withMirroringWalls(scene, 0.5);
+        assertThat(plannedPaths(mirroring)).isEqualTo(PathUpdate.REPEAT);
+        renderer.render(mirroring, Progress.NONE);
+        assertThat(plannedPaths(withMirroringWalls(scene, 0.6))).isEqualTo(PathUpdate.KEEP);
+    }
+
+    @Test
+    void otherDepth_repeatsPaths() {
+        assertThat(plannedPaths(scene.withPicture(scene.picture().withDepth(3)))).isEqualTo(PathUpdate.REPEAT);
+    }
+
+    @Test
+    void unchangedScene_keepsPathsIfThereAreAny() {
+        assertThat(PathUpdate.unchanged(renderer.cache())).isEqualTo(PathUpdate.KEEP);
+        update(Scene::withoutIndirect);
+        assertThat(PathUpdate.unchanged(renderer.cache())).isEqualTo(PathUpdate.NONE);
     }
 }
