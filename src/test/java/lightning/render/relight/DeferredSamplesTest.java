@@ -265,7 +265,7 @@ class DeferredSamplesTest {
                 centers(renderer, scene);
             }
             renderer.finish(Progress.NONE);
-            assertThat(renderer.cache().mirroredScene()).isEqualTo(shallow);
+            assertThat(renderer.cache().mirrored().scene()).isEqualTo(shallow);
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(last, shallow).trace(), "depth-between-edits");
         }
     }
