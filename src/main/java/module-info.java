@@ -15,6 +15,8 @@ module lightning {
     requires org.kordamp.ikonli.javafx;
     requires org.kordamp.ikonli.materialdesign2;
     requires org.jgroups;
+    // Automatic.
+    requires drako;
     // Compile-time annotations only; not needed at run time.
     requires static io.soabase.recordbuilder.core;
     requires static java.compiler;

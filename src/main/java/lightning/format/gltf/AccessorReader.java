@@ -3,6 +3,8 @@ package lightning.format.gltf;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
+import java.util.Arrays;
+import java.util.HashMap;
 import java.util.Map;
 import lightning.base.text.Quote;
 import lightning.format.mesh.MeshException;
@@ -43,6 +45,13 @@ final class AccessorReader {
         }
     }
 
+    /** Values of compressed primitives by accessor: all components that they have. */
+    private final Map<Integer, Decoded> decodedValues = new HashMap<>();
+    private final Map<Integer, int[]> decodedIndices = new HashMap<>();
+
+    /** Decoded values of an accessor. */
+    private record Decoded(float[] values, int components) {}
+
     AccessorReader(GltfFile file) {
         this.file = file;
         buffers = file.buffers();
@@ -52,8 +61,33 @@ final class AccessorReader {
         return index.resolve(file.array("accessors")).get("count").integer(1, MeshLimits.VERTICES);
     }
 
+    /** Sets the values of an accessor without a buffer view. */
+    void setValues(JsonValue index, float[] values, int components) throws MeshException {
+        decodedValues.put(index.index(file.array("accessors")), new Decoded(values, components));
+    }
+
+    /** Sets the first {@code count} indices of an accessor without a buffer view. */
+    void setIndices(JsonValue index, int[] indices, int count) throws MeshException {
+        decodedIndices.put(index.index(file.array("accessors")), Arrays.copyOf(indices, count));
+    }
+
+    private float[] floats(Decoded decoded, int components, JsonValue accessor) throws MeshException {
+        if (decoded.components < components) {
+            throw accessor.problem("must have " + components + " numbers each, has " + decoded.components);
+        }
+        float[] values = new float[decoded.values.length / decoded.components * components];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = decoded.values[i / components * decoded.components + i % components];
+        }
+        return values;
+    }
+
     /** Reads an accessor as floats, {@code float[components * count]}. */
     float[] floats(JsonValue index, int components) throws IOException, MeshException {
+        Decoded decoded = decodedValues.get(index.index(file.array("accessors")));
+        if (decoded != null) {
+            return floats(decoded, components, index);
+        }
         JsonValue accessor = index.resolve(file.array("accessors"));
         int count = accessor.get("count").integer(1, MeshLimits.VERTICES);
         int available = componentCount(accessor);
@@ -79,6 +113,13 @@ final class AccessorReader {
 
     /** Reads indices, each from 0 to {@code vertexCount} − 1. */
     int[] indices(JsonValue index, int vertexCount) throws IOException, MeshException {
+        int[] decoded = decodedIndices.get(index.index(file.array("accessors")));
+        if (decoded != null) {
+            for (int i = 0; i < decoded.length; i++) {
+                checkVertex(index, i, decoded[i], vertexCount);
+            }
+            return decoded.clone();
+        }
         JsonValue accessor = index.resolve(file.array("accessors"));
         int count = accessor.get("count").integer(1, 3 * MeshLimits.TRIANGLES);
         int type = accessor.get("componentType").integer(0, Integer.MAX_VALUE);
@@ -98,7 +139,7 @@ final class AccessorReader {
     }
 
     private static int checkVertex(JsonValue accessor, int position, double v, int vertexCount) throws MeshException {
-        if (v >= vertexCount) {
+        if (!(v >= 0 && v < vertexCount)) {
             throw accessor.problem("index " + position + " must be a vertex from 0 to " + (vertexCount - 1) + ", was " + (long) v);
         }
         return (int) v;

@@ -105,6 +105,7 @@ public final class GltfMeshReader {
             notes.add("primitives without positions, or compressed");
             return;
         }
+        new DracoPrimitive(file, accessors).decode(primitive);
         // Read positions first: they define the number of vertices.
         int vertices = readValues(position, 3).length / 3;
         JsonValue indices = primitive.get("indices");

@@ -107,6 +107,7 @@ public final class PosedMeshes {
         bytes += 8L * (positions.length + (normals == null ? 0 : normals.length));
         limit.checkBytes(bytes, primitive);
         if (part.vertices().length > 0) {
+            new DracoPrimitive(file, accessors).decode(primitive);
             morph(primitive, part, weights, positions, normals);
             if (node.skin() >= 0 && primitive.get("attributes").get("JOINTS_0").isPresent()) {
                 bend(file.array("skins").element(node.skin()), primitive.get("attributes"), part, positions, normals);
