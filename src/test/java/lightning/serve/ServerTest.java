@@ -331,7 +331,10 @@ class ServerTest {
     void waitingRender_canBeCanceled() throws Exception {
         client.open(LARGE);
         client.open(SCENE);
-        int large = client.send("render", "'scene':1");
+        int large = client.send("render", "'scene':1,'progress':true");
+        while (!client.read().has("progress")) {
+            // Waits until it runs: each scene has a thread of its own, and the second one could be first.
+        }
         int small = client.send("render", "'scene':2");
         client.send("cancel", "'request':" + small);
         assertThat(client.answer(small).has("error")).isTrue();
