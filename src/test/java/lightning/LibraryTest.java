@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 class LibraryTest {
     /** Libraries of the module; those of the tests are not modules. */
     private static final Pattern LIBRARY =
-            Pattern.compile(".*(picocli|diff-utils|jfreechart|jackson|javafx|atlantafx|ikonli|jgroups)[^/\\\\]*\\.jar");
+            Pattern.compile(".*(picocli|diff-utils|jfreechart|jackson|javafx|atlantafx|ikonli|drako|jgroups)[^/\\\\]*\\.jar");
 
     @TempDir
     Path folder;
