@@ -17,6 +17,8 @@ module lightning {
     requires org.jgroups;
     // Automatic.
     requires drako;
+    requires com.twelvemonkeys.imageio.webp;
+    requires com.twelvemonkeys.imageio.tga;
     // Compile-time annotations only; not needed at run time.
     requires static io.soabase.recordbuilder.core;
     requires static java.compiler;

@@ -18,7 +18,8 @@ import org.junit.jupiter.api.io.TempDir;
 class LibraryTest {
     /** Libraries of the module; those of the tests are not modules. */
     private static final Pattern LIBRARY =
-            Pattern.compile(".*(picocli|diff-utils|jfreechart|jackson|javafx|atlantafx|ikonli|drako|jgroups)[^/\\\\]*\\.jar");
+            Pattern.compile(
+                    ".*(picocli|diff-utils|jfreechart|jackson|javafx|atlantafx|ikonli|drako|imageio-|common-|jgroups)[^/\\\\]*\\.jar");
 
     @TempDir
     Path folder;

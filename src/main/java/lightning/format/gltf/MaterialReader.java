@@ -110,7 +110,9 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
         if (!texture.isPresent()) {
             return -1;
         }
-        JsonValue source = texture.get("index").resolve(file.array("textures")).get("source");
+        JsonValue entry = texture.get("index").resolve(file.array("textures"));
+        JsonValue webp = entry.get("extensions").get("EXT_texture_webp").get("source");
+        JsonValue source = entry.get("source").isPresent() ? entry.get("source") : webp;
         if (!source.isPresent()) {
             notes.add("textures in formats of extensions");
             return -1;

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Base64;
 import javax.imageio.ImageIO;
+import lightning.base.math.SrgbCurve;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
@@ -18,6 +19,7 @@ import lightning.format.jen.JenReader;
 import lightning.format.mesh.MeshException;
 import lightning.sample.Nightly;
 import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
 import lightning.scene.material.Material;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -27,6 +29,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Images of imported scenes: none refuses a scene. */
 class ImageImportTest {
+    private static final String WEBP = "UklGRh4AAABXRUJQVlA4TBEAAAAvAQAAAA8wgPMf8x8cMqL/AQA=";
+
     @TempDir
     private Path folder;
     private Path from;
@@ -98,9 +102,33 @@ class ImageImportTest {
     @Test
     void imageOfAnotherFormat_isReplacedByItsFactor() throws Exception {
         Files.writeString(from.resolve("a.png"), "GIF89a");
-        ImportedScene imported = read("a.png");
+        Files.writeString(from.resolve("b.png"), "no image");
+        ImportedScene imported = read("a.png", "b.png");
         assertThat(written(imported).texture()).isEmpty();
-        assertThat(imported.notes()).containsEntry("textures that are not PNG or JPEG", 1);
+        assertThat(imported.notes()).containsEntry("textures of unknown formats, or damaged", 2);
+    }
+
+    /** Two pixels of (255, 128, 0) and black: a lossless WebP file, a TGA, and what Java writes. */
+    @ParameterizedTest
+    @ValueSource(strings = {"webp", "tga", "bmp", "gif", "tiff"})
+    void imageOfAKnownFormat_isConverted(String format) throws Exception {
+        var image = new BufferedImage(2, 1, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, 0xFF8000);
+        var out = new ByteArrayOutputStream();
+        ImageIO.write(image, format, out);
+        byte[] bytes = switch (format) {
+            case "webp" -> Base64.getDecoder().decode(WEBP);
+            // Padded: the reader looks for a footer of 26 bytes.
+            case "tga" -> Arrays.copyOf(new byte[] {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 1, 0, 24, 0, 0, (byte) 128, -1, 0, 0, 0}, 60);
+            default -> out.toByteArray();
+        };
+        Files.write(from.resolve("wood." + format), bytes);
+        ImportedScene imported = read("wood." + format);
+        TextureMap map = written(imported).texture().orElseThrow();
+        assertThat(map.file()).isEqualTo("wood.png");
+        assertThat(map.image().channel(0, 0, 0)).isEqualTo(1);
+        assertThat(map.image().channel(0, 0, 1)).isEqualTo((float) SrgbCurve.toLinear(128 / 255.0));
+        assertThat(map.image().channel(1, 0, 0)).isZero();
     }
 
     /** 5000 × 4000 pixels are more than a texture may have; each remaining pixel is the mean of four. */

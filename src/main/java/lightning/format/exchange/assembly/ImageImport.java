@@ -53,8 +53,7 @@ public final class ImageImport {
      */
     public Optional<TextureMap> embedded(String stem, byte[] bytes, TextureUsage usage) throws IOException {
         if (!names.containsKey(stem)) {
-            names.put(stem, checked(bytes).map(size -> use(assembler.addFile(stem + (isPng(bytes) ? ".png" : ".jpg"), bytes), size,
-                    () -> bytes)));
+            names.put(stem, usable(bytes).map(image -> useBytes(stem, image)));
         }
         return texture(names.get(stem), usage);
     }
@@ -80,8 +79,17 @@ public final class ImageImport {
             notes.add("textures of more than 64 MiB");
             return Optional.empty();
         }
-        return checked(read(file.get())).map(size -> use(assembler.addFile(file.get()), size, () -> read(file.get())));
+        byte[] bytes = read(file.get());
+        return usable(bytes).map(image -> image.bytes == bytes ? use(assembler.addFile(file.get()), image.pixels, () -> read(file.get()))
+                : useBytes(stem(file.get().getFileName().toString()), image));
     }
+
+    private String useBytes(String stem, Usable image) {
+        return use(assembler.addFile(stem + (isPng(image.bytes) ? ".png" : ".jpg"), image.bytes), image.pixels, () -> image.bytes);
+    }
+
+    /** Content of an image that a scene can use, and its number of pixels. */
+    private record Usable(byte[] bytes, long pixels) {}
 
     private static byte[] read(Path file) throws IOException {
         return RegularFile.readBytes(file, "an image", JenLimits.TEXTURE_BYTES);
@@ -106,15 +114,21 @@ public final class ImageImport {
         return name;
     }
 
-    /** Decodes an image to see that a scene can use it; returns its number of pixels, or empty if not. */
-    private Optional<Long> checked(byte[] bytes) {
-        if (!SceneAssembler.isPngOrJpeg(bytes)) {
-            notes.add("textures that are not PNG or JPEG");
-            return Optional.empty();
+    /** Returns an image that a scene can use, converted to PNG if its format is another one; empty if that is not possible. */
+    private Optional<Usable> usable(byte[] bytes) {
+        if (SceneAssembler.isPngOrJpeg(bytes)) {
+            return checked(bytes);
         }
+        Optional<byte[]> png = ConvertedImage.png(bytes);
+        notes.add("textures of unknown formats, or damaged", png.isEmpty() ? 1 : 0);
+        return png.flatMap(this::checked);
+    }
+
+    /** Decodes an image to see that a scene can use it; empty if not. */
+    private Optional<Usable> checked(byte[] bytes) {
         try {
             TextureDecoder.decodeReduced("image", bytes, TextureUsage.DATA);
-            return Optional.of(TextureDecoder.pixels("image", bytes));
+            return Optional.of(new Usable(bytes, TextureDecoder.pixels("image", bytes)));
         } catch (UnusableFileException e) {
             notes.add("textures that are damaged, or wider than " + JenLimits.TEXTURE_SIDE + " pixels");
             return Optional.empty();
