@@ -28,6 +28,10 @@ public record GltfMaterial(String name, Rgb base, double metallic, double roughn
         OptionalInt emissionImage, boolean isUnlit, int baseImage, int metallicRoughnessImage, int normalImage, double normalScale,
         double opacity, Transmission transmission, double cutoff,
         double alphaFactor, boolean isBlended) {
+    /** Matte gray material. */
+    static final GltfMaterial GRAY = new GltfMaterial("", Rgb.gray(0.5), 0, 1, Rgb.gray(0.04), 1, Rgb.BLACK, OptionalInt.empty(), false, -1,
+            -1, -1, 1, 1, new Transmission(0, 1.5, true, Rgb.WHITE, Double.POSITIVE_INFINITY), 0, 1, false);
+
     /**
      * Transmission through a surface and the volume behind it.
      *

@@ -212,13 +212,18 @@ public final class GltfScene {
         return v;
     }
 
-    /** Returns all materials, in index order. */
+    /** Returns all materials, in index order; a gray one in the place of one with invalid values. */
     public List<GltfMaterial> materials() throws MeshException {
         var reader = new MaterialReader(file, notes);
         List<GltfMaterial> materials = new ArrayList<>();
         JsonValue array = file.array("materials");
         for (int i = 0; i < array.size(); i++) {
-            materials.add(reader.material(array.element(i)));
+            try {
+                materials.add(reader.material(array.element(i)));
+            } catch (MeshException e) {
+                notes.add("materials with invalid values, imported as gray");
+                materials.add(GltfMaterial.GRAY);
+            }
         }
         return List.copyOf(materials);
     }

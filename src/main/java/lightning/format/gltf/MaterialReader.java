@@ -98,18 +98,28 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
                 hasTexture ? Rgb.gray(0.04) : new Rgb(specular[0], specular[1], specular[2]), 1);
     }
 
-    private int textureImage(JsonValue texture) throws MeshException {
-        if (texture.isPresent()) {
-            noteSampler(texture.get("index").resolve(file.array("textures")).get("sampler"));
+    private int textureImage(JsonValue texture) {
+        try {
+            if (texture.isPresent()) {
+                noteSampler(texture.get("index").resolve(file.array("textures")).get("sampler"));
+            }
+        } catch (MeshException e) {
+            // Noted with the image.
         }
         return imageIndex(texture);
     }
 
-    /** Returns the index of a texture's image; −1 for none. */
-    private int imageIndex(JsonValue texture) throws MeshException {
-        if (!texture.isPresent()) {
+    /** Returns the index of a texture's image; −1 for none, and with a note for one that is invalid. */
+    private int imageIndex(JsonValue texture) {
+        try {
+            return texture.isPresent() ? validIndex(texture) : -1;
+        } catch (MeshException e) {
+            notes.add("textures with invalid references");
             return -1;
         }
+    }
+
+    private int validIndex(JsonValue texture) throws MeshException {
         JsonValue entry = texture.get("index").resolve(file.array("textures"));
         JsonValue webp = entry.get("extensions").get("EXT_texture_webp").get("source");
         JsonValue source = entry.get("source").isPresent() ? entry.get("source") : webp;

@@ -11,11 +11,19 @@ import lightning.format.mesh.MeshException;
  * @param matrix u′ = map₀·u + map₁·v + map₂, v′ = map₃·u + map₄·v + map₅
  */
 record TextureTransform(int set, double[] matrix) {
-    static TextureTransform of(GltfFile file, int material) throws MeshException {
+    static TextureTransform of(GltfFile file, int material) {
         if (material < 0) {
             return new TextureTransform(0, new double[] {1, 0, 0, 0, 1, 0});
         }
-        JsonValue json = file.array("materials").element(material);
+        try {
+            return ofMaterial(file.array("materials").element(material));
+        } catch (MeshException e) {
+            // The reader of the materials notes it.
+            return new TextureTransform(0, new double[] {1, 0, 0, 0, 1, 0});
+        }
+    }
+
+    private static TextureTransform ofMaterial(JsonValue json) throws MeshException {
         JsonValue base = json.get("pbrMetallicRoughness").get("baseColorTexture");
         JsonValue normals = json.get("normalTexture");
         return of(base.isPresent() ? base : normals.isPresent() ? normals : json.get("emissiveTexture"));

@@ -199,6 +199,20 @@ class GltfMaterialImportTest {
     }
 
     @Test
+    void invalidTexture_isReplacedByItsFactor() throws Exception {
+        ImportedScene imported = importJson(surface("'baseColorTexture': {'index': -1}, 'baseColorFactor': [1, 0, 0, 1]"));
+        assertThat(imported.scene().materials().getFirst().base()).isEqualTo(new Rgb(1, 0, 0));
+        assertThat(imported.notes()).containsEntry("textures with invalid references", 1);
+    }
+
+    @Test
+    void invalidMaterial_isGray() throws Exception {
+        ImportedScene imported = importJson("{'pbrMetallicRoughness': []}");
+        assertThat(imported.scene().materials().getFirst().base()).isEqualTo(Rgb.gray(0.5));
+        assertThat(imported.notes()).containsEntry("materials with invalid values, imported as gray", 1);
+    }
+
+    @Test
     void importedMaterial_roundTripsThroughJen() throws Exception {
         ImportedScene imported =
                 importJson(surface(
