@@ -2,6 +2,8 @@ package lightning.format.mesh;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
@@ -156,9 +158,18 @@ public final class TextTokenizer {
         return true;
     }
 
+    /** Decodes UTF-8; text that is not, as older programs write it, counts as Latin-1. */
+    private static String decoded(byte[] text, int length) {
+        try {
+            return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(text, 0, length)).toString();
+        } catch (CharacterCodingException e) {
+            return new String(text, 0, length, StandardCharsets.ISO_8859_1);
+        }
+    }
+
     /** Returns the last token. */
     public String text() {
-        return new String(token, 0, length, StandardCharsets.UTF_8);
+        return decoded(token, length);
     }
 
     /** Returns the rest of this line, trimmed. */
@@ -170,7 +181,7 @@ public final class TextTokenizer {
             }
             rest.write(bytes.next());
         }
-        return rest.toString(StandardCharsets.UTF_8).strip();
+        return decoded(rest.toByteArray(), rest.size()).strip();
     }
 
     /** Returns the length of the last token in bytes. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
@@ -162,6 +163,15 @@ class ObjReaderTest {
     @Test
     void lineThatEndsWithABackslash_isContinued() throws Exception {
         assertThat(onlyMesh(CORNERS + "f 1 2\\\n 3 \\\r\n4\n").triangleCount()).isEqualTo(2);
+    }
+
+    @Test
+    void namesOfOlderPrograms_areLatin1() throws Exception {
+        byte[] file = (CORNERS + "o K\u00fcche\nf 1 2 3\n").getBytes(StandardCharsets.ISO_8859_1);
+        try (ByteSource source = ByteSource.open(Files.write(folder.resolve("a.obj"), file), Progress.NONE)) {
+            assertThat(ObjReader.read(source, notes).parts().getFirst().name()).isEqualTo("K\u00fcche");
+        }
+        assertThat(read(CORNERS + "o K\u00fcche\nf 1 2 3\n").parts().getFirst().name()).isEqualTo("K\u00fcche");
     }
 
     @Test
