@@ -73,7 +73,7 @@ class Walk:
         document = {
             "version": 1,
             "up": str(UsdGeom.GetStageUpAxis(self.stage)),
-            "meters": float(UsdGeom.GetStageMetersPerUnit(self.stage)),
+            "meters": self.meters(),
             "frames": None if not frames else [frames[0] - first_shift, frames[1] - first_shift, self.rate()],
             "shift": first_shift,
             "resolution": resolution(self.stage),
@@ -294,6 +294,14 @@ class Walk:
             prim = prim.GetParent()
         self.times.update(samples)
         return len(samples) > 1
+
+    def meters(self) -> float:
+        """Returns the meters of a unit; some programs write a number of less precision, which usd-core does not take."""
+        try:
+            return float(UsdGeom.GetStageMetersPerUnit(self.stage))
+        except Exception:  # usd-core raises its own kinds
+            found = self.stage.GetPseudoRoot().GetMetadata("metersPerUnit")
+            return self.out.number(self.stage.GetPseudoRoot(), "metersPerUnit", found, 0.01)
 
     def rate(self) -> float:
         """Returns the frames per second."""

@@ -49,7 +49,7 @@ final class ExpansionLimit {
         long max = expansion.maxShapes(limit);
         if (shapes > max) {
             throw file.array("nodes")
-                    .problem("must show at most " + max + " shapes for a file and buffers of " + expansion.fileBytes
+                    .limit("must show at most " + max + " shapes for a file and buffers of " + expansion.fileBytes
                             + " bytes, found " + shapes + "; each node shows every primitive of its mesh");
         }
     }
@@ -88,7 +88,7 @@ final class ExpansionLimit {
     void checkBytes(long usedBytes, JsonValue json) throws MeshException {
         long max = BASE_BYTES + MAX_EXPANSION_FACTOR * fileBytes;
         if (usedBytes > max) {
-            throw json.problem("the meshes up to here must take at most " + (max >> 20) + " MiB for a file and buffers of "
+            throw json.limit("the meshes up to here must take at most " + (max >> 20) + " MiB for a file and buffers of "
                     + fileBytes + " bytes, found " + (usedBytes >> 20) + " MiB");
         }
     }

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.HeapBudget;
 import lightning.format.mesh.ConversionNotes;
+import lightning.format.mesh.LimitException;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
 import lightning.format.mesh.Tangents;
@@ -71,6 +72,7 @@ public final class GltfMeshReader {
 
     private List<GltfPart> read() throws IOException, MeshException {
         JsonValue meshes = file.array("meshes");
+        MeshException first = null;
         for (int i = 0; i < meshes.size(); i++) {
             JsonValue primitives = meshes.element(i).get("primitives");
             String name = meshes.element(i).get("name").text().orElse("");
@@ -78,8 +80,18 @@ public final class GltfMeshReader {
                 if (file.progress().isCanceled()) {
                     throw new CancellationException("canceled after " + parts.size() + " parts");
                 }
-                readPrimitive(i, j, name, primitives.element(j), primitives.size() > 1);
+                try {
+                    readPrimitive(i, j, name, primitives.element(j), primitives.size() > 1);
+                } catch (LimitException e) {
+                    throw e;
+                } catch (MeshException e) {
+                    first = first == null ? e : first;
+                    notes.add("primitives that are invalid, left out");
+                }
             }
+        }
+        if (parts.isEmpty() && first != null) {
+            throw first;
         }
         return List.copyOf(parts);
     }
@@ -115,7 +127,7 @@ public final class GltfMeshReader {
             return;
         }
         if (parts.size() == MeshLimits.PARTS) {
-            throw primitive.problem("a file must have at most " + MeshLimits.PARTS + " primitives");
+            throw primitive.limit("a file must have at most " + MeshLimits.PARTS + " primitives");
         }
         JsonValue material = primitive.get("material");
         int materialIndex = material.isPresent() ? material.index(file.array("materials")) : -1;
@@ -184,7 +196,7 @@ public final class GltfMeshReader {
         bytes += 4 * count;
         expansionLimit.checkBytes(bytes, primitive);
         if (bytes > HeapBudget.availableBytes() / 2) {
-            throw primitive.problem("the meshes up to here take " + (bytes >> 20) + " MiB, more than half of the available memory");
+            throw primitive.limit("the meshes up to here take " + (bytes >> 20) + " MiB, more than half of the available memory");
         }
     }
 

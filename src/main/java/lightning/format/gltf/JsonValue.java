@@ -3,6 +3,7 @@ package lightning.format.gltf;
 import java.nio.file.Path;
 import java.util.Optional;
 import lightning.base.text.Quote;
+import lightning.format.mesh.LimitException;
 import lightning.format.mesh.MeshException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.MissingNode;
@@ -13,6 +14,11 @@ import tools.jackson.databind.node.MissingNode;
  * @param path path from the root; empty at the root
  */
 public record JsonValue(Path file, String path, JsonNode node) {
+    /** Creates a problem that no reader may skip. */
+    LimitException limit(String message) {
+        return new LimitException(file, path, message);
+    }
+
     public MeshException problem(String message) {
         return new MeshException(file, path, message);
     }

@@ -90,6 +90,13 @@ class GltfNodesTest {
     }
 
     @Test
+    void invalidPrimitive_isLeftOut() throws Exception {
+        ImportedScene imported = read("'indices': 3}]", "'indices': 3}, {'attributes': {'POSITION': 0}, 'indices': 9}]");
+        assertThat(imported.scene().placedShapes()).hasSize(1);
+        assertThat(imported.notes()).containsEntry("primitives that are invalid, left out", 1);
+    }
+
+    @Test
     void hiddenNode_isLeftOutWithItsChildren() throws Exception {
         ImportedScene imported = read(NODES,
                 "'nodes': [{'children': [1], 'mesh': 0, 'extensions': {'KHR_node_visibility': {'visible': false}}}, {'mesh': 0}, {'mesh': 0}]");
