@@ -7,6 +7,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Base64;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
@@ -21,9 +22,14 @@ import lightning.format.mesh.MeshException;
 
 /** Reader for the buffers of a glTF file: embedded, in the binary chunk, or in files of its folder. Each is read once. */
 final class BufferReader {
+    private static final int MAX_STRIDE = 256;
+
     private final GltfFile file;
     private final Map<Integer, byte[]> buffersByIndex = new HashMap<>();
     private final Map<String, byte[]> buffersByUri = new HashMap<>();
+    /** Compressed buffer views that were decoded. */
+    private final Map<Integer, byte[]> decodedViews = new HashMap<>();
+    private long decodedBytes;
 
     BufferReader(GltfFile file) {
         this.file = file;
@@ -36,10 +42,69 @@ final class BufferReader {
      */
     ByteBuffer view(JsonValue index) throws IOException, MeshException {
         JsonValue view = index.resolve(file.array("bufferViews"));
+        JsonValue compressed = view.get("extensions").get("EXT_meshopt_compression");
+        if (compressed.isPresent()) {
+            int number = index.index(file.array("bufferViews"));
+            byte[] decoded = decodedViews.get(number);
+            if (decoded == null) {
+                decoded = decoded(compressed);
+                decodedViews.put(number, decoded);
+            }
+            return GltfFile.littleEndian(decoded);
+        }
         byte[] bytes = buffer(view.get("buffer").index(file.array("buffers")));
         int offset = view.get("byteOffset").integer(0, bytes.length, 0);
         int length = view.get("byteLength").integer(0, bytes.length - offset);
         return GltfFile.littleEndian(bytes).slice(offset, length).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    /** Decodes a compressed buffer view. */
+    private byte[] decoded(JsonValue compressed) throws IOException, MeshException {
+        byte[] bytes = buffer(compressed.get("buffer").index(file.array("buffers")));
+        int offset = compressed.get("byteOffset").integer(0, bytes.length, 0);
+        int length = compressed.get("byteLength").integer(0, bytes.length - offset);
+        int stride = compressed.get("byteStride").integer(1, MAX_STRIDE);
+        int count = compressed.get("count").integer(1, Integer.MAX_VALUE / stride);
+        String mode = compressed.get("mode").text().orElse("");
+        String filter = compressed.get("filter").text().orElse("NONE");
+        decodedBytes += (long) count * stride;
+        new ExpansionLimit(file).checkBytes(decodedBytes, compressed);
+        byte[] data = Arrays.copyOfRange(bytes, offset, offset + length);
+        boolean isIndex = mode.equals("TRIANGLES") || mode.equals("INDICES");
+        if (isIndex ? stride != 2 && stride != 4 || mode.equals("TRIANGLES") && count % 3 != 0
+                : !mode.equals("ATTRIBUTES") || stride % 4 != 0 || filter.equals("OCTAHEDRAL") && stride != 4 && stride != 8
+                        || filter.equals("QUATERNION") && stride != 8) {
+            throw compressed
+                    .problem("must have a mode, a filter and a byteStride that fit together, has '" + mode + "', '" + filter + "' and "
+                            + stride);
+        }
+        try {
+            if (isIndex) {
+                return packed(mode.equals("TRIANGLES") ? MeshoptCodec.triangles(data, count) : MeshoptCodec.indices(data, count), stride);
+            }
+            byte[] values = MeshoptCodec.attributes(data, count, stride);
+            switch (filter) {
+                case "OCTAHEDRAL" -> MeshoptCodec.decodeOctahedral(values, stride);
+                case "QUATERNION" -> MeshoptCodec.decodeQuaternion(values);
+                case "EXPONENTIAL" -> MeshoptCodec.decodeExponential(values);
+                default -> {}
+            }
+            return values;
+        } catch (IndexOutOfBoundsException | IllegalArgumentException e) {
+            throw compressed.problem("must be undamaged data of meshoptimizer: " + e.getMessage());
+        }
+    }
+
+    private static byte[] packed(int[] indices, int stride) {
+        ByteBuffer out = GltfFile.littleEndian(new byte[indices.length * stride]);
+        for (int index : indices) {
+            if (stride == 2) {
+                out.putShort((short) index);
+            } else {
+                out.putInt(index);
+            }
+        }
+        return out.array();
     }
 
     private byte[] buffer(int index) throws IOException, MeshException {

@@ -37,7 +37,7 @@ public final class GltfFile {
             Set.of("KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform", "KHR_materials_unlit",
                     "KHR_materials_emissive_strength", "KHR_materials_specular", "KHR_materials_ior", "KHR_materials_transmission",
                     "KHR_materials_volume", "KHR_node_visibility", "EXT_mesh_gpu_instancing", "KHR_draco_mesh_compression",
-                    "EXT_texture_webp");
+                    "EXT_texture_webp", "EXT_meshopt_compression");
 
     private final Path path;
     private final JsonValue root;

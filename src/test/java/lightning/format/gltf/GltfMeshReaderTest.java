@@ -149,8 +149,8 @@ class GltfMeshReaderTest {
                 "meshes[0].primitives[0].indices: must be a whole number from 0 to 3, was '4'");
         assertRejected(json("'VEC2'", "'MAT3'"), "accessors[2].type: must be SCALAR, VEC2, VEC3, VEC4 or MAT4, was 'MAT3'");
         assertRejected(json("'componentType': 5123", "'componentType': 5126"), "accessors[3]: indices must be unsigned scalars");
-        assertRejected(json("'scene': 0", "'extensionsRequired': ['EXT_meshopt_compression']"),
-                "extensionsRequired[0]: requires EXT_meshopt_compression, which Lightning does not support; export without it");
+        assertRejected(json("'scene': 0", "'extensionsRequired': ['KHR_gaussian_splatting']"),
+                "extensionsRequired[0]: requires KHR_gaussian_splatting, which Lightning does not support; export without it");
         assertRejected(json("'meshes': [{", "'meshes': [7, {"), "meshes[0]: must be an object, was '7'");
         assertRejected(json("'buffers': [{", "'buffers': [{'uri': '../secret.bin', "),
                 "buffers[0].uri: must be data or a file in the folder of this one, was '../secret.bin'");
