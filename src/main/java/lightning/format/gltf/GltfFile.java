@@ -6,6 +6,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Set;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
@@ -38,6 +39,9 @@ public final class GltfFile {
                     "KHR_materials_emissive_strength", "KHR_materials_specular", "KHR_materials_ior", "KHR_materials_transmission",
                     "KHR_materials_volume", "KHR_node_visibility", "EXT_mesh_gpu_instancing", "KHR_draco_mesh_compression",
                     "EXT_texture_webp", "EXT_meshopt_compression");
+
+    /** Starts of names of extensions without which a scene only looks different. */
+    private static final List<String> APPEARANCE = List.of("KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_");
 
     private final Path path;
     private final JsonValue root;
@@ -165,7 +169,7 @@ public final class GltfFile {
         JsonValue required = root.get("extensionsRequired");
         for (int i = 0; i < required.size(); i++) {
             String name = required.element(i).text().orElse("");
-            if (!SUPPORTED_EXTENSIONS.contains(name) && !name.startsWith("KHR_materials_")) {
+            if (!SUPPORTED_EXTENSIONS.contains(name) && APPEARANCE.stream().noneMatch(name::startsWith)) {
                 throw required.element(i).problem("requires " + name + ", which Lightning does not support; export without it");
             }
         }

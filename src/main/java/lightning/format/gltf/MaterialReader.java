@@ -124,7 +124,7 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
         JsonValue webp = entry.get("extensions").get("EXT_texture_webp").get("source");
         JsonValue source = entry.get("source").isPresent() ? entry.get("source") : webp;
         if (!source.isPresent()) {
-            notes.add("textures in formats of extensions");
+            notes.add("textures in formats of extensions, such as KTX2, which gltf-transform ktxdecompress unpacks");
             return -1;
         }
         return source.index(file.array("images"));

@@ -199,6 +199,15 @@ class GltfMaterialImportTest {
     }
 
     @Test
+    void requiredTextureFormat_isReplacedByItsFactor() throws Exception {
+        ImportedScene imported = importJson(surface("'baseColorTexture': {'index': 0}, 'baseColorFactor': [1, 0, 0, 1]"),
+                "'textures': [{'source': 0}]",
+                "'extensionsRequired': ['KHR_texture_basisu'], 'textures': [{'extensions': {'KHR_texture_basisu': {'source': 0}}}]");
+        assertThat(imported.scene().materials().getFirst().base()).isEqualTo(new Rgb(1, 0, 0));
+        assertThat(imported.notes().keySet()).anyMatch(note -> note.startsWith("textures in formats of extensions, such as KTX2"));
+    }
+
+    @Test
     void invalidTexture_isReplacedByItsFactor() throws Exception {
         ImportedScene imported = importJson(surface("'baseColorTexture': {'index': -1}, 'baseColorFactor': [1, 0, 0, 1]"));
         assertThat(imported.scene().materials().getFirst().base()).isEqualTo(new Rgb(1, 0, 0));
