@@ -16,6 +16,7 @@ import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.assembly.TransformDecomposition;
 import lightning.format.exchange.json.SceneExtras;
+import lightning.format.gltf.GltfAnimation;
 import lightning.format.gltf.GltfCamera;
 import lightning.format.gltf.GltfFile;
 import lightning.format.gltf.GltfLight;
@@ -27,6 +28,7 @@ import lightning.format.gltf.GltfScene;
 import lightning.format.gltf.MeshFileWriter;
 import lightning.format.gltf.PosedMeshes;
 import lightning.format.jen.asset.JenLimits;
+import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.scene.Camera;
 import lightning.scene.asset.IesProfile;
@@ -67,6 +69,10 @@ final class GltfImport {
     private final PosedMeshes posed;
     /** File of the posed meshes; empty if there are none. */
     private final String posedFile;
+    /** Animation of the file; empty if there is none. */
+    private final Optional<GltfShot> shot;
+    /** Node of the scene's camera; empty if it is not of the file. */
+    private Optional<GltfNode> cameraNode = Optional.empty();
 
     private GltfImport(Path source, Path sceneFile, LightUnits units, Progress progress) throws IOException, MeshException {
         this.units = units;
@@ -86,13 +92,26 @@ final class GltfImport {
         meshFile = parts.isEmpty() ? source.getFileName().toString() : assembler.addFile(source);
         posedFile =
                 posed.meshes().isEmpty() ? "" : assembler.addFile(assembler.stem() + ".posed.glb", MeshFileWriter.write(posed.meshes()));
+        shot = extras.hasShot() ? Optional.empty() : shot(gltf, progress);
+        assembler.notes.add("animations", extras.hasShot() ? file.animationCount() : 0);
         for (Path buffer : parts.isEmpty() ? Set.<Path>of() : file.bufferFiles()) {
             assembler.addFileAsNamed(buffer);
         }
     }
 
-    static ImportedScene read(Path source, Path sceneFile, LightUnits units, Progress progress) throws IOException, MeshException {
+    static ImportedScene read(Path source, Path sceneFile, LightUnits units, Progress progress)
+            throws IOException, MeshException {
         return new GltfImport(source, sceneFile, units, progress).assemble();
+    }
+
+    private Optional<GltfShot> shot(GltfFile gltf, Progress progress) throws IOException, MeshException {
+        Optional<GltfAnimation> animation = GltfAnimation.read(gltf, assembler.notes);
+        Optional<GltfShot> result = animation.map(a -> new GltfShot(assembler, a, nodes, progress));
+        if (result.isPresent()) {
+            assembler.notes.add("moving skins and morph targets, posed as the file has them",
+                    animation.get().morphCount() + file.movingSkinCount(nodes, result.get()::moves));
+        }
+        return result;
     }
 
     private ImportedScene assemble() throws IOException, MeshException {
@@ -113,7 +132,12 @@ final class GltfImport {
             importLight(lightNodes.get(i), lightTransforms.get(i), settings);
         }
         spotEdges.addFiles(assembler);
-        assembler.camera = assembler.camera.map(this::withTargetAtObjects);
+        assembler.camera = assembler.camera.map(camera -> withTargetAtObjects(camera, assembler.notes));
+        if (shot.isPresent()) {
+            double fov = cameraNode.isEmpty() ? 0 : fieldOfView(file.camera(cameraNode.get().camera(), new ConversionNotes()));
+            // The camera without animation has the notes already.
+            shot.get().finish(cameraNode, fov, (world, angle) -> withTargetAtObjects(camera(world, angle), new ConversionNotes()));
+        }
         assembler.units = assembler.lights.isEmpty() ? Optional.empty() : Optional.of(units);
         List<Material> before = List.copyOf(assembler.materials);
         extras.apply(assembler, nodeNames);
@@ -129,7 +153,7 @@ final class GltfImport {
     private List<SceneNode> importNode(GltfNode node, Transform parentTransform) throws MeshException {
         Transform world = parentTransform.times(node.local());
         if (node.camera() >= 0 && (extras.camera().isEmpty() || extras.camera().equals(node.name()))) {
-            importCamera(node.camera(), world);
+            importCamera(node, world);
         }
         if (node.light() >= 0) {
             lightNodes.add(node);
@@ -158,7 +182,9 @@ final class GltfImport {
             Transform outerTransform = placements.size() == 1 ? parentTransform : parentTransform.times(placements.getFirst().transform());
             SceneNode shape = createShape(node.name(), file, nodeParts.getFirst(), placements.getLast(), outerTransform);
             nodeNames.putIfAbsent(node.name(), shape.name());
-            return wrapInGroups(node, "", placements.subList(0, placements.size() - 1), List.of(shape));
+            List<SceneNode> wrapped = wrapInGroups(node, "", placements.subList(0, placements.size() - 1), List.of(shape));
+            shot.ifPresent(s -> s.addNode(node, wrapped.getFirst()));
+            return wrapped;
         }
         // The group gets the node's name before its parts do, so that links and keyframes of the node find it.
         String groupName = nodeParts.isEmpty() ? "" : assembler.names.unique(node.name(), "group");
@@ -174,6 +200,7 @@ final class GltfImport {
         }
         List<SceneNode> group = wrapInGroups(node, groupName, placements, children);
         nodeNames.putIfAbsent(node.name(), group.getFirst().name());
+        shot.ifPresent(s -> s.addNode(node, group.getFirst()));
         return group;
     }
 
@@ -198,11 +225,8 @@ final class GltfImport {
                 placement, outer);
     }
 
-    private void importCamera(int index, Transform world) throws MeshException {
-        Vec3 from = world.transformPoint(Vec3.ZERO);
-        Vec3 view = world.transformVector(new Vec3(0, 0, -1));
-        Vec3 up = world.transformVector(Vec3.Y);
-        GltfCamera gltfCamera = file.camera(index);
+    private void importCamera(GltfNode node, Transform world) throws MeshException {
+        GltfCamera gltfCamera = file.camera(node.camera(), assembler.notes);
         if (assembler.camera.isPresent()) {
             assembler.notes.add("additional cameras");
             return;
@@ -210,29 +234,40 @@ final class GltfImport {
         if (gltfCamera.fieldOfView().isEmpty()) {
             assembler.notes.add("orthographic cameras, imported as perspective");
         }
-        double fov =
-                Math.clamp(Math.toDegrees(gltfCamera.fieldOfView().orElse(Math.toRadians(Camera.DEFAULT.fov()))), SceneLimits.MIN_FOV,
-                        SceneLimits.MAX_FOV);
         try {
-            assembler.camera = Optional.of(new Camera(from, from.plus(view.normalized()), up.normalized(), fov));
+            assembler.camera = Optional.of(camera(world, fieldOfView(gltfCamera)));
+            cameraNode = Optional.of(node);
             gltfCamera.aspectRatio().ifPresent(assembler::setAspectRatio);
         } catch (IllegalArgumentException | ArithmeticException e) {
             assembler.notes.add("cameras that cannot be placed");
         }
     }
 
+    /** Returns the vertical field of view in radians. */
+    private static double fieldOfView(GltfCamera camera) {
+        return camera.fieldOfView().orElse(Math.toRadians(Camera.DEFAULT.fov()));
+    }
+
+    private static Camera camera(Transform world, double fieldOfView) {
+        Vec3 from = world.transformPoint(Vec3.ZERO);
+        Vec3 view = world.transformVector(new Vec3(0, 0, -1));
+        Vec3 up = world.transformVector(Vec3.Y);
+        double fov = Math.clamp(Math.toDegrees(fieldOfView), SceneLimits.MIN_FOV, SceneLimits.MAX_FOV);
+        return new Camera(from, from.plus(view.normalized()), up.normalized(), fov);
+    }
+
     /**
      * Returns the camera with its target as far as the objects, or at the distance that the file gives: a glTF camera has a direction only. New
      * lights take their size from this distance.
      */
-    private Camera withTargetAtObjects(Camera camera) {
+    private Camera withTargetAtObjects(Camera camera, ConversionNotes notes) {
         Vec3 view = camera.to().minus(camera.from());
         double radius = assembler.bounds.radius();
         double distance = extras.cameraDistance().orElseGet(
                 () -> Math.max(assembler.bounds.center().minus(camera.from()).dot(view), MIN_TARGET_DISTANCE * radius));
         try {
             return new Camera(camera.from(), camera.from().plus(view.times(distance)), camera.up(), camera.fov(),
-                    extras.cameraShift(assembler.notes));
+                    extras.cameraShift(notes));
         } catch (IllegalArgumentException | ArithmeticException e) {
             return camera;
         }
@@ -263,6 +298,7 @@ final class GltfImport {
                 result = withEdge(result.withAngle(Math.toDegrees(light.outerAngle())).withDropoff(0), light);
             }
             assembler.lights.add(settings.restore(result, light));
+            shot.ifPresent(s -> s.addLight(assembler.lights.getLast(), node, light, quadratic));
             boolean isClamped =
                     light.intensity() * quadratic > SceneLimits.MAX_INTENSITY && !assembler.restoredLights.contains(result.name());
             assembler.notes.add("intensities of lights beyond 1e30", isClamped ? 1 : 0);

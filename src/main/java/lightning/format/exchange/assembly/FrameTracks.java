@@ -1,14 +1,14 @@
-package lightning.format.exchange.usd;
+package lightning.format.exchange.assembly;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import lightning.format.exchange.assembly.KeyframeReduction;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.KeyframeSupport;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.attribute.ValueKind;
+import lightning.scene.node.SceneNode;
 import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
@@ -19,21 +19,38 @@ import lightning.scene.shot.TrackTarget;
  * Keyframes of attributes whose values are known at every frame. Frames on a straight line between two others get none.
  *
  * @param first number of the first frame
+ * @param block number of keys that are reduced at a time: the time for a straight line grows with its square
  */
-record FrameTracks(int first) {
+public record FrameTracks(int first, int block) {
     private static final KeyframeReduction REDUCTION = new KeyframeReduction(0);
+
+    /** Creates tracks whose keys are reduced at once. */
+    public FrameTracks(int first) {
+        this(first, Integer.MAX_VALUE);
+    }
 
     /**
      * Returns the tracks of all attributes that change.
      *
      * @param frames values at each frame
      */
-    <T> List<Track> of(TrackTarget target, List<? extends SceneAttribute<T, ?>> attributes, List<T> frames) {
+    public <T> List<Track> of(TrackTarget target, List<? extends SceneAttribute<T, ?>> attributes, List<T> frames) {
         List<Track> tracks = new ArrayList<>();
         for (SceneAttribute<T, ?> attribute : attributes) {
             track(target, attribute, frames).ifPresent(tracks::add);
         }
         return tracks;
+    }
+
+    /**
+     * Returns the tracks of placement and visibility of a shape or group.
+     *
+     * @param states the node at each frame
+     */
+    @SuppressWarnings("unchecked")
+    public List<Track> of(SceneNode node, List<SceneNode> states) {
+        return of(TrackTarget.node(node.name()), (List<SceneAttribute<SceneNode, ?>>) (List<?>) node.attributes().stream()
+                .filter(a -> List.of("at", "rotate", "scale", "visible").contains(a.name())).toList(), states);
     }
 
     private <T, V> Optional<Track> track(TrackTarget target, SceneAttribute<T, V> attribute, List<T> frames) {
@@ -49,7 +66,21 @@ record FrameTracks(int first) {
             keys.add(new Keyframe(first + i, value(kind, attribute.get(frames.get(i))),
                     isStepped ? Interpolation.STEPPED : Interpolation.LINEAR));
         }
-        return Optional.of(new Track(target, attribute.name(), REDUCTION.reduce(keys, !isDirection)));
+        return Optional.of(new Track(target, attribute.name(), reduced(keys, !isDirection)));
+    }
+
+    private List<Keyframe> reduced(List<Keyframe> keys, boolean isLinear) {
+        if (keys.size() <= block) {
+            return REDUCTION.reduce(keys, isLinear);
+        }
+        List<Keyframe> kept = new ArrayList<>();
+        // Each block starts with the last key of the block before.
+        for (int start = 0; start < keys.size() - 1; start += block) {
+            List<Keyframe> part = REDUCTION.reduce(keys.subList(start, Math.min(start + block + 1, keys.size())), isLinear);
+            boolean isRepeated = !kept.isEmpty() && kept.getLast().frame() == part.getFirst().frame();
+            kept.addAll(isRepeated ? part.subList(1, part.size()) : part);
+        }
+        return REDUCTION.reduce(kept, isLinear);
     }
 
     private static <V> KeyframeValue value(ValueKind<V> kind, V value) {
