@@ -25,6 +25,7 @@ import lightning.format.gltf.GltfMeshReader;
 import lightning.format.gltf.GltfNode;
 import lightning.format.gltf.GltfPart;
 import lightning.format.gltf.GltfScene;
+import lightning.format.gltf.MaterialVariants;
 import lightning.format.gltf.MeshFileWriter;
 import lightning.format.gltf.PosedMeshes;
 import lightning.format.jen.asset.JenLimits;
@@ -74,14 +75,16 @@ final class GltfImport {
     /** Node of the scene's camera; empty if it is not of the file. */
     private Optional<GltfNode> cameraNode = Optional.empty();
 
-    private GltfImport(Path source, Path sceneFile, LightUnits units, Progress progress) throws IOException, MeshException {
+    private GltfImport(Path source, Path sceneFile, LightUnits units, String variant, Progress progress) throws IOException, MeshException {
         this.units = units;
         assembler = new SceneAssembler(source, sceneFile);
         GltfFile gltf = GltfFile.read(source, progress);
         file = new GltfScene(gltf, assembler.notes);
         nodes = file.nodes(SceneLimits.MAX_SHAPES);
+        var variants = new MaterialVariants(gltf, variant);
+        variants.noteNames(assembler.notes);
         for (GltfPart part : GltfMeshReader.readAll(gltf, assembler.notes)) {
-            parts.computeIfAbsent(part.mesh(), _ -> new ArrayList<>()).add(part);
+            parts.computeIfAbsent(part.mesh(), _ -> new ArrayList<>()).add(variants.part(part, assembler.notes));
         }
         posed = PosedMeshes.of(gltf, nodes, parts);
         lights = file.lights();
@@ -99,9 +102,9 @@ final class GltfImport {
         }
     }
 
-    static ImportedScene read(Path source, Path sceneFile, LightUnits units, Progress progress)
+    static ImportedScene read(Path source, Path sceneFile, LightUnits units, String variant, Progress progress)
             throws IOException, MeshException {
-        return new GltfImport(source, sceneFile, units, progress).assemble();
+        return new GltfImport(source, sceneFile, units, variant, progress).assemble();
     }
 
     private Optional<GltfShot> shot(GltfFile gltf, Progress progress) throws IOException, MeshException {

@@ -36,7 +36,7 @@ public final class GltfFile {
     private static final Set<String> SUPPORTED_EXTENSIONS =
             Set.of("KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform", "KHR_materials_unlit",
                     "KHR_materials_emissive_strength", "KHR_materials_specular", "KHR_materials_ior", "KHR_materials_transmission",
-                    "KHR_materials_volume", "KHR_animation_pointer", "KHR_node_visibility",
+                    "KHR_materials_variants", "KHR_materials_volume", "KHR_animation_pointer", "KHR_node_visibility",
                     "EXT_mesh_gpu_instancing");
 
     private final Path path;
