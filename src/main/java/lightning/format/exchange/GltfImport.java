@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -119,7 +120,9 @@ final class GltfImport {
 
     private ImportedScene assemble() throws IOException, MeshException {
         var surfaces = new GltfMaterialImport(assembler, file, meshFile);
-        for (GltfMaterial material : file.materials()) {
+        Set<Integer> repeating = new HashSet<>();
+        parts.values().forEach(all -> all.stream().filter(GltfPart::repeatsImages).forEach(part -> repeating.add(part.material())));
+        for (GltfMaterial material : file.materials(repeating::contains)) {
             Material converted = surfaces.convert(material);
             String name = assembler.addMaterial(material.name(), converted);
             materials.add(name);

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.IntPredicate;
 import java.util.function.Predicate;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
@@ -260,13 +261,16 @@ public final class GltfScene {
         return v;
     }
 
-    /** Returns all materials, in index order. */
-    public List<GltfMaterial> materials() throws MeshException {
-        var reader = new MaterialReader(file, notes);
+    /**
+     * Returns all materials, in index order.
+     *
+     * @param repeats whether a mesh shows the images of a material beyond their edges
+     */
+    public List<GltfMaterial> materials(IntPredicate repeats) throws MeshException {
         List<GltfMaterial> materials = new ArrayList<>();
         JsonValue array = file.array("materials");
         for (int i = 0; i < array.size(); i++) {
-            materials.add(reader.material(array.element(i)));
+            materials.add(new MaterialReader(file, notes, repeats.test(i)).material(array.element(i)));
         }
         return List.copyOf(materials);
     }
