@@ -157,7 +157,9 @@ final class GltfImport {
 
     /** Converts a node with its descendants; empty if it shows nothing. */
     private List<SceneNode> importNode(GltfNode node, Transform parentTransform) throws MeshException {
-        Transform world = parentTransform.times(node.local());
+        Optional<Transform> later = shot.flatMap(s -> s.laterTransform(node));
+        Transform local = later.orElse(node.local());
+        Transform world = parentTransform.times(local);
         if (node.camera() >= 0 && (extras.camera().isEmpty() || extras.camera().equals(node.name()))) {
             importCamera(node, world);
         }
@@ -165,7 +167,7 @@ final class GltfImport {
             lightNodes.add(node);
             lightTransforms.add(world);
         }
-        List<Placement> placements = TransformDecomposition.decompose(node.local());
+        List<Placement> placements = TransformDecomposition.decompose(local);
         List<GltfPart> posedParts = posed.parts(node);
         if (node.skin() >= 0 && !posedParts.isEmpty()) {
             // The joints place a skinned mesh, and its node does not.
@@ -188,9 +190,7 @@ final class GltfImport {
             Transform outerTransform = placements.size() == 1 ? parentTransform : parentTransform.times(placements.getFirst().transform());
             SceneNode shape = createShape(node.name(), file, nodeParts.getFirst(), placements.getLast(), outerTransform);
             nodeNames.putIfAbsent(node.name(), shape.name());
-            List<SceneNode> wrapped = wrapInGroups(node, "", placements.subList(0, placements.size() - 1), List.of(shape));
-            shot.ifPresent(s -> s.addNode(node, wrapped.getFirst()));
-            return wrapped;
+            return animated(node, wrapInGroups(node, "", placements.subList(0, placements.size() - 1), List.of(shape)), later.isPresent());
         }
         // The group gets the node's name before its parts do, so that links and keyframes of the node find it.
         String groupName = nodeParts.isEmpty() ? "" : assembler.names.unique(node.name(), "group");
@@ -206,8 +206,18 @@ final class GltfImport {
         }
         List<SceneNode> group = wrapInGroups(node, groupName, placements, children);
         nodeNames.putIfAbsent(node.name(), group.getFirst().name());
-        shot.ifPresent(s -> s.addNode(node, group.getFirst()));
-        return group;
+        return animated(node, group, later.isPresent());
+    }
+
+    /**
+     * Returns a node's only shape or group after it was added to what moves.
+     *
+     * @param isHidden true if it is hidden without animation
+     */
+    private List<SceneNode> animated(GltfNode node, List<SceneNode> shown, boolean isHidden) {
+        List<SceneNode> result = isHidden ? List.of(shown.getFirst().withVisible(false)) : shown;
+        shot.ifPresent(s -> s.addNode(node, result.getFirst()));
+        return result;
     }
 
     /**

@@ -48,6 +48,8 @@ final class GltfShot {
     private final List<MovingLight> lights = new ArrayList<>();
     private final List<Track> tracks = new ArrayList<>();
     private long keys;
+    /** Frames at which flat nodes were looked at. */
+    private long visits;
 
     /** Node that the scene shows as a shape or a group. */
     private record MovingNode(GltfNode node, SceneNode shown) {}
@@ -127,14 +129,30 @@ final class GltfShot {
         }
         nodes.forEach(this::animateNode);
         lights.forEach(this::animateLight);
+        Camera rest = assembler.camera.orElse(Camera.DEFAULT);
         camera.ifPresent(node -> addTracks("animated cameras that cannot be placed", () -> tracks().of(TrackTarget.CAMERA,
-                Camera.ATTRIBUTES, states(frame -> rounded(cameras.create(world(node, frame),
+                Camera.ATTRIBUTES, rest, states(frame -> rounded(cameras.create(world(node, frame),
                         animation.fieldOfView(node.camera(), fieldOfView, frame)))))));
         if (keys > Shot.MAX_KEYS) {
             assembler.notes.add("animation of more than " + Shot.MAX_KEYS + " keyframes");
         } else if (!tracks.isEmpty()) {
             assembler.shot = Optional.of(new Shot(animation.first(), animation.last(), animation.rate(), tracks));
         }
+    }
+
+    /** Returns the transform at the first frame in which a node that is flat without animation is not; empty for other nodes. */
+    Optional<Transform> laterTransform(GltfNode node) {
+        if (!animation.moves(node) || !TransformDecomposition.decompose(node.local()).isEmpty()) {
+            return Optional.empty();
+        }
+        for (int frame = animation.first(); frame <= animation.last() && visits < MAX_STATES; frame++) {
+            visits++;
+            Transform local = animation.local(node, frame);
+            if (!TransformDecomposition.decompose(local).isEmpty()) {
+                return Optional.of(local);
+            }
+        }
+        return Optional.empty();
     }
 
     private FrameTracks tracks() {
@@ -154,6 +172,9 @@ final class GltfShot {
 
     /** Adds tracks; if a state is beyond the limits of a scene, none but a note. */
     private void addTracks(String note, Supplier<List<Track>> supplier) {
+        if (keys > Shot.MAX_KEYS) {
+            return;
+        }
         try {
             List<Track> added = supplier.get();
             keys += added.stream().mapToLong(track -> track.keys().size()).sum();
@@ -182,9 +203,9 @@ final class GltfShot {
                     return empty.withPlacement(previous[0]).withVisible(false);
                 }
                 previous[0] = NearestAngles.continued(previous[0], placements.getFirst());
-                return empty.withPlacement(previous[0]);
+                return empty.withPlacement(previous[0]).withVisible(true);
             }));
-            return tracks().of(empty, states);
+            return tracks().of(empty, empty, states);
         });
         assembler.notes.add("objects that are flat, too small or too large in some frames, hidden in these",
                 states.stream().allMatch(SceneNode::visible) ? 0 : 1);
@@ -193,11 +214,12 @@ final class GltfShot {
     private void animateLight(MovingLight moving) {
         Light light = moving.light;
         boolean isRestored = assembler.restoredLights.contains(light.name());
+        boolean isMoving = moves(moving.node);
         boolean hasKeys = animation.changesLight(moving.source.index());
         assembler.notes.add("animated intensities and colors of lights with settings of Lightning", isRestored && hasKeys ? 1 : 0);
-        addTracks("animated lights that cannot be placed", () -> tracks().of(TrackTarget.light(light.name()), LIGHT_ATTRIBUTES,
+        addTracks("animated lights that cannot be placed", () -> tracks().of(TrackTarget.light(light.name()), LIGHT_ATTRIBUTES, light,
                 states(frame -> {
-                    Light placed = moves(moving.node) ? placed(light, world(moving.node, frame)) : light;
+                    Light placed = isMoving ? placed(light, world(moving.node, frame)) : light;
                     return isRestored || !hasKeys ? placed : withValues(placed, moving, frame);
                 })));
     }

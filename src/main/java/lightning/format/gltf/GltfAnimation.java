@@ -5,12 +5,14 @@ import static java.util.Objects.requireNonNull;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.format.gltf.AnimatedProperty.Kind;
@@ -44,6 +46,7 @@ public final class GltfAnimation {
         private final AccessorReader accessors;
         private final ExpansionLimit limit;
         private final Map<String, float[]> cachedValues = new HashMap<>();
+        private final Set<float[]> checkedTimes = Collections.newSetFromMap(new IdentityHashMap<>());
         private long bytes;
 
         Samplers(GltfFile file, JsonValue samplers) throws IOException, MeshException {
@@ -55,18 +58,25 @@ public final class GltfAnimation {
 
         Channel channel(AnimatedProperty property, JsonValue index) throws IOException, MeshException {
             JsonValue sampler = index.resolve(samplers);
-            float[] times = values(sampler.get("input"), 1);
-            for (int i = 0; i < times.length; i++) {
-                if (!(times[i] >= (i == 0 ? 0 : times[i - 1]))) {
-                    throw sampler.get("input").problem("must be times from 0 in order");
-                }
-            }
+            float[] times = times(sampler.get("input"));
             KeyedValues.Form form = KeyedValues.Form.parse(sampler.get("interpolation"));
             float[] values = values(sampler.get("output"), property.kind().components());
             if (values.length != times.length * form.valuesPerKey() * property.kind().components()) {
                 throw sampler.get("output").problem("must have " + form.valuesPerKey() + " values for each of " + times.length + " times");
             }
             return new Channel(property, times, values, form);
+        }
+
+        private float[] times(JsonValue accessor) throws IOException, MeshException {
+            float[] times = values(accessor, 1);
+            if (checkedTimes.add(times)) {
+                for (int i = 0; i < times.length; i++) {
+                    if (!(times[i] >= (i == 0 ? 0 : times[i - 1]))) {
+                        throw accessor.problem("must be times from 0 in order");
+                    }
+                }
+            }
+            return times;
         }
 
         /** Returns the numbers of an accessor, read once. */

@@ -113,7 +113,7 @@ class GltfAnimationTest {
 
     private JenDocument written(ImportedScene imported) throws Exception {
         Files.createDirectories(folder.resolve("scene"));
-        imported.write();
+        imported.writeReplacing();
         return JenReader.read(folder.resolve("scene/a.jen"));
     }
 
@@ -242,6 +242,35 @@ class GltfAnimationTest {
         assertThat(at(document, 11).nodes().getFirst().visible()).isTrue();
         assertThat(at(document, 12).nodes().getFirst().visible()).isFalse();
         assertThat(imported.notes()).containsEntry("objects that are flat, too small or too large in some frames, hidden in these", 1);
+    }
+
+    @Test
+    void objectThatIsFlatWithoutAnimation_appearsWithIt() throws Exception {
+        key(0, "scale", "LINEAR", times(0, 0.5, 1), 0, 0, 0, 0, 0, 0, 3, 3, 3);
+        JenDocument document = written(read("{'mesh': 0, 'scale': [0, 0, 0], 'children': [1]}, {'mesh': 0}", ""));
+        assertThat(document.scene().nodes().getFirst().visible()).isFalse();
+        assertThat(at(document, 12).nodes().getFirst().visible()).isFalse();
+        assertThat(at(document, 13).nodes().getFirst().visible()).isTrue();
+        assertNear(corner(at(document, 18)), new Vec3(1.5, 0, 0));
+        channels.clear();
+        key(0, "scale", "LINEAR", times(0, 1), 2, 2, 2, 2, 2, 2);
+        JenDocument steady = written(read("{'mesh': 0, 'scale': [0, 0, 0]}", ""));
+        assertThat(at(steady, 5).nodes().getFirst().visible()).isTrue();
+        assertNear(corner(at(steady, 5)), new Vec3(2, 0, 0));
+    }
+
+    /** The values of the animation count, not those of the nodes. */
+    @Test
+    void animationAtRest_isAtItsOwnPlace() throws Exception {
+        key(0, "translation", "LINEAR", times(0, 1), 7, 0, 0, 7, 0, 0);
+        key(1, "translation", "STEP", times(0.5), 0, 4, 0);
+        ImportedScene imported = read("{'mesh': 0, 'translation': [1, 2, 3], 'children': [1]},"
+                + " {'name': 'key', 'extensions': {'KHR_lights_punctual': {'light': 0}}}", LAMPS);
+        JenDocument document = written(imported);
+        assertNear(corner(at(document, 3)), new Vec3(8, 0, 0));
+        assertNear(at(document, 3).lights().getFirst().position(), new Vec3(7, 4, 0));
+        assertThat(document.shot().orElseThrow().tracks()).hasSize(2).allMatch(track -> track.keys().size() == 1);
+        assertThat(ImportLighting.STUDIO.apply(imported).shot().orElseThrow().tracks()).hasSize(1);
     }
 
     @Test

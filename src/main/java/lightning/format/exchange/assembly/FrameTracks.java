@@ -23,6 +23,8 @@ import lightning.scene.shot.TrackTarget;
  */
 public record FrameTracks(int first, int block) {
     private static final KeyframeReduction REDUCTION = new KeyframeReduction(0);
+    /** Values below it have its tolerance: that of numbers of about nine digits. */
+    private static final double ROUNDING_UNIT = 1e-3;
 
     /** Creates tracks whose keys are reduced at once. */
     public FrameTracks(int first) {
@@ -35,9 +37,19 @@ public record FrameTracks(int first, int block) {
      * @param frames values at each frame
      */
     public <T> List<Track> of(TrackTarget target, List<? extends SceneAttribute<T, ?>> attributes, List<T> frames) {
+        return of(target, attributes, frames.getFirst(), frames);
+    }
+
+    /**
+     * Returns the tracks of all attributes that change, or that have another value than without animation.
+     *
+     * @param rest values without animation
+     * @param frames values at each frame
+     */
+    public <T> List<Track> of(TrackTarget target, List<? extends SceneAttribute<T, ?>> attributes, T rest, List<T> frames) {
         List<Track> tracks = new ArrayList<>();
         for (SceneAttribute<T, ?> attribute : attributes) {
-            track(target, attribute, frames).ifPresent(tracks::add);
+            track(target, attribute, rest, frames).ifPresent(tracks::add);
         }
         return tracks;
     }
@@ -47,16 +59,27 @@ public record FrameTracks(int first, int block) {
      *
      * @param states the node at each frame
      */
-    @SuppressWarnings("unchecked")
     public List<Track> of(SceneNode node, List<SceneNode> states) {
-        return of(TrackTarget.node(node.name()), (List<SceneAttribute<SceneNode, ?>>) (List<?>) node.attributes().stream()
-                .filter(a -> List.of("at", "rotate", "scale", "visible").contains(a.name())).toList(), states);
+        return of(node, states.getFirst(), states);
     }
 
-    private <T, V> Optional<Track> track(TrackTarget target, SceneAttribute<T, V> attribute, List<T> frames) {
+    /**
+     * Returns the tracks of placement and visibility of a shape or group.
+     *
+     * @param rest the node without animation
+     * @param states the node at each frame
+     */
+    @SuppressWarnings("unchecked")
+    public List<Track> of(SceneNode node, SceneNode rest, List<SceneNode> states) {
+        return of(TrackTarget.node(node.name()), (List<SceneAttribute<SceneNode, ?>>) (List<?>) node.attributes().stream()
+                .filter(a -> List.of("at", "rotate", "scale", "visible").contains(a.name())).toList(), rest, states);
+    }
+
+    private <T, V> Optional<Track> track(TrackTarget target, SceneAttribute<T, V> attribute, T rest, List<T> frames) {
         ValueKind<V> kind = attribute.kind();
         V start = attribute.get(frames.getFirst());
-        if (kind.keyframeSupport() == KeyframeSupport.NONE || frames.stream().allMatch(f -> attribute.get(f).equals(start))) {
+        if (kind.keyframeSupport() == KeyframeSupport.NONE
+                || frames.stream().allMatch(f -> attribute.get(f).equals(start)) && isNear(kind, attribute.get(rest), start)) {
             return Optional.empty();
         }
         boolean isStepped = kind.keyframeSupport() == KeyframeSupport.STEPPED;
@@ -81,6 +104,21 @@ public record FrameTracks(int first, int block) {
             kept.addAll(isRepeated ? part.subList(1, part.size()) : part);
         }
         return REDUCTION.reduce(kept, isLinear);
+    }
+
+    /** Returns whether two values are the same but for rounding. */
+    private static <V> boolean isNear(ValueKind<V> kind, V a, V b) {
+        if (a.equals(b) || !(value(kind, a) instanceof KeyframeValue.Numbers(List<Double> one))
+                || !(value(kind, b) instanceof KeyframeValue.Numbers(List<Double> other))) {
+            return a.equals(b);
+        }
+        for (int i = 0; i < one.size(); i++) {
+            double scale = Math.max(ROUNDING_UNIT, Math.max(Math.abs(one.get(i)), Math.abs(other.get(i))));
+            if (!(Math.abs(one.get(i) - other.get(i)) <= KeyframeReduction.TOLERANCE * scale)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private static <V> KeyframeValue value(ValueKind<V> kind, V value) {

@@ -108,10 +108,16 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
         Map<String, Integer> newNotes = new HashMap<>(notes);
         newNotes.remove(ADDED_LIGHT);
         newNotes.remove(ADDED_CAMERA);
-        return new ImportedScene(lit, shot().map(s -> validTracks(s, lit)), Set.of(), Set.of(), Optional.empty(), List.copyOf(newComments),
+        // A new light may have the name of one of the file's that moved.
+        Optional<Shot> others = shot().map(s -> s.withTracks(s.tracks().stream().filter(track -> !isLighting(track.target())).toList()));
+        return new ImportedScene(lit, others.map(s -> validTracks(s, lit)), Set.of(), Set.of(), Optional.empty(), List.copyOf(newComments),
                 sceneFile,
                 copies, Map.copyOf(newNotes),
                 subject, closingComments);
+    }
+
+    private static boolean isLighting(TrackTarget target) {
+        return target.kind() == TrackTarget.Kind.LIGHT || target.kind() == TrackTarget.Kind.LIGHT_GROUP;
     }
 
     /**
