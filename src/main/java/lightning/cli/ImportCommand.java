@@ -68,6 +68,10 @@ final class ImportCommand implements Callable<Integer> {
                     + "meshes get fewer, at most a million triangles for each.")
     private int levels = SceneImporter.DEFAULT_LEVELS;
 
+    @Option(names = "--variant", paramLabel = "NAME",
+            description = "Variant of a glTF file's materials (default: the materials that the file has without variants).")
+    private String variant = "";
+
     @Option(names = "--indirect", paramLabel = "WHEN",
             description = "Indirect light: on, off, or auto, which is on if the camera is in a closed room (default: auto).")
     private IndirectChoice indirect = IndirectChoice.AUTO;
@@ -94,7 +98,7 @@ final class ImportCommand implements Callable<Integer> {
         PictureOutput.checkFile(output);
         ImportedScene imported;
         try (var bar = new ProgressBar(console, "reading")) {
-            imported = SceneImporter.read(file, output, units == null ? LightUnits.CANDELA : units, levels, bar);
+            imported = SceneImporter.read(file, output, units == null ? LightUnits.CANDELA : units, levels, variant, bar);
         }
         boolean saysIndirect = imported.hasIndirect();
         imported = lighting.apply(indirect.apply(imported));

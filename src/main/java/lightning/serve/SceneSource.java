@@ -84,7 +84,7 @@ final class SceneSource {
         LightUnits units = choice(fields, "light_units", LightUnits.CANDELA);
         int levels = fields.integer("subdivision", 0, SceneImporter.MAX_LEVELS, SceneImporter.DEFAULT_LEVELS);
         try {
-            ImportedScene imported = lighting.apply(indirect.apply(SceneImporter.read(file, output, units, levels, progress)));
+            ImportedScene imported = lighting.apply(indirect.apply(SceneImporter.read(file, output, units, levels, "", progress)));
             if (importReader == null || !importReader.folder().equals(ParentFolder.of(output))) {
                 importReader = new CachingJenReader(ParentFolder.of(output));
             }

@@ -124,6 +124,9 @@ class ImportCommandTest {
         CliResult.run("import", wrong, "-o", folder.resolve("a.jen"), "--light-units", "lumen").assertRejected("--light-units");
         CliResult.run("import", wrong, "-o", folder.resolve("a.jen"), "--subdivision=5")
                 .assertRejected("--subdivision must be from 0 to 4, was 5");
+        Path gltf = Files.write(folder.resolve("a.gltf"), GltfFixtures.text(GltfFixtures.SQUARE_JSON, GltfFixtures.SQUARE));
+        CliResult.run("import", gltf, "-o", folder.resolve("a.jen"), "--variant", "night")
+                .assertRejected("must have the variant 'night' of its materials, has none");
         assertThat(folder.resolve("a.jen")).doesNotExist();
     }
 }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -16,6 +17,7 @@ import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.assembly.TransformDecomposition;
 import lightning.format.exchange.json.SceneExtras;
+import lightning.format.gltf.GltfAnimation;
 import lightning.format.gltf.GltfCamera;
 import lightning.format.gltf.GltfFile;
 import lightning.format.gltf.GltfLight;
@@ -24,9 +26,11 @@ import lightning.format.gltf.GltfMeshReader;
 import lightning.format.gltf.GltfNode;
 import lightning.format.gltf.GltfPart;
 import lightning.format.gltf.GltfScene;
+import lightning.format.gltf.MaterialVariants;
 import lightning.format.gltf.MeshFileWriter;
 import lightning.format.gltf.PosedMeshes;
 import lightning.format.jen.asset.JenLimits;
+import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.scene.Camera;
 import lightning.scene.asset.IesProfile;
@@ -67,15 +71,21 @@ final class GltfImport {
     private final PosedMeshes posed;
     /** File of the posed meshes; empty if there are none. */
     private final String posedFile;
+    /** Animation of the file; empty if there is none. */
+    private final Optional<GltfShot> shot;
+    /** Node of the scene's camera; empty if it is not of the file. */
+    private Optional<GltfNode> cameraNode = Optional.empty();
 
-    private GltfImport(Path source, Path sceneFile, LightUnits units, Progress progress) throws IOException, MeshException {
+    private GltfImport(Path source, Path sceneFile, LightUnits units, String variant, Progress progress) throws IOException, MeshException {
         this.units = units;
         assembler = new SceneAssembler(source, sceneFile);
         GltfFile gltf = GltfFile.read(source, progress);
         file = new GltfScene(gltf, assembler.notes);
         nodes = file.nodes(SceneLimits.MAX_SHAPES);
+        var variants = new MaterialVariants(gltf, variant);
+        variants.noteNames(assembler.notes);
         for (GltfPart part : GltfMeshReader.readAll(gltf, assembler.notes)) {
-            parts.computeIfAbsent(part.mesh(), _ -> new ArrayList<>()).add(part);
+            parts.computeIfAbsent(part.mesh(), _ -> new ArrayList<>()).add(variants.part(part, assembler.notes));
         }
         posed = PosedMeshes.of(gltf, nodes, parts);
         lights = file.lights();
@@ -86,18 +96,33 @@ final class GltfImport {
         meshFile = parts.isEmpty() ? source.getFileName().toString() : assembler.addFile(source);
         posedFile =
                 posed.meshes().isEmpty() ? "" : assembler.addFile(assembler.stem() + ".posed.glb", MeshFileWriter.write(posed.meshes()));
+        shot = extras.hasShot() ? Optional.empty() : shot(gltf, progress);
+        assembler.notes.add("animations", extras.hasShot() ? file.animationCount() : 0);
         for (Path buffer : parts.isEmpty() ? Set.<Path>of() : file.bufferFiles()) {
             assembler.addFileAsNamed(buffer);
         }
     }
 
-    static ImportedScene read(Path source, Path sceneFile, LightUnits units, Progress progress) throws IOException, MeshException {
-        return new GltfImport(source, sceneFile, units, progress).assemble();
+    static ImportedScene read(Path source, Path sceneFile, LightUnits units, String variant, Progress progress)
+            throws IOException, MeshException {
+        return new GltfImport(source, sceneFile, units, variant, progress).assemble();
+    }
+
+    private Optional<GltfShot> shot(GltfFile gltf, Progress progress) throws IOException, MeshException {
+        Optional<GltfAnimation> animation = GltfAnimation.read(gltf, assembler.notes);
+        Optional<GltfShot> result = animation.map(a -> new GltfShot(assembler, a, nodes, progress));
+        if (result.isPresent()) {
+            assembler.notes.add("moving skins and morph targets, posed as the file has them",
+                    animation.get().morphCount() + file.movingSkinCount(nodes, result.get()::moves));
+        }
+        return result;
     }
 
     private ImportedScene assemble() throws IOException, MeshException {
         var surfaces = new GltfMaterialImport(assembler, file, meshFile);
-        for (GltfMaterial material : file.materials()) {
+        Set<Integer> repeating = new HashSet<>();
+        parts.values().forEach(all -> all.stream().filter(GltfPart::repeatsImages).forEach(part -> repeating.add(part.material())));
+        for (GltfMaterial material : file.materials(repeating::contains)) {
             Material converted = surfaces.convert(material);
             String name = assembler.addMaterial(material.name(), converted);
             materials.add(name);
@@ -113,7 +138,12 @@ final class GltfImport {
             importLight(lightNodes.get(i), lightTransforms.get(i), settings);
         }
         spotEdges.addFiles(assembler);
-        assembler.camera = assembler.camera.map(this::withTargetAtObjects);
+        assembler.camera = assembler.camera.map(camera -> withTargetAtObjects(camera, assembler.notes));
+        if (shot.isPresent()) {
+            double fov = cameraNode.isEmpty() ? 0 : fieldOfView(file.camera(cameraNode.get().camera(), new ConversionNotes()));
+            // The camera without animation has the notes already.
+            shot.get().finish(cameraNode, fov, (world, angle) -> withTargetAtObjects(camera(world, angle), new ConversionNotes()));
+        }
         assembler.units = assembler.lights.isEmpty() ? Optional.empty() : Optional.of(units);
         List<Material> before = List.copyOf(assembler.materials);
         extras.apply(assembler, nodeNames);
@@ -127,15 +157,17 @@ final class GltfImport {
 
     /** Converts a node with its descendants; empty if it shows nothing. */
     private List<SceneNode> importNode(GltfNode node, Transform parentTransform) throws MeshException {
-        Transform world = parentTransform.times(node.local());
+        Optional<Transform> later = shot.flatMap(s -> s.laterTransform(node));
+        Transform local = later.orElse(node.local());
+        Transform world = parentTransform.times(local);
         if (node.camera() >= 0 && (extras.camera().isEmpty() || extras.camera().equals(node.name()))) {
-            importCamera(node.camera(), world);
+            importCamera(node, world);
         }
         if (node.light() >= 0) {
             lightNodes.add(node);
             lightTransforms.add(world);
         }
-        List<Placement> placements = TransformDecomposition.decompose(node.local());
+        List<Placement> placements = TransformDecomposition.decompose(local);
         List<GltfPart> posedParts = posed.parts(node);
         if (node.skin() >= 0 && !posedParts.isEmpty()) {
             // The joints place a skinned mesh, and its node does not.
@@ -158,7 +190,7 @@ final class GltfImport {
             Transform outerTransform = placements.size() == 1 ? parentTransform : parentTransform.times(placements.getFirst().transform());
             SceneNode shape = createShape(node.name(), file, nodeParts.getFirst(), placements.getLast(), outerTransform);
             nodeNames.putIfAbsent(node.name(), shape.name());
-            return wrapInGroups(node, "", placements.subList(0, placements.size() - 1), List.of(shape));
+            return animated(node, wrapInGroups(node, "", placements.subList(0, placements.size() - 1), List.of(shape)), later.isPresent());
         }
         // The group gets the node's name before its parts do, so that links and keyframes of the node find it.
         String groupName = nodeParts.isEmpty() ? "" : assembler.names.unique(node.name(), "group");
@@ -174,7 +206,18 @@ final class GltfImport {
         }
         List<SceneNode> group = wrapInGroups(node, groupName, placements, children);
         nodeNames.putIfAbsent(node.name(), group.getFirst().name());
-        return group;
+        return animated(node, group, later.isPresent());
+    }
+
+    /**
+     * Returns a node's only shape or group after it was added to what moves.
+     *
+     * @param isHidden true if it is hidden without animation
+     */
+    private List<SceneNode> animated(GltfNode node, List<SceneNode> shown, boolean isHidden) {
+        List<SceneNode> result = isHidden ? List.of(shown.getFirst().withVisible(false)) : shown;
+        shot.ifPresent(s -> s.addNode(node, result.getFirst()));
+        return result;
     }
 
     /**
@@ -198,11 +241,8 @@ final class GltfImport {
                 placement, outer);
     }
 
-    private void importCamera(int index, Transform world) throws MeshException {
-        Vec3 from = world.transformPoint(Vec3.ZERO);
-        Vec3 view = world.transformVector(new Vec3(0, 0, -1));
-        Vec3 up = world.transformVector(Vec3.Y);
-        GltfCamera gltfCamera = file.camera(index);
+    private void importCamera(GltfNode node, Transform world) throws MeshException {
+        GltfCamera gltfCamera = file.camera(node.camera(), assembler.notes);
         if (assembler.camera.isPresent()) {
             assembler.notes.add("additional cameras");
             return;
@@ -210,29 +250,40 @@ final class GltfImport {
         if (gltfCamera.fieldOfView().isEmpty()) {
             assembler.notes.add("orthographic cameras, imported as perspective");
         }
-        double fov =
-                Math.clamp(Math.toDegrees(gltfCamera.fieldOfView().orElse(Math.toRadians(Camera.DEFAULT.fov()))), SceneLimits.MIN_FOV,
-                        SceneLimits.MAX_FOV);
         try {
-            assembler.camera = Optional.of(new Camera(from, from.plus(view.normalized()), up.normalized(), fov));
+            assembler.camera = Optional.of(camera(world, fieldOfView(gltfCamera)));
+            cameraNode = Optional.of(node);
             gltfCamera.aspectRatio().ifPresent(assembler::setAspectRatio);
         } catch (IllegalArgumentException | ArithmeticException e) {
             assembler.notes.add("cameras that cannot be placed");
         }
     }
 
+    /** Returns the vertical field of view in radians. */
+    private static double fieldOfView(GltfCamera camera) {
+        return camera.fieldOfView().orElse(Math.toRadians(Camera.DEFAULT.fov()));
+    }
+
+    private static Camera camera(Transform world, double fieldOfView) {
+        Vec3 from = world.transformPoint(Vec3.ZERO);
+        Vec3 view = world.transformVector(new Vec3(0, 0, -1));
+        Vec3 up = world.transformVector(Vec3.Y);
+        double fov = Math.clamp(Math.toDegrees(fieldOfView), SceneLimits.MIN_FOV, SceneLimits.MAX_FOV);
+        return new Camera(from, from.plus(view.normalized()), up.normalized(), fov);
+    }
+
     /**
      * Returns the camera with its target as far as the objects, or at the distance that the file gives: a glTF camera has a direction only. New
      * lights take their size from this distance.
      */
-    private Camera withTargetAtObjects(Camera camera) {
+    private Camera withTargetAtObjects(Camera camera, ConversionNotes notes) {
         Vec3 view = camera.to().minus(camera.from());
         double radius = assembler.bounds.radius();
         double distance = extras.cameraDistance().orElseGet(
                 () -> Math.max(assembler.bounds.center().minus(camera.from()).dot(view), MIN_TARGET_DISTANCE * radius));
         try {
             return new Camera(camera.from(), camera.from().plus(view.times(distance)), camera.up(), camera.fov(),
-                    extras.cameraShift(assembler.notes));
+                    extras.cameraShift(notes));
         } catch (IllegalArgumentException | ArithmeticException e) {
             return camera;
         }
@@ -263,6 +314,7 @@ final class GltfImport {
                 result = withEdge(result.withAngle(Math.toDegrees(light.outerAngle())).withDropoff(0), light);
             }
             assembler.lights.add(settings.restore(result, light));
+            shot.ifPresent(s -> s.addLight(assembler.lights.getLast(), node, light, quadratic));
             boolean isClamped =
                     light.intensity() * quadratic > SceneLimits.MAX_INTENSITY && !assembler.restoredLights.contains(result.name());
             assembler.notes.add("intensities of lights beyond 1e30", isClamped ? 1 : 0);

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Stream;
 import lightning.base.file.RegularFile;
+import lightning.base.text.Quote;
 import lightning.base.work.Progress;
 import lightning.format.MeshFormat;
 import lightning.format.exchange.assembly.ImportedScene;
@@ -45,7 +46,7 @@ public final class SceneImporter {
      * @throws CancellationException if {@code progress} requested cancellation
      */
     public static ImportedScene read(Path file, Path sceneFile, LightUnits units, Progress progress) throws IOException, MeshException {
-        return read(file, sceneFile, units, DEFAULT_LEVELS, progress);
+        return read(file, sceneFile, units, DEFAULT_LEVELS, "", progress);
     }
 
     /**
@@ -54,14 +55,19 @@ public final class SceneImporter {
      * @param sceneFile path of the future scene; assets are placed next to it
      * @param units units of the file's lights, if it has any
      * @param levels refinements of a stage's subdivision surfaces, from 0 to {@link #MAX_LEVELS}
+     * @param variant name of the variant of a glTF file's materials; empty for its own materials
      * @param progress receives the number of KiB read
-     * @throws MeshException if the content is invalid
+     * @throws MeshException if the content is invalid, or it has no such variant
      * @throws IOException if it cannot be read
      * @throws CancellationException if {@code progress} requested cancellation
      */
-    public static ImportedScene read(Path file, Path sceneFile, LightUnits units, int levels, Progress progress)
+    public static ImportedScene read(Path file, Path sceneFile, LightUnits units, int levels, String variant, Progress progress)
             throws IOException, MeshException {
-        if (UsdStage.isStageName(file.toString())) {
+        boolean isStage = UsdStage.isStageName(file.toString());
+        if (!variant.isEmpty() && (isStage || MeshFormat.detect(file) != MeshFormat.GLTF)) {
+            throw new MeshException(file, "", "must be a glTF file to have the variant " + Quote.of(variant) + " of its materials");
+        }
+        if (isStage) {
             RegularFile.open(file, "a USD file").close();
             return UsdImport.read(file, sceneFile, levels, progress);
         }
@@ -69,7 +75,7 @@ public final class SceneImporter {
             case PLY -> ObjImport.importPly(file, sceneFile, progress);
             case NFF -> NffImport.read(file, sceneFile, progress);
             case OBJ -> ObjImport.importObj(file, sceneFile, progress);
-            case GLTF -> GltfImport.read(file, sceneFile, units, progress);
+            case GLTF -> GltfImport.read(file, sceneFile, units, variant, progress);
         };
     }
 }

@@ -37,7 +37,8 @@ public final class GltfFile {
     private static final Set<String> SUPPORTED_EXTENSIONS =
             Set.of("KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform", "KHR_materials_unlit",
                     "KHR_materials_emissive_strength", "KHR_materials_specular", "KHR_materials_ior", "KHR_materials_transmission",
-                    "KHR_materials_volume", "KHR_node_visibility", "EXT_mesh_gpu_instancing", "KHR_draco_mesh_compression",
+                    "KHR_materials_variants", "KHR_materials_volume", "KHR_animation_pointer", "KHR_node_visibility",
+                    "EXT_mesh_gpu_instancing", "KHR_draco_mesh_compression",
                     "EXT_texture_webp", "EXT_meshopt_compression");
 
     /** Starts of names of extensions without which a scene only looks different. */

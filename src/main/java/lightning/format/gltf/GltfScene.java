@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.IntPredicate;
+import java.util.function.Predicate;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
@@ -39,7 +41,6 @@ public final class GltfScene {
         this.notes = notes;
         visited = new boolean[file.array("nodes").size()];
         instances = new NodeInstances(file);
-        notes.add("animations", file.array("animations").size());
         file.noteExtensions(notes);
     }
 
@@ -189,8 +190,56 @@ public final class GltfScene {
         return List.copyOf(lights);
     }
 
-    /** Returns a camera; notes its unsupported values. */
-    public GltfCamera camera(int camera) throws MeshException {
+    /** Returns the number of animations. */
+    public int animationCount() throws MeshException {
+        return file.array("animations").size();
+    }
+
+    /**
+     * Counts the skins of nodes that have a moving joint, each as often as it is shown.
+     *
+     * @param moves whether a node moves
+     */
+    public int movingSkinCount(List<GltfNode> nodes, Predicate<GltfNode> moves) throws MeshException {
+        var moving = new BitSet();
+        addMoving(nodes, moves, moving);
+        return countSkins(nodes, moving);
+    }
+
+    private static void addMoving(List<GltfNode> nodes, Predicate<GltfNode> moves, BitSet moving) {
+        for (GltfNode node : nodes) {
+            if (node.index() >= 0) {
+                moving.set(node.index(), moves.test(node));
+            }
+            addMoving(node.children(), moves, moving);
+        }
+    }
+
+    private int countSkins(List<GltfNode> nodes, BitSet moving) throws MeshException {
+        int count = 0;
+        for (GltfNode node : nodes) {
+            count += node.skin() >= 0 && node.mesh() >= 0 && hasMovingJoint(node.skin(), moving) ? 1 : 0;
+            count += countSkins(node.children(), moving);
+        }
+        return count;
+    }
+
+    private boolean hasMovingJoint(int skin, BitSet moving) throws MeshException {
+        JsonValue joints = file.array("skins").element(skin).get("joints");
+        for (int i = 0; i < joints.size(); i++) {
+            if (moving.get(joints.element(i).index(file.array("nodes")))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /**
+     * Returns a camera.
+     *
+     * @param notes receives its unsupported values
+     */
+    public GltfCamera camera(int camera, ConversionNotes notes) throws MeshException {
         JsonValue json = file.array("cameras").element(camera);
         JsonValue perspective = json.get("perspective");
         JsonValue orthographic = json.get("orthographic");
@@ -212,14 +261,17 @@ public final class GltfScene {
         return v;
     }
 
-    /** Returns all materials, in index order; a gray one in the place of one with invalid values. */
-    public List<GltfMaterial> materials() throws MeshException {
-        var reader = new MaterialReader(file, notes);
+    /**
+     * Returns all materials, in index order; a gray one in the place of one with invalid values.
+     *
+     * @param repeats whether a mesh shows the images of a material beyond their edges
+     */
+    public List<GltfMaterial> materials(IntPredicate repeats) throws MeshException {
         List<GltfMaterial> materials = new ArrayList<>();
         JsonValue array = file.array("materials");
         for (int i = 0; i < array.size(); i++) {
             try {
-                materials.add(reader.material(array.element(i)));
+                materials.add(new MaterialReader(file, notes, repeats.test(i)).material(array.element(i)));
             } catch (MeshException e) {
                 notes.add("materials with invalid values, imported as gray");
                 materials.add(GltfMaterial.GRAY);

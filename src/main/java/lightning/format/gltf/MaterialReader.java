@@ -10,8 +10,9 @@ import lightning.format.mesh.MeshException;
  * Reader for the materials of a glTF file.
  *
  * @param notes receives omitted features
+ * @param repeats true if a mesh shows the materials' images beyond their edges
  */
-record MaterialReader(GltfFile file, ConversionNotes notes) {
+record MaterialReader(GltfFile file, ConversionNotes notes, boolean repeats) {
     private static final int REPEAT = 10497;
     private static final int NEAREST = 9728;
     private static final double DEFAULT_CUTOFF = 0.5;
@@ -130,7 +131,7 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
         return source.index(file.array("images"));
     }
 
-    /** Notes sampler settings that are not supported: textures always repeat and are filtered. */
+    /** Notes sampler settings that are not supported: textures always repeat and are filtered. Inside of the image, the first does not matter. */
     private void noteSampler(JsonValue index) throws MeshException {
         if (index.isPresent()) {
             JsonValue sampler = index.resolve(file.array("samplers"));
@@ -138,7 +139,7 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
             for (String wrap : List.of("wrapS", "wrapT")) {
                 isRepeating &= sampler.get(wrap).integer(0, Integer.MAX_VALUE, REPEAT) == REPEAT;
             }
-            notes.add("clamped or mirrored textures, imported as repeating", isRepeating ? 0 : 1);
+            notes.add("clamped or mirrored textures, imported as repeating", isRepeating || !repeats ? 0 : 1);
             notes.add("unfiltered textures, imported as filtered",
                     sampler.get("magFilter").integer(0, Integer.MAX_VALUE, 0) == NEAREST ? 1 : 0);
         }

@@ -29,6 +29,18 @@ record TextureTransform(int set, double[] matrix) {
         return of(base.isPresent() ? base : normals.isPresent() ? normals : json.get("emissiveTexture"));
     }
 
+    /** Returns whether a material has an image that is placed. */
+    static boolean hasTexture(GltfFile file, int material) throws MeshException {
+        JsonValue json = file.array("materials").element(material);
+        return json.get("pbrMetallicRoughness").get("baseColorTexture").isPresent() || json.get("normalTexture").isPresent()
+                || json.get("emissiveTexture").isPresent();
+    }
+
+    /** Returns whether two placements are the same. */
+    boolean isSame(TextureTransform other) {
+        return set == other.set && Arrays.equals(matrix, other.matrix);
+    }
+
     private static TextureTransform of(JsonValue texture) throws MeshException {
         JsonValue transform = texture.get("extensions").get("KHR_texture_transform");
         int set = transform.get("texCoord").integer(0, 100, texture.get("texCoord").integer(0, 100, 0));
@@ -43,9 +55,7 @@ record TextureTransform(int set, double[] matrix) {
 
     /** Returns whether two textures of a material have the same placement. */
     static boolean areSame(JsonValue texture, JsonValue other) throws MeshException {
-        TextureTransform one = of(texture);
-        TextureTransform two = of(other);
-        return one.set == two.set && Arrays.equals(one.matrix, two.matrix);
+        return of(texture).isSame(of(other));
     }
 
     /** Transforms glTF coordinates, whose v points down, to coordinates whose v points up. */

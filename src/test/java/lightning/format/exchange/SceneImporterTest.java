@@ -100,13 +100,18 @@ class SceneImporterTest {
     }
 
     @Test
-    void clampedTextures_areNoted() throws Exception {
+    void clampedTextures_areNotedIfTheyShowBeyondTheirEdges() throws Exception {
         String clamped =
-                SCENE.replace("'metallicFactor': 0}", "'metallicFactor': 0, 'baseColorTexture': {'index': 0}}").replace("'cameras':",
-                        "'textures': [{'sampler': 0, 'source': 0}], 'samplers': [{'wrapS': 33071, 'magFilter': 9728}], "
-                                + "'images': [{'uri': 'data:image/png;base64,'}], 'cameras':");
+                SCENE.replace("'metallicFactor': 0}", "'metallicFactor': 0, 'baseColorTexture': {'index': 0, 'extensions': {"
+                        + "'KHR_texture_transform': {'scale': [1, 1.5]}}}}").replace("'cameras':",
+                                "'textures': [{'sampler': 0, 'source': 0}], 'samplers': [{'wrapS': 33071, 'magFilter': 9728}], "
+                                        + "'images': [{'uri': 'data:image/png;base64,'}], 'cameras':");
         assertThat(read(Files.write(from.resolve("a.glb"), GltfFixtures.binary(clamped, GltfFixtures.SQUARE))).notes())
                 .containsEntry("clamped or mirrored textures, imported as repeating", 1)
+                .containsEntry("unfiltered textures, imported as filtered", 1);
+        String inside = clamped.replace("[1, 1.5]", "[1, 1]");
+        assertThat(read(Files.write(from.resolve("a.glb"), GltfFixtures.binary(inside, GltfFixtures.SQUARE))).notes())
+                .doesNotContainKey("clamped or mirrored textures, imported as repeating")
                 .containsEntry("unfiltered textures, imported as filtered", 1);
     }
 

@@ -43,7 +43,7 @@ class UsdGeometryTest {
 
     private ImportedScene imported(String prims, int levels) throws Exception {
         Path file = Files.writeString(folder.resolve("a.usda"), HEADER + prims);
-        return SceneImporter.read(file, folder.resolve("a.jen"), LightUnits.CANDELA, levels, Progress.NONE);
+        return SceneImporter.read(file, folder.resolve("a.jen"), LightUnits.CANDELA, levels, "", Progress.NONE);
     }
 
     private static String mesh(String content) {

@@ -29,14 +29,20 @@ import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
+import lightning.scene.shot.Keyframe;
+import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
+import lightning.scene.shot.Track;
+import lightning.scene.shot.TrackTarget;
 
 /**
  * Scene converted from another program's file, not written yet.
  *
  * @param unscaledScene the scene; if the file does not define the units of its lights, their intensities are the raw
  *     numbers. Its textures are black placeholder pixels
- * @param shot animation of the scene, with tracks that it can have; empty for none
+ * @param unscaledShot animation of the scene, with tracks that it can have, in the same units; empty for none
  * @param restored names of lights whose intensities are not raw numbers
  * @param rawGlows names of materials whose glow is a raw number
  * @param units assumed units of the raw numbers; empty if the intensities are final
@@ -47,7 +53,7 @@ import lightning.scene.shot.Shot;
  * @param subject what the file contains
  * @param closingComments comment lines at the end of the scene file
  */
-public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String> restored, Set<String> rawGlows,
+public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Set<String> restored, Set<String> rawGlows,
         Optional<LightUnits> units,
         List<String> comments, Path sceneFile,
         List<AssetCopy> copies,
@@ -64,7 +70,8 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
     /** Returns this scene with other light units, or this object if the file defines its units. */
     public ImportedScene inUnits(LightUnits newUnits) {
         return units.isEmpty() ? this
-                : new ImportedScene(unscaledScene, shot, restored, rawGlows, Optional.of(newUnits), comments, sceneFile, copies, notes,
+                : new ImportedScene(unscaledScene, unscaledShot, restored, rawGlows, Optional.of(newUnits), comments, sceneFile, copies,
+                        notes,
                         subject,
                         closingComments);
     }
@@ -81,7 +88,8 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
 
     /** Returns this scene with other settings of its image. */
     public ImportedScene withPicture(PictureSettings picture) {
-        return new ImportedScene(unscaledScene.withPicture(picture), shot, restored, rawGlows, units, comments, sceneFile, copies, notes,
+        return new ImportedScene(unscaledScene.withPicture(picture), unscaledShot, restored, rawGlows, units, comments, sceneFile, copies,
+                notes,
                 subject,
                 closingComments);
     }
@@ -100,10 +108,16 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
         Map<String, Integer> newNotes = new HashMap<>(notes);
         newNotes.remove(ADDED_LIGHT);
         newNotes.remove(ADDED_CAMERA);
-        return new ImportedScene(lit, shot.map(s -> validTracks(s, lit)), Set.of(), Set.of(), Optional.empty(), List.copyOf(newComments),
+        // A new light may have the name of one of the file's that moved.
+        Optional<Shot> others = shot().map(s -> s.withTracks(s.tracks().stream().filter(track -> !isLighting(track.target())).toList()));
+        return new ImportedScene(lit, others.map(s -> validTracks(s, lit)), Set.of(), Set.of(), Optional.empty(), List.copyOf(newComments),
                 sceneFile,
                 copies, Map.copyOf(newNotes),
                 subject, closingComments);
+    }
+
+    private static boolean isLighting(TrackTarget target) {
+        return target.kind() == TrackTarget.Kind.LIGHT || target.kind() == TrackTarget.Kind.LIGHT_GROUP;
     }
 
     /**
@@ -125,7 +139,8 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
         }
         List<String> newComments = Stream.concat(comments.stream(), naming.comments().stream()).toList();
         naming.renamed().forEach(renamed);
-        return new ImportedScene(new FileRenaming(naming::newName).applyTo(unscaledScene), shot, restored, rawGlows, units, newComments,
+        return new ImportedScene(new FileRenaming(naming::newName).applyTo(unscaledScene), unscaledShot, restored, rawGlows, units,
+                newComments,
                 sceneFile,
                 naming.copies(), notes, subject, closingComments);
     }
@@ -173,6 +188,28 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
                         .toList());
     }
 
+    /** Returns the animation as the {@code .jen} file contains it; empty for none. */
+    public Optional<Shot> shot() {
+        return units.isEmpty() ? unscaledShot : unscaledShot.map(s -> s.withTracks(s.tracks().stream().map(this::scaled).toList()));
+    }
+
+    /** Returns the keys of an intensity in the units of the scene; those of other attributes as they are. */
+    private Track scaled(Track track) {
+        boolean isRaw = track.target().kind() == TrackTarget.Kind.LIGHT && !restored.contains(track.target().name())
+                && track.attribute().equals(LightAttribute.INTENSITY.name());
+        Optional<Light> light = isRaw ? unscaledScene.light(track.target().name()) : Optional.empty();
+        if (units.isEmpty() || light.isEmpty()) {
+            return track;
+        }
+        double factor = units.get().intensityOfOneUnit(light.get().type());
+        return new Track(track.target(), track.attribute(), track.keys().stream()
+                .map(key -> key.value() instanceof KeyframeValue.Numbers(List<Double> numbers)
+                        ? new Keyframe(key.frame(), new KeyframeValue.Numbers(numbers.stream().map(v -> v * factor).toList()),
+                                key.interpolation())
+                        : key)
+                .toList());
+    }
+
     /** Returns the text of the {@code .jen} file. */
     public String text() {
         return text(UnaryOperator.identity());
@@ -183,7 +220,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> shot, Set<String
         comments.forEach(line -> header.append("# ").append(line).append('\n'));
         units.ifPresent(chosenUnits -> header.append(chosenUnits.comment()).append('\n'));
         Scene written = change.apply(scene());
-        String blocks = shot.map(s -> JenWriter.write(written, s)).orElseGet(() -> JenWriter.write(written));
+        String blocks = shot().map(s -> JenWriter.write(written, s)).orElseGet(() -> JenWriter.write(written));
         var footer = new StringBuilder(closingComments.isEmpty() ? "" : "\n");
         closingComments.forEach(line -> footer.append("# ").append(line).append('\n'));
         return header + blocks.substring(FORMAT_LINE.length()) + footer;

@@ -2,12 +2,20 @@ package lightning.format.exchange.assembly;
 
 import java.util.function.DoubleUnaryOperator;
 import lightning.base.math.Vec3;
+import lightning.scene.value.Placement;
+import lightning.scene.value.SceneLimits;
 
 /** Angles of rotations of consecutive frames, so that an object does not turn back between two of them. */
 public final class NearestAngles {
     private static final double FULL_TURN = 360;
 
     private NearestAngles() {}
+
+    /** Returns a placement with the same transform whose angles are nearest to those of the frame before. */
+    public static Placement continued(Placement before, Placement placement) {
+        Vec3 best = of(placement.rotation(), before.rotation(), NineDigits::rounded);
+        return best.maxAbs() <= SceneLimits.MAX_ROTATION ? placement.withRotation(best) : placement;
+    }
 
     /**
      * Returns the angles of the same rotation that are nearest to the previous ones, degrees.

@@ -44,6 +44,11 @@ public final class SceneExtras {
         return json.path("camera").asString("");
     }
 
+    /** Returns whether they have an animation. */
+    public boolean hasShot() {
+        return json.path("shot").isObject();
+    }
+
     /** Returns the distance of the active camera's target; empty for one as far as the objects. */
     public OptionalDouble cameraDistance() {
         double distance = json.path("distance").asDouble(0);
@@ -87,7 +92,7 @@ public final class SceneExtras {
         if (SENDER.matcher(sender).matches()) {
             assembler.addComment("sent from: " + sender);
         }
-        if (json.path("shot").isObject()) {
+        if (hasShot()) {
             assembler.shot = new ShotExtras(json.path("shot"), nodeNames, assembler.notes).read();
         }
     }

@@ -10,6 +10,7 @@ import java.util.Optional;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.FrameTracks;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.json.SceneExtras;

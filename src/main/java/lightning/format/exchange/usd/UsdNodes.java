@@ -7,19 +7,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import lightning.base.math.Transform;
-import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.FrameTracks;
 import lightning.format.exchange.assembly.NearestAngles;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.assembly.TransformDecomposition;
 import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
-import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 import lightning.scene.value.Placement;
 import lightning.scene.value.SceneLimits;
 
@@ -189,24 +187,12 @@ final class UsdNodes {
                     assembler.notes.add("animation that shears or flattens objects");
                     return;
                 }
-                previous = continued(previous, placements.getFirst());
+                previous = NearestAngles.continued(previous, placements.getFirst());
                 state = state.withPlacement(previous);
             }
             states.add(state);
         }
-        tracks.addAll(new FrameTracks(firstFrame).of(TrackTarget.node(node.name()), attributes(node), states));
-    }
-
-    @SuppressWarnings("unchecked")
-    private static List<SceneAttribute<SceneNode, ?>> attributes(SceneNode node) {
-        return (List<SceneAttribute<SceneNode, ?>>) (List<?>) node.attributes().stream()
-                .filter(a -> List.of("at", "rotate", "scale", "visible").contains(a.name())).toList();
-    }
-
-    /** Returns a placement with the same transform whose angles are nearest to those of the frame before. */
-    private static Placement continued(Placement before, Placement placement) {
-        Vec3 best = NearestAngles.of(placement.rotation(), before.rotation(), UsdNumbers::rounded);
-        return best.maxAbs() <= SceneLimits.MAX_ROTATION ? placement.withRotation(best) : placement;
+        tracks.addAll(new FrameTracks(firstFrame).of(node, states));
     }
 
     private List<SceneNode> instances(JsonValue in, Transform world, Transform rest, int groups, int depth)

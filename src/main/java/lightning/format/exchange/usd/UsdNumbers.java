@@ -1,6 +1,7 @@
 package lightning.format.exchange.usd;
 
 import lightning.base.math.Vec3;
+import lightning.format.exchange.assembly.NineDigits;
 
 /** Numbers of a scene for those of a stage, which are floats. */
 final class UsdNumbers {
@@ -12,12 +13,11 @@ final class UsdNumbers {
     }
 
     static Vec3 rounded(Vec3 v) {
-        return new Vec3(rounded(v.x()), rounded(v.y()), rounded(v.z()));
+        return NineDigits.rounded(v);
     }
 
     /** Rounds to about nine digits. */
     static double rounded(double v) {
-        double nearest = Math.rint(v * 1e9) / 1e9;
-        return Math.abs(v) < 1e6 && (Math.abs(v) >= 1e-3 || nearest == 0) ? nearest + 0.0 : v;
+        return NineDigits.rounded(v);
     }
 }
