@@ -11,10 +11,12 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javafx.application.Platform;
+import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuBar;
+import javafx.scene.input.Clipboard;
 import javafx.stage.Stage;
 import javafx.stage.Window;
 import javafx.stage.WindowEvent;
@@ -307,6 +309,7 @@ class FilesTest extends EditorFixture {
         chooseLighting("sky");
         waitFor("the scene is open", () -> model().editor().document().name().equals("tri.jen"));
         waitFor("the message is shown", () -> text("message").startsWith("Imported tri.obj; 1 import note"));
+        assertThat(closeImportNotes()).containsExactly("lines");
         assertThat(model().editor().scene().lights()).extracting(Light::name).containsExactly("sun", "sky");
         assertThat(model().editor().scene().picture().sampling().antialias()).isEqualTo(AntialiasMode.EDGES);
         String first = Files.readString(folder.resolve("tri.jen"));
@@ -316,6 +319,19 @@ class FilesTest extends EditorFixture {
         waitFor("the other scene is open", () -> model().editor().document().name().equals("again.jen"));
         assertThat(model().editor().scene().lights()).extracting(Light::name).containsExactly("key", "fill", "rim", "sky");
         assertThat(Files.readString(folder.resolve("tri.jen"))).isEqualTo(first);
+    }
+
+    /** Copies and closes the list of import notes; returns its lines. */
+    private List<String> closeImportNotes() {
+        waitFor("the notes are listed", () -> robot.lookup("#import-notes").tryQuery().isPresent());
+        ListView<String> list = robot.lookup("#import-notes").query();
+        robot.interact(() -> {
+            Button copy = robot.lookup(".dialog-pane .button").lookup((Button button) -> button.getText().equals("Copy")).query();
+            copy.fire();
+            assertThat(Clipboard.getSystemClipboard().getString()).isEqualTo(String.join("\n", list.getItems()));
+            list.getScene().getWindow().hide();
+        });
+        return list.getItems();
     }
 
     private void chooseLighting(String lighting) {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import javafx.event.ActionEvent;
 import javafx.scene.Node;
 import javafx.scene.control.Alert;
 import javafx.scene.control.ButtonBar.ButtonData;
@@ -13,7 +14,10 @@ import javafx.scene.control.ButtonType;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
+import javafx.scene.input.Clipboard;
+import javafx.scene.input.ClipboardContent;
 import javafx.scene.layout.Region;
+import javafx.stage.Modality;
 import javafx.stage.Window;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
@@ -44,6 +48,7 @@ public final class EditorDialogs {
     static final ButtonType REPLACE = new ButtonType(Messages.tr("Replace"), ButtonData.YES);
     static final ButtonType SAVE_AS = new ButtonType(Messages.tr("Save As…"), ButtonData.OTHER);
     static final ButtonType RELOAD = new ButtonType(Messages.tr("Reload File"), ButtonData.NO);
+    static final ButtonType COPY = new ButtonType(Messages.tr("Copy"), ButtonData.OTHER);
     private static final ButtonType LATER = new ButtonType(Messages.tr("Not Now"), ButtonData.CANCEL_CLOSE);
     private static final double WIDTH = 560;
     /** Maximum total width of a dialog's padding and its window's frame, pixels. */
@@ -129,6 +134,29 @@ public final class EditorDialogs {
         alert.getDialogPane().setContent(cards);
         alert.showAndWait();
         return cards.chosen();
+    }
+
+    /** Lists what an import left out or changed, without blocking the window. The list can be copied. */
+    void showImportNotes(Path file, Map<String, Integer> notes) {
+        Alert alert = alert(Alert.AlertType.INFORMATION,
+                Messages.tr("Not everything in {0} was imported as it is", Quote.path(file.getFileName())),
+                "", COPY, ButtonType.CLOSE);
+        alert.initModality(Modality.NONE);
+        var list = new ListView<String>();
+        list.setId("import-notes");
+        list.setAccessibleText(Messages.tr("Notes of the import"));
+        notes.entrySet().stream().sorted(Map.Entry.comparingByKey())
+                .forEach(note -> list.getItems().add(note.getValue() == 1 ? note.getKey() : note.getKey() + " (" + note.getValue() + ")"));
+        list.setPrefSize(WIDTH, Math.min(LIST_HEIGHT, ROW_HEIGHT * (notes.size() + 1)));
+        alert.getDialogPane().setContent(list);
+        alert.setResizable(true);
+        alert.getDialogPane().lookupButton(COPY).addEventFilter(ActionEvent.ACTION, event -> {
+            var content = new ClipboardContent();
+            content.putString(String.join("\n", list.getItems()));
+            Clipboard.getSystemClipboard().setContent(content);
+            event.consume();
+        });
+        alert.show();
     }
 
     Optional<ButtonType> askReadOnly(Path file) {

@@ -153,7 +153,12 @@ public final class FileActions {
                     "; {0} import note: {1}", "; {0} import notes: {1}",
                     noteCount, String.join(", ", imported.notes().keySet().stream().sorted().toList())));
             String indirect = imported.hasIndirect() ? Messages.tr("; indirect light is on, as in a closed room") : "";
-            model.files().windowExecutor().execute(() -> message.show(text + indirect));
+            model.files().windowExecutor().execute(() -> {
+                message.show(text + indirect);
+                if (noteCount > 0) {
+                    notices.showImportNotes(file, imported.notes());
+                }
+            });
             return OpenDocument.open(imported.sceneFile());
         });
     }
