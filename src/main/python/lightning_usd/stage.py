@@ -8,7 +8,7 @@ from typing import Any
 import mtlx
 from layers import open_layers
 from cameras import camera, chosen_camera, resolution
-from lights import is_light, light, linked_nodes
+from lights import is_light, light, linked_nodes, rig
 from materials import Materials
 from meshes import Meshes, SOLIDS, solid
 from output import MAX_FRAMES, MAX_NODES, Output, PrimError, StageError, numbers
@@ -320,6 +320,7 @@ class Walk:
     def describe_light(self, prim: Usd.Prim, frames: tuple[int, int, int] | None) -> dict[str, Any]:
         """Returns a light with its links."""
         result = self.over_time(prim, light, frames)
+        result["rig"] = rig(prim, self.time)
         result["links"] = linked_nodes(prim, self.nodes, self.out)
         return result
 
