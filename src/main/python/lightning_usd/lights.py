@@ -18,6 +18,13 @@ def is_light(prim: Usd.Prim) -> bool:
     return prim.GetTypeName() in KINDS or prim.IsA(UsdLux.NonboundableLightBase) or prim.IsA(UsdLux.BoundableLightBase)
 
 
+def unknown_light(prim: Usd.Prim) -> bool:
+    """Returns whether a prim is a light of a type that only another renderer knows, or that its plugin defines."""
+    if prim.HasAPI(UsdLux.MeshLightAPI) or prim.HasAPI(UsdLux.VolumeLightAPI) or prim.IsA(UsdGeom.Gprim):
+        return False
+    return str(prim.GetTypeName()).endswith("Light") or prim.HasAPI(UsdLux.LightAPI)
+
+
 def value(prim: Usd.Prim, name: str, time: Usd.TimeCode, fallback: Any) -> Any:
     """Returns the value of an attribute, also by its name without `inputs:` in old files."""
     for candidate in (name, name.removeprefix("inputs:")):

@@ -37,6 +37,7 @@ import lightning.scene.value.ShapeLinks;
 /** Writer of a scene's lights as a layer over the stage that the scene was imported from. */
 public final class UsdLightExport {
     private static final String NEW_LIGHTS = "/lightning_lights";
+    private static final String SHARED = "edited lights of point instancers, which a layer cannot change one by one";
     private static final String PROFILE = "asset inputs:shaping:ies:file";
     private static final String TEXTURE = "asset inputs:texture:file";
     private static final String ORDER = "uniform token[] xformOpOrder";
@@ -94,12 +95,19 @@ public final class UsdLightExport {
         addEnvironment();
         for (Map.Entry<String, UsdPaths.Prim> light : paths.lights().entrySet()) {
             if (scene.light(light.getKey()).isEmpty()) {
-                Optional.ofNullable(paths.originals().get(light.getKey())).map(UsdOriginal::instances).orElse(List.of())
-                        .forEach(path -> layer.prim(path).metadata("instanceable", "false"));
-                layer.prim(light.getValue().path()).metadata("active", "false");
+                deactivate(light.getValue(), Optional.ofNullable(paths.originals().get(light.getKey())));
             }
         }
         return new LightExport(layer.text().getBytes(StandardCharsets.UTF_8), Map.copyOf(notes.counts()));
+    }
+
+    private void deactivate(UsdPaths.Prim prim, Optional<UsdOriginal> original) {
+        if (original.isPresent() && original.get().isShared()) {
+            notes.add(SHARED);
+            return;
+        }
+        original.map(UsdOriginal::instances).orElse(List.of()).forEach(path -> layer.prim(path).metadata("instanceable", "false"));
+        layer.prim(prim.path()).metadata("active", "false");
     }
 
     private UsdLayer.Prim prim(String name, Optional<UsdPaths.Prim> original, String type) {
@@ -182,6 +190,10 @@ public final class UsdLightExport {
         }
         boolean hasLinks = changes.has(LightAttribute.ILLUMINATES) || changes.has(LightAttribute.SHADOWED_BY);
         if (values.isEmpty() && files.isEmpty() && !hasLinks && !changes.isRetyped()) {
+            return;
+        }
+        if (original.isShared()) {
+            notes.add(SHARED);
             return;
         }
         original.instances().forEach(path -> layer.prim(path).metadata("instanceable", "false"));

@@ -51,7 +51,7 @@ public record UsdOriginal(Light light, Map<String, String> tracks, JsonNode stag
                 out.put(flag, true);
             }
         }
-        for (String flag : List.of("moves", "resets")) {
+        for (String flag : List.of("moves", "resets", "shared")) {
             if (rig.get(flag).bool(false)) {
                 out.put(flag, true);
             }
@@ -170,6 +170,11 @@ public record UsdOriginal(Light light, Map<String, String> tracks, JsonNode stag
     /** Returns whether the transform of the prim is without that of its parent. */
     public boolean resetsTransform() {
         return stage.path("resets").asBoolean(false);
+    }
+
+    /** Returns whether several lights of the scene are copies of the prim, by a point instancer. */
+    public boolean isShared() {
+        return stage.path("shared").asBoolean(false);
     }
 
     boolean isNormalized() {
