@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
-from output import Output, world_matrix
-from pxr import Usd, UsdGeom, UsdLux
+from output import Output, numbers, world_matrix
+from pxr import Gf, Usd, UsdGeom, UsdLux
 
 KINDS = {"DistantLight", "SphereLight", "DiskLight", "RectLight", "CylinderLight", "DomeLight", "DomeLight_1"}
 INPUTS = {"intensity": 1.0, "exposure": 0.0, "normalize": False, "diffuse": 1.0, "specular": 1.0, "angle": 0.53, "radius": 0.5,
@@ -15,6 +16,13 @@ INPUTS = {"intensity": 1.0, "exposure": 0.0, "normalize": False, "diffuse": 1.0,
 def is_light(prim: Usd.Prim) -> bool:
     """Returns whether a prim is a light of a type of its own."""
     return prim.GetTypeName() in KINDS or prim.IsA(UsdLux.NonboundableLightBase) or prim.IsA(UsdLux.BoundableLightBase)
+
+
+def unknown_light(prim: Usd.Prim) -> bool:
+    """Returns whether a prim is a light of a type that only another renderer knows, or that its plugin defines."""
+    if prim.HasAPI(UsdLux.MeshLightAPI) or prim.HasAPI(UsdLux.VolumeLightAPI) or prim.IsA(UsdGeom.Gprim):
+        return False
+    return str(prim.GetTypeName()).endswith("Light") or prim.HasAPI(UsdLux.LightAPI)
 
 
 def value(prim: Usd.Prim, name: str, time: Usd.TimeCode, fallback: Any) -> Any:
@@ -76,6 +84,28 @@ def shaping(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
         result["angleScale"] = number(prim, "inputs:shaping:ies:angleScale", time, 0.0, out)
     if any(out.vector(prim, "inputs:shaping:focusTint", value(prim, "inputs:shaping:focusTint", time, (0, 0, 0)), [0.0] * 3)):
         out.note("focus tints of lights")
+    return result
+
+
+def rig(prim: Usd.Prim, time: Usd.TimeCode) -> dict[str, Any]:
+    """Returns what a layer needs that changes a light in its place: the inverse transform of its parent, its schemas and instances."""
+    xform = UsdGeom.Xformable(prim)
+    result: dict[str, Any] = {"apis": [str(name) for name in prim.GetAppliedSchemas()], "resets": bool(xform.GetResetXformStack()),
+                              "moves": False, "instances": []}
+    parent = Gf.Matrix4d(1) if result["resets"] else UsdGeom.XformCache(time).GetParentToWorldTransform(prim)
+    is_below_reset = result["resets"]
+    above = prim.GetParent()
+    while above and not above.IsPseudoRoot():
+        outer = UsdGeom.Xformable(above)
+        if outer and not is_below_reset:
+            result["moves"] |= bool(outer.TransformMightBeTimeVarying())
+            is_below_reset = bool(outer.GetResetXformStack())
+        if above.IsInstance():
+            result["instances"].insert(0, str(above.GetPath()))
+        above = above.GetParent()
+    inverse = numbers(parent.GetInverse())
+    if parent.GetDeterminant() and all(map(math.isfinite, inverse)):
+        result["inverse"] = inverse
     return result
 
 

@@ -8,10 +8,10 @@ from typing import Any
 import mtlx
 from layers import open_layers
 from cameras import camera, chosen_camera, resolution
-from lights import is_light, light, linked_nodes
+from lights import is_light, light, linked_nodes, rig, unknown_light
 from materials import Materials
 from meshes import Meshes, SOLIDS, solid
-from output import MAX_FRAMES, MAX_NODES, Output, PrimError, StageError, numbers
+from output import MAX_FRAMES, MAX_NODES, Output, PrimError, StageError, numbers, world_matrix
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux, UsdShade, UsdSkel, Vt
 
 LEFT_OUT = {"BasisCurves": "curves", "NurbsCurves": "curves", "HermiteCurves": "curves", "NurbsPatch": "NURBS patches",
@@ -55,9 +55,11 @@ class Walk:
         self.time = Usd.TimeCode(stage.GetStartTimeCode()) if self.has_range else Usd.TimeCode.EarliestTime()
         self.materials = Materials(out, self.time)
         self.meshes = Meshes(out, self.time)
-        self.lights: list[Usd.Prim] = []
+        # Lights, and their transforms to the world if a point instancer places them.
+        self.lights: list[tuple[Usd.Prim, Gf.Matrix4d | None]] = []
         self.cameras: list[Usd.Prim] = []
         self.prototypes: dict[Sdf.Path, int] = {}
+        self.prototype_lights: dict[Sdf.Path, list[tuple[Usd.Prim, Gf.Matrix4d]]] = {}
 
     def run(self) -> None:
         """Writes the description."""
@@ -78,7 +80,8 @@ class Walk:
             "shift": first_shift,
             "resolution": resolution(self.stage),
             "cameras": self.described(cameras, lambda prim: self.over_time(prim, camera, frames)),
-            "lights": self.described(self.lights, lambda prim: self.describe_light(prim, frames)),
+            "lights": [found for prim, place in self.lights
+                       if (found := self.attempt(prim, lambda: self.describe_light(prim, place, frames))) is not None],
             "nodes": self.nodes,
             "meshes": self.meshes.all,
             "materials": self.materials.all,
@@ -179,9 +182,9 @@ class Walk:
                 self.times.update(visibility.GetTimeSamples())
                 self.moving.append((node, prim)) if not self.moving or self.moving[-1][0] is not node else None
         if is_light(prim):
-            self.lights.append(prim)
-            if prim.IsInstanceProxy():
-                self.out.note("lights inside instances, which an exported layer cannot change")
+            self.lights.append((prim, None))
+        elif unknown_light(prim):
+            self.out.note_prim(prim, f"is a light of the unknown type {prim.GetTypeName() or 'LightAPI'}, left out")
         elif prim.IsA(UsdGeom.Camera):
             self.cameras.append(prim)
         elif prim.IsA(UsdGeom.PointInstancer):
@@ -260,14 +263,38 @@ class Walk:
                 prototype = self.stage.GetPrimAtPath(target)
                 self.prototypes[target] = -1
                 if prototype and not prim.GetPath().HasPrefix(target):
-                    self.prototypes[target] = self.walk(prototype, -2, True)
+                    self.prototypes[target] = self.walk_prototype(prototype)
             roots.append(self.prototypes[target])
+        self.place_lights(prim, targets, indices, matrices)
         node["instances"] = {"prototypes": roots, "indices": self.out.array(indices), "matrices": self.out.array(matrices)}
+
+    def walk_prototype(self, prototype: Usd.Prim) -> int:
+        """Adds the nodes of a prototype; keeps its lights for its instances, each with its transform to the prototype."""
+        count = len(self.lights)
+        result = self.walk(prototype, -2, True)
+        cache = UsdGeom.XformCache(self.time)
+        inverse = cache.GetLocalToWorldTransform(prototype).GetInverse()
+        self.prototype_lights[prototype.GetPath()] = [(prim, (cache.GetLocalToWorldTransform(prim) if place is None else place) * inverse)
+                                                      for prim, place in self.lights[count:]]
+        del self.lights[count:]
+        return result
+
+    def place_lights(self, instancer: Usd.Prim, targets: list[Sdf.Path], indices: Vt.IntArray, matrices: Vt.Matrix4dArray) -> None:
+        """Adds the lights of all prototypes at each place of an instancer."""
+        found = [self.prototype_lights.get(target, []) for target in targets]
+        if not any(found):
+            return
+        world = UsdGeom.XformCache(self.time).GetLocalToWorldTransform(instancer)
+        for index, matrix in zip(indices, matrices):
+            for prim, local in found[index] if 0 <= index < len(found) else []:
+                if len(self.lights) >= MAX_NODES:
+                    raise StageError(f"has more than {MAX_NODES} lights")
+                self.lights.append((prim, local * matrix * world))
 
     def frames(self, cameras: list[Usd.Prim]) -> tuple[int, int, int] | None:
         """Returns the first and last time of all that moves, and what is taken off for the number of a frame."""
         moves = bool(self.times)
-        for prim in cameras + self.lights:
+        for prim in cameras + [prim for prim, _ in self.lights]:
             moves |= self.is_moving(prim)
         if not moves:
             return None
@@ -325,9 +352,13 @@ class Walk:
         """Returns what a function says of each prim that it can describe."""
         return [found for prim in prims if (found := self.attempt(prim, lambda: function(prim))) is not None]
 
-    def describe_light(self, prim: Usd.Prim, frames: tuple[int, int, int] | None) -> dict[str, Any]:
-        """Returns a light with its links."""
-        result = self.over_time(prim, light, frames)
+    def describe_light(self, prim: Usd.Prim, place: Gf.Matrix4d | None, frames: tuple[int, int, int] | None) -> dict[str, Any]:
+        """Returns a light with its links; in an instance of a point instancer as it is at the first frame."""
+        result = self.over_time(prim, light, frames if place is None else None)
+        result["rig"] = rig(prim, self.time)
+        if place is not None:
+            result["matrix"] = world_matrix(place)
+            result["rig"]["shared"] = True
         result["links"] = linked_nodes(prim, self.nodes, self.out)
         return result
 

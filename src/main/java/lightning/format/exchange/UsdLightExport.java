@@ -8,12 +8,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import lightning.base.file.ParentFolder;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.format.exchange.usd.SoftCones;
+import lightning.format.exchange.usd.UsdLightChanges;
 import lightning.format.exchange.usd.UsdLightValues;
+import lightning.format.exchange.usd.UsdOriginal;
 import lightning.format.exchange.usd.UsdPaths;
 import lightning.format.jen.asset.FileKind;
 import lightning.format.mesh.ConversionNotes;
@@ -33,6 +37,12 @@ import lightning.scene.value.ShapeLinks;
 /** Writer of a scene's lights as a layer over the stage that the scene was imported from. */
 public final class UsdLightExport {
     private static final String NEW_LIGHTS = "/lightning_lights";
+    private static final String SHARED = "edited lights of point instancers, which a layer cannot change one by one";
+    private static final String PROFILE = "asset inputs:shaping:ies:file";
+    private static final String TEXTURE = "asset inputs:texture:file";
+    private static final String ORDER = "uniform token[] xformOpOrder";
+    private static final String RIG_ORDER = "[\"xformOp:transform:lightning\"]";
+    private static final String RESET_ORDER = "[\"!resetXformStack!\", \"xformOp:transform:lightning\"]";
 
     private final AnimatedScene animated;
     private final Scene scene;
@@ -85,10 +95,19 @@ public final class UsdLightExport {
         addEnvironment();
         for (Map.Entry<String, UsdPaths.Prim> light : paths.lights().entrySet()) {
             if (scene.light(light.getKey()).isEmpty()) {
-                layer.prim(light.getValue().path()).metadata("active", "false");
+                deactivate(light.getValue(), Optional.ofNullable(paths.originals().get(light.getKey())));
             }
         }
         return new LightExport(layer.text().getBytes(StandardCharsets.UTF_8), Map.copyOf(notes.counts()));
+    }
+
+    private void deactivate(UsdPaths.Prim prim, Optional<UsdOriginal> original) {
+        if (original.isPresent() && original.get().isShared()) {
+            notes.add(SHARED);
+            return;
+        }
+        original.map(UsdOriginal::instances).orElse(List.of()).forEach(path -> layer.prim(path).metadata("instanceable", "false"));
+        layer.prim(prim.path()).metadata("active", "false");
     }
 
     private UsdLayer.Prim prim(String name, Optional<UsdPaths.Prim> original, String type) {
@@ -106,31 +125,110 @@ public final class UsdLightExport {
     }
 
     private void addLight(Light light) throws IOException {
-        Optional<UsdPaths.Prim> original = Optional.ofNullable(paths.lights().get(light.name()));
-        String type = UsdLightValues.typeOf(light, original.map(UsdPaths.Prim::type).orElse(""));
-        UsdLayer.Prim prim = prim(light.name(), original, type);
-        boolean isShaped = type.equals("SphereLight") || type.equals("DiskLight");
+        Optional<UsdPaths.Prim> stagePrim = Optional.ofNullable(paths.lights().get(light.name()));
+        Optional<UsdOriginal> original = Optional.ofNullable(paths.originals().get(light.name()));
+        String type = UsdLightValues.typeOf(light, stagePrim.map(UsdPaths.Prim::type).orElse(""));
+        noteLosses(light);
+        if (stagePrim.isPresent() && original.isPresent()) {
+            addChanges(light, type, stagePrim.get(), original.get());
+            return;
+        }
+        notes.add("lights of an import without their values, written whole; import the stage again for a sparse layer",
+                stagePrim.isPresent() ? 1 : 0);
+        UsdLayer.Prim prim = prim(light.name(), stagePrim, type);
+        boolean isShaped = isShaped(type);
         prim.metadata("prepend apiSchemas", isShaped ? "[\"ShapingAPI\", \"ShadowAPI\"]" : "[\"ShadowAPI\"]");
-        values(light, type).forEach((declaration, samples) -> {
-            if (samples.values().stream().distinct().count() == 1) {
-                prim.set(declaration, samples.firstEntry().getValue());
-            } else {
-                prim.set(declaration, samples);
-            }
-        });
-        prim.set("uniform token[] xformOpOrder", "[\"!resetXformStack!\", \"xformOp:transform:lightning\"]");
+        values(light, type).forEach((declaration, samples) -> set(prim, declaration, samples));
+        prim.set(ORDER, RESET_ORDER);
         if (isShaped) {
-            prim.set("asset inputs:shaping:ies:file", LightAttribute.PROFILE.appliesTo(light.type()) && light.profile().isPresent()
-                    && SoftCones.softness(light).isEmpty()
-                            ? asset(FileKind.PROFILE, light.profile().get().file()) : "@@");
+            prim.set(PROFILE, profile(light));
         }
         if (type.equals("RectLight")) {
-            prim.set("asset inputs:texture:file", light.faceImage().isPresent()
-                    ? asset(FileKind.LIGHT_TEXTURE, light.texture().orElseThrow().file()) : "@@");
+            prim.set(TEXTURE, texture(light));
         }
         addLinks(prim, "lightLink", light.illuminates());
         addLinks(prim, "shadowLink", light.shadowedBy());
-        noteLosses(light);
+    }
+
+    private static boolean isShaped(String type) {
+        return type.equals("SphereLight") || type.equals("DiskLight");
+    }
+
+    private static void set(UsdLayer.Prim prim, String declaration, TreeMap<Integer, String> samples) {
+        if (samples.values().stream().distinct().count() == 1) {
+            prim.set(declaration, samples.firstEntry().getValue());
+        } else {
+            prim.set(declaration, samples);
+        }
+    }
+
+    private String profile(Light light) throws IOException {
+        return LightAttribute.PROFILE.appliesTo(light.type()) && light.profile().isPresent() && SoftCones.softness(light).isEmpty()
+                ? asset(FileKind.PROFILE, light.profile().get().file()) : "@@";
+    }
+
+    private String texture(Light light) throws IOException {
+        return light.faceImage().isPresent() ? asset(FileKind.LIGHT_TEXTURE, light.texture().orElseThrow().file()) : "@@";
+    }
+
+    /** Writes what has been edited of an imported light. */
+    private void addChanges(Light light, String type, UsdPaths.Prim stagePrim, UsdOriginal original) throws IOException {
+        List<UsdLightChanges.State> states = new ArrayList<>();
+        for (Scene state : frames.isEmpty() ? List.of(scene) : frames) {
+            Light own = state.light(light.name()).orElseThrow();
+            states.add(new UsdLightChanges.State(first + states.size() + paths.shift(), inGroup(own, state), state.isActive(own),
+                    state.world().meters()));
+        }
+        var changes = new UsdLightChanges(original, light, animated.shot(), stagePrim.type(), type, states, paths);
+        Map<String, TreeMap<Integer, String>> values = changes.values();
+        Map<String, String> files = new LinkedHashMap<>();
+        if (isShaped(type) && !profile(light).equals(profile(changes.before()))) {
+            files.put(PROFILE, profile(light));
+        }
+        if (type.equals("RectLight") && changes.has(LightAttribute.TEXTURE)) {
+            files.put(TEXTURE, texture(light));
+        }
+        boolean hasLinks = changes.has(LightAttribute.ILLUMINATES) || changes.has(LightAttribute.SHADOWED_BY);
+        if (values.isEmpty() && files.isEmpty() && !hasLinks && !changes.isRetyped()) {
+            return;
+        }
+        if (original.isShared()) {
+            notes.add(SHARED);
+            return;
+        }
+        original.instances().forEach(path -> layer.prim(path).metadata("instanceable", "false"));
+        UsdLayer.Prim prim = layer.prim(stagePrim.path());
+        if (changes.isRetyped()) {
+            prim.define(type);
+        }
+        addSchemas(prim, original, values.keySet(), files.keySet());
+        values.forEach((declaration, samples) -> set(prim, declaration, samples));
+        if (values.containsKey(UsdLightValues.MATRIX)) {
+            prim.set(ORDER, changes.leavesRig() || original.resetsTransform() ? RESET_ORDER : RIG_ORDER);
+        }
+        notes.add("moved lights whose parents move or are flat, placed in the world", changes.leavesRig() ? 1 : 0);
+        files.forEach(prim::set);
+        if (changes.has(LightAttribute.ILLUMINATES)) {
+            addLinks(prim, "lightLink", light.illuminates());
+        }
+        if (changes.has(LightAttribute.SHADOWED_BY)) {
+            addLinks(prim, "shadowLink", light.shadowedBy());
+        }
+    }
+
+    /** Applies the schemas of attributes that are written, where the stage does not. */
+    private static void addSchemas(UsdLayer.Prim prim, UsdOriginal original, Set<String> values, Set<String> files) {
+        List<String> missing = new ArrayList<>();
+        if (!original.hasSchema("ShapingAPI")
+                && (files.contains(PROFILE) || values.stream().anyMatch(s -> s.contains("inputs:shaping:")))) {
+            missing.add("ShapingAPI");
+        }
+        if (!original.hasSchema("ShadowAPI") && values.stream().anyMatch(s -> s.contains("inputs:shadow:"))) {
+            missing.add("ShadowAPI");
+        }
+        if (!missing.isEmpty()) {
+            prim.metadata("prepend apiSchemas", missing.stream().map(UsdLayer::quoted).collect(Collectors.joining(", ", "[", "]")));
+        }
     }
 
     /** Returns the values of each attribute at all frames; at one time only if nothing moves. */
@@ -187,21 +285,30 @@ public final class UsdLightExport {
             return;
         }
         notes.add("light gain of the environment", world.gain() == 1 ? 0 : 1);
-        UsdLayer.Prim prim = dome.map(d -> layer.prim(d.prim().path())).orElseGet(() -> prim("environment", Optional.empty(), "DomeLight"));
-        prim.set("float inputs:intensity", UsdLayer.number(world.intensity() * dome.map(UsdPaths.Dome::factor).orElse(1.0)));
         String file = world.environment().get().file();
-        if (dome.isEmpty() || !dome.get().file().equals(file)) {
-            prim.set("asset inputs:texture:file", asset(FileKind.ENVIRONMENT, file));
+        boolean isBrightness =
+                dome.isEmpty() || dome.get().intensity().isEmpty() || dome.get().intensity().getAsDouble() != world.intensity();
+        boolean isImage = dome.isEmpty() || !paths.isSameFile(dome.get().file(), file);
+        boolean isTurned = dome.isEmpty() || dome.get().rotation() != world.rotation();
+        if (!isBrightness && !isImage && !isTurned) {
+            return;
+        }
+        UsdLayer.Prim prim = dome.map(d -> layer.prim(d.prim().path())).orElseGet(() -> prim("environment", Optional.empty(), "DomeLight"));
+        if (isBrightness) {
+            prim.set("float inputs:intensity", UsdLayer.number(world.intensity() * dome.map(UsdPaths.Dome::factor).orElse(1.0)));
+        }
+        if (isImage) {
+            prim.set(TEXTURE, asset(FileKind.ENVIRONMENT, file));
             prim.set("token inputs:texture:format", UsdLayer.quoted("latlong"));
         }
-        if (dome.isEmpty() || dome.get().rotation() != world.rotation()) {
+        if (isTurned) {
             Transform turn = Transform.rotation(new Vec3(0, world.rotation() - 180, 0));
             if (paths.hasZUp() && dome.isPresent() && dome.get().prim().type().equals("DomeLight_1")) {
                 turn = turn.times(Transform.rotation(new Vec3(-90, 0, 0)));
             }
-            prim.set("matrix4d xformOp:transform:lightning", UsdLightValues.matrix(turn.transformVector(new Vec3(1, 0, 0)),
+            prim.set(UsdLightValues.MATRIX, UsdLightValues.matrix(turn.transformVector(new Vec3(1, 0, 0)),
                     turn.transformVector(new Vec3(0, 0, 1)), Vec3.ZERO, paths.hasZUp()));
-            prim.set("uniform token[] xformOpOrder", "[\"!resetXformStack!\", \"xformOp:transform:lightning\"]");
+            prim.set(ORDER, RESET_ORDER);
         }
     }
 

@@ -116,8 +116,8 @@ public final class UsdStage {
         return transform(matrix.numbers(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1));
     }
 
-    /** Transposes: usd-core multiplies rows by matrices. */
-    private static Transform transform(double[] m) {
+    /** Returns a transform of 16 numbers. Transposes them: usd-core multiplies rows by matrices. */
+    public static Transform transform(double[] m) {
         return new Transform(m[0], m[4], m[8], m[12], m[1], m[5], m[9], m[13], m[2], m[6], m[10], m[14]);
     }
 

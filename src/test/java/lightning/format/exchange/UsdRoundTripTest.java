@@ -95,6 +95,18 @@ class UsdRoundTripTest {
     @Test
     void everyLight_comesBackWithEqualValues() throws Exception {
         assertThat(differences(imported())).isEqualTo("9 lights\n");
+        assertThat(Files.readString(folder.resolve("lights.usda"))).doesNotContain("over");
+    }
+
+    /** Without the values of the import, the layer has all attributes. */
+    @Test
+    void everyLightOfAnEarlierImport_comesBackWithEqualValues() throws Exception {
+        imported();
+        Path scene = folder.resolve("rig.jen");
+        Files.writeString(scene, String.join("\n", Files.readString(scene).lines()
+                .filter(s -> !s.startsWith("# usd values: ") && !s.startsWith("# usd dome intensity: ")).toList()));
+        assertThat(differences(JenReader.read(scene))).isEqualTo("9 lights\n");
+        assertThat(Files.readString(folder.resolve("lights.usda"))).contains("over \"sun\"", "over \"sky\"");
     }
 
     @Test

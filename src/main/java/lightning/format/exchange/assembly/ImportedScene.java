@@ -145,6 +145,12 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
                 naming.copies(), notes, subject, closingComments);
     }
 
+    /** Returns this scene with further comment lines at the end of its file. */
+    public ImportedScene withClosingComments(List<String> further) {
+        return new ImportedScene(unscaledScene, shot, restored, rawGlows, units, comments, sceneFile, copies, notes, subject,
+                Stream.concat(closingComments.stream(), further.stream()).toList());
+    }
+
     /** Returns this scene with smooth edges. */
     public ImportedScene withSmoothEdges() {
         PictureSettings picture = unscaledScene.picture();

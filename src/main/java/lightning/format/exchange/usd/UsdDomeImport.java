@@ -58,7 +58,7 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
         assembler.world = before.withEnvironment(Optional.of(environment)).withRotation(rotation).withIntensity(strength)
                 .withSoftLights(before);
         // The intensity of the dome for one of the environment; its color and exposure stay as they are.
-        UsdPaths.addDome(assembler, in, strength > 0 ? intensity / strength : 1 / stops, rotation, environment.file());
+        UsdPaths.addDome(assembler, in, strength > 0 ? intensity / strength : 1 / stops, rotation, strength, environment.file());
     }
 
     private Environment image(Path place, JsonValue texture, Rgb factor) throws IOException, MeshException {

@@ -5,7 +5,9 @@ import static java.util.Objects.requireNonNull;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
@@ -29,6 +31,7 @@ import lightning.scene.value.LensShift;
 import lightning.scene.value.SceneLimits;
 import lightning.scene.value.ShapeLinks;
 import org.jspecify.annotations.Nullable;
+import tools.jackson.databind.node.ObjectNode;
 
 /** Converter from a USD stage to a scene, with its animation. */
 public final class UsdImport {
@@ -40,6 +43,7 @@ public final class UsdImport {
     private final Transform upright;
     private final boolean hasZUp;
     private final List<Track> tracks = new ArrayList<>();
+    private final Map<String, ObjectNode> originals = new HashMap<>();
     private final int firstFrame;
     private final int levels;
     private final Progress progress;
@@ -83,7 +87,12 @@ public final class UsdImport {
         if (hasShot()) {
             importShot();
         }
-        return assembler.build();
+        ImportedScene built = assembler.build();
+        List<String> comments = new ArrayList<>();
+        for (Light light : built.scene().lights()) {
+            Optional.ofNullable(originals.get(light.name())).ifPresent(o -> comments.add(UsdOriginal.comment(light, built.shot(), o)));
+        }
+        return built.withClosingComments(comments);
     }
 
     private void importShot() throws MeshException {
@@ -124,6 +133,7 @@ public final class UsdImport {
             if (light.isPresent()) {
                 assembler.lights.add(linked(light.get(), in.get("links")));
                 UsdPaths.addLight(assembler, name, in);
+                originals.put(name, UsdOriginal.stage(in));
                 importFrames(light.get(), in, frameConverter);
             }
         }

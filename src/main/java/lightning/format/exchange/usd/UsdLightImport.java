@@ -43,7 +43,6 @@ import lightning.scene.value.SceneLimits;
  */
 record UsdLightImport(SceneAssembler assembler, Transform upright, double meters, ConversionNotes notes, SoftCones softCones) {
     private static final MathContext DIGITS = new MathContext(12);
-    private static final double SHARE_OF_SCALES = 1e-4;
 
     /** Returns a light without links; empty if it cannot be imported. */
     Optional<Light> convert(String name, JsonValue in) throws IOException, MeshException {
@@ -77,9 +76,8 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
 
     private Light sphere(Light light, JsonValue in) throws IOException, MeshException {
         Vec3 scale = scale(in);
-        noteScale(scale.x(), scale.y());
-        noteScale(scale.x(), scale.z());
-        double radius = UsdNumbers.tidy(in.get("radius").number(0)) * (scale.x() + scale.y() + scale.z()) / 3;
+        noteScale(scale.x(), LightScales.isRound(scale.x(), scale.y()) ? scale.z() : scale.y());
+        double radius = UsdNumbers.tidy(in.get("radius").number(0)) * LightScales.sphere(scale);
         boolean isPoint = in.get("treatAsPoint").bool(false);
         Light ball = placed(light, in).withArea(AreaShape.DEFAULT.withRadius(isPoint ? 0 : size(radius)));
         // A ball's surface is four times the disc as which it is seen.
@@ -93,7 +91,7 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
         Vec3 scale = scale(in);
         noteScale(scale.x(), scale.y());
         Light disc = placed(light, in).withType(LightType.DISC)
-                .withArea(AreaShape.DEFAULT.withRadius(size(UsdNumbers.tidy(in.get("radius").number(0)) * (scale.x() + scale.y()) / 2)));
+                .withArea(AreaShape.DEFAULT.withRadius(size(UsdNumbers.tidy(in.get("radius").number(0)) * LightScales.disk(scale))));
         disc = isNormalized(in) ? candela(disc, meters * meters) : nit(disc);
         // A spot has no cosine of its own.
         return isShaped(in.get("shaping")) ? cone(disc, in.get("shaping"), 1) : disc;
@@ -129,7 +127,8 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
     private Light cylinder(Light light, JsonValue in) throws MeshException {
         Vec3 scale = scale(in);
         double length = size(UsdNumbers.tidy(in.get("length").number(0)) * scale.x());
-        double radius = size(UsdNumbers.tidy(in.get("radius").number(0)) * (scale.y() + scale.z()) / 2);
+        double radius = size(UsdNumbers.tidy(in.get("radius").number(0)) * LightScales.tube(scale));
+        noteScale(scale.y(), scale.z());
         notes.add("cylinder lights, imported as balls of the same area");
         notes.add("cones and profiles of cylinder lights", isShaped(in.get("shaping")) ? 1 : 0);
         Light ball = placed(light, in).withArea(AreaShape.DEFAULT.withRadius(UsdNumbers.rounded(Math.sqrt(length * radius / 2)))
@@ -235,13 +234,11 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
     }
 
     private Vec3 scale(JsonValue in) throws MeshException {
-        Transform m = world(in);
-        return UsdNumbers.rounded(new Vec3(m.transformVector(new Vec3(1, 0, 0)).length(), m.transformVector(Vec3.Y).length(),
-                m.transformVector(new Vec3(0, 0, 1)).length()));
+        return LightScales.of(world(in));
     }
 
     private void noteScale(double a, double b) {
-        notes.add("round lights scaled to ellipses, imported as round", Math.abs(a - b) <= SHARE_OF_SCALES * Math.max(a, b) ? 0 : 1);
+        notes.add("round lights scaled to ellipses, imported as round ones of the same area", LightScales.isRound(a, b) ? 0 : 1);
     }
 
     private static double size(double v) {

@@ -17,10 +17,21 @@ import lightning.scene.value.ColorTemperature;
  * Attributes of UsdLux by their declarations, of one light: the inverse of {@link UsdLightImport}.
  *
  * @param type type of the prim
+ * @param scale lengths of the axes of its transform, which scale its size
  */
-public record UsdLightValues(String type, Light light, double meters, boolean hasZUp) {
+public record UsdLightValues(String type, Light light, double meters, boolean hasZUp, Vec3 scale) {
+    public static final String MATRIX = "matrix4d xformOp:transform:lightning";
+    static final String INTENSITY = "float inputs:intensity";
+    static final String NORMALIZE = "bool inputs:normalize";
+    static final String SOFTNESS = "float inputs:shaping:cone:softness";
+    static final String POINT = "bool treatAsPoint";
     private static final double SPHERE_FACTOR = 4;
     private static final double FULL_ANGLE = 180;
+
+    /** Creates the values of a light whose transform does not scale. */
+    public UsdLightValues(String type, Light light, double meters, boolean hasZUp) {
+        this(type, light, meters, hasZUp, new Vec3(1, 1, 1));
+    }
 
     /** Returns the type of prim for a light, that of the original where it can be the same. */
     public static String typeOf(Light light, String original) {
@@ -41,9 +52,9 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
         result.put("color3f inputs:color",
                 "(" + Stream.of(color.r(), color.g(), color.b()).map(UsdLayer::number).collect(Collectors.joining(", ")) + ")");
         boolean hasLuminance = light.emission().unit() == IntensityUnit.NIT && light.isArea();
-        result.put("float inputs:intensity", UsdLayer.number(hasLuminance ? light.intensity() : power()));
+        result.put(INTENSITY, UsdLayer.number(hasLuminance ? light.intensity() : power()));
         result.put("float inputs:exposure", UsdLayer.number(light.emission().exposure()));
-        result.put("bool inputs:normalize", hasLuminance ? "0" : "1");
+        result.put(NORMALIZE, hasLuminance ? "0" : "1");
         result.put("bool inputs:enableColorTemperature", isTinted ? "1" : "0");
         result.put("float inputs:colorTemperature", UsdLayer.number(light.emission().temperature()));
         result.put("float inputs:diffuse", UsdLayer.number(light.contribution().diffuse()));
@@ -51,7 +62,7 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
         result.put("bool inputs:shadow:enable", light.contribution().castsShadows() ? "1" : "0");
         addSize(result);
         result.put("token visibility", isOn ? "\"inherited\"" : "\"invisible\"");
-        result.put("matrix4d xformOp:transform:lightning", matrix());
+        result.put(MATRIX, matrix());
         return result;
     }
 
@@ -71,32 +82,38 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
         switch (type) {
             case "DistantLight" -> result.put("float inputs:angle", UsdLayer.number(2 * light.area().spread()));
             case "RectLight" -> {
-                result.put("float inputs:width", UsdLayer.number(light.area().width()));
-                result.put("float inputs:height", UsdLayer.number(light.area().height()));
+                result.put("float inputs:width", unscaled(light.area().width(), scale.x()));
+                result.put("float inputs:height", unscaled(light.area().height(), scale.y()));
             }
             case "CylinderLight" -> {
                 // The ball that stands for it has its area; a ball of another size scales both.
                 double ball = Math.sqrt(light.area().width() * light.area().height() / 4);
-                double scale = ball > 0 && Math.abs(light.area().radius() - ball) > 1e-6 * ball ? light.area().radius() / ball : 1;
-                result.put("float inputs:length", UsdLayer.number(light.area().width() * scale));
-                result.put("float inputs:radius", UsdLayer.number(light.area().height() / 2 * scale));
+                double size = ball > 0 && Math.abs(light.area().radius() - ball) > 1e-6 * ball ? light.area().radius() / ball : 1;
+                result.put("float inputs:length", unscaled(light.area().width() * size, scale.x()));
+                result.put("float inputs:radius", unscaled(light.area().height() / 2 * size, LightScales.tube(scale)));
             }
             default -> {
-                result.put("float inputs:radius", UsdLayer.number(light.area().radius()));
+                result.put("float inputs:radius",
+                        unscaled(light.area().radius(), type.equals("DiskLight") ? LightScales.disk(scale) : LightScales.sphere(scale)));
                 boolean isSpot = light.type() == LightType.SPOT;
                 if (type.equals("SphereLight")) {
-                    result.put("bool treatAsPoint", light.area().radius() == 0 ? "1" : "0");
+                    result.put(POINT, light.area().radius() == 0 ? "1" : "0");
                 }
                 result.put("float inputs:shaping:cone:angle", UsdLayer.number(isSpot ? light.angle() : FULL_ANGLE));
-                result.put("float inputs:shaping:cone:softness", UsdLayer.number(isSpot ? SoftCones.softness(light).orElse(0) : 0));
+                result.put(SOFTNESS, UsdLayer.number(isSpot ? SoftCones.softness(light).orElse(0) : 0));
                 result.put("float inputs:shaping:focus",
                         UsdLayer.number(!isSpot ? 0 : type.equals("DiskLight") ? light.dropoff() - 1 : light.dropoff()));
             }
         }
     }
 
+    /** Returns a size before it is scaled. */
+    private static String unscaled(double size, double factor) {
+        return UsdLayer.number(factor > 0 ? size / factor : size);
+    }
+
     /** Returns the normalized intensity: luminance times area, in square units of the stage. */
-    private double power() {
+    double power() {
         double relative = light.emission().unit().relative(light, meters) * light.intensity();
         if (light.type().hasPosition()) {
             var terms = light.distanceTerms();
@@ -118,6 +135,13 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
         Transform tilt = hasZUp ? Transform.rotation(new Vec3(90, 0, 0)) : Transform.IDENTITY;
         return Stream.of(row(tilt.transformVector(x), 0), row(tilt.transformVector(z.cross(x)), 0), row(tilt.transformVector(z), 0),
                 row(tilt.transformVector(place), 1)).collect(Collectors.joining(", ", "( ", " )"));
+    }
+
+    /** Returns the text of the matrix of a transform. */
+    static String matrix(Transform m) {
+        return Stream.of(row(m.transformVector(new Vec3(1, 0, 0)), 0), row(m.transformVector(Vec3.Y), 0),
+                row(m.transformVector(new Vec3(0, 0, 1)), 0), row(m.transformPoint(Vec3.ZERO), 1))
+                .collect(Collectors.joining(", ", "( ", " )"));
     }
 
     private static String row(Vec3 v, int last) {

@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lightning.base.text.DecimalNumber;
@@ -20,12 +21,17 @@ import lightning.format.mesh.MeshException;
  * @param lights  path and type of each light, by its name
  * @param dome    the dome light that the environment stands for
  * @param objects path of each shape and group, by its name
+ * @param originals each light as it was imported, by its name; none of scenes that were imported by versions without them
+ * @param renamed name of each file in the stage, by its other name in the scene
  */
-public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Optional<Dome> dome, Map<String, String> objects) {
+public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Optional<Dome> dome, Map<String, String> objects,
+        Map<String, UsdOriginal> originals, Map<String, String> renamed) {
     private static final String UP = "usd up: ";
     private static final String SHIFT = "usd time of frame 0: ";
     private static final Pattern LIGHT = Pattern.compile("# usd light: (\\w+) (/\\S*) (.+)");
     private static final Pattern DOME = Pattern.compile("# usd dome: (\\w+) (/\\S*) (\\S+) (\\S+) (.+)");
+    private static final Pattern DOME_INTENSITY = Pattern.compile("# usd dome intensity: (\\S+)");
+    private static final Pattern RENAMED = Pattern.compile("# wrote: [0-9a-f]{64} ([^<>]+?) < ([^<>]+)");
     private static final Pattern OBJECT = Pattern.compile("# usd prim: (/\\S*) (.+)");
 
     /** Prim with its type. */
@@ -37,8 +43,9 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
      * @param factor   its intensity for an intensity of 1 of the environment
      * @param rotation rotation of the environment that it has
      * @param file     file of the environment that it has
+     * @param intensity intensity of the environment that it has; empty if the comments do not say
      */
-    public record Dome(Prim prim, double factor, double rotation, String file) {}
+    public record Dome(Prim prim, double factor, double rotation, String file, OptionalDouble intensity) {}
 
     /** Adds the comment of the up axis. */
     static void addAxis(SceneAssembler assembler, boolean hasZUp) {
@@ -52,18 +59,20 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
         }
     }
 
-    /** Adds the comment of a light. */
+    /** Adds the comment of a light, also of one in an instance. */
     static void addLight(SceneAssembler assembler, String name, JsonValue in) throws MeshException {
-        if (isPath(in)) {
+        if (isWritable(path(in))) {
             assembler.closingComments.add("usd light: " + in.get("type").text().orElse("") + " " + path(in) + " " + name);
         }
     }
 
     /** Adds the comment of the dome light. */
-    static void addDome(SceneAssembler assembler, JsonValue in, double factor, double rotation, String file) throws MeshException {
+    static void addDome(SceneAssembler assembler, JsonValue in, double factor, double rotation, double intensity, String file)
+            throws MeshException {
         if (isPath(in)) {
             assembler.closingComments.add(
                     "usd dome: " + in.get("type").text().orElse("") + " " + path(in) + " " + factor + " " + rotation + " " + file);
+            assembler.closingComments.add("usd dome intensity: " + intensity);
         }
     }
 
@@ -76,7 +85,11 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
 
     /** Returns whether a path can be written in a comment, and changed by a layer: not that of a part of an instance. */
     private static boolean isPath(JsonValue in) throws MeshException {
-        return !in.get("proxy").bool(false) && path(in).matches("(/[\\p{L}\\p{N}_]+)+");
+        return !in.get("proxy").bool(false) && isWritable(path(in));
+    }
+
+    static boolean isWritable(String path) {
+        return path.matches("(/[\\p{L}\\p{N}_]+)+");
     }
 
     private static String path(JsonValue in) throws MeshException {
@@ -87,25 +100,43 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
     public static UsdPaths findIn(String text) {
         Map<String, Prim> lights = new LinkedHashMap<>();
         Map<String, String> objects = new HashMap<>();
+        Map<String, UsdOriginal> originals = new HashMap<>();
+        Map<String, String> renamed = new HashMap<>();
+        OptionalDouble intensity = OptionalDouble.empty();
         Optional<Dome> dome = Optional.empty();
         boolean hasZUp = false;
         int shift = 0;
-        for (String line : (Iterable<String>) text.lines().filter(s -> s.startsWith("# usd "))::iterator) {
+        for (String line : (Iterable<String>) text.lines().filter(s -> s.startsWith("# usd ") || s.startsWith("# wrote: "))::iterator) {
             hasZUp |= line.equals("# " + UP + "Z");
             shift = line.startsWith("# " + SHIFT) ? (int) number(line.substring(SHIFT.length() + 2)) : shift;
             Matcher light = LIGHT.matcher(line);
             Matcher object = OBJECT.matcher(line);
             Matcher environment = DOME.matcher(line);
+            Matcher strength = DOME_INTENSITY.matcher(line);
+            Matcher file = RENAMED.matcher(line);
             if (light.matches()) {
                 lights.put(light.group(3), new Prim(light.group(1), light.group(2)));
             } else if (object.matches()) {
                 objects.put(object.group(2), object.group(1));
             } else if (environment.matches()) {
                 dome = Optional.of(new Dome(new Prim(environment.group(1), environment.group(2)), number(environment.group(3)),
-                        number(environment.group(4)), environment.group(5)));
+                        number(environment.group(4)), environment.group(5), OptionalDouble.empty()));
+            } else if (line.startsWith("# " + UsdOriginal.COMMENT)) {
+                UsdOriginal.parse(line.substring(2)).ifPresent(original -> originals.put(original.light().name(), original));
+            } else if (strength.matches()) {
+                intensity = DecimalNumber.parse(strength.group(1));
+            } else if (file.matches()) {
+                renamed.put(file.group(1), file.group(2));
             }
         }
-        return new UsdPaths(hasZUp, shift, lights, dome, objects);
+        OptionalDouble found = intensity;
+        return new UsdPaths(hasZUp, shift, lights, dome.map(d -> new Dome(d.prim(), d.factor(), d.rotation(), d.file(), found)), objects,
+                originals, renamed);
+    }
+
+    /** Returns whether a file of the scene is that of the import, which may have got another name since. */
+    public boolean isSameFile(String imported, String now) {
+        return imported.equals(now) || imported.equals(renamed.get(now));
     }
 
     private static double number(String text) {
