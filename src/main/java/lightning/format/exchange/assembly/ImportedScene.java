@@ -147,7 +147,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
 
     /** Returns this scene with further comment lines at the end of its file. */
     public ImportedScene withClosingComments(List<String> further) {
-        return new ImportedScene(unscaledScene, shot, restored, rawGlows, units, comments, sceneFile, copies, notes, subject,
+        return new ImportedScene(unscaledScene, unscaledShot, restored, rawGlows, units, comments, sceneFile, copies, notes, subject,
                 Stream.concat(closingComments.stream(), further.stream()).toList());
     }
 
