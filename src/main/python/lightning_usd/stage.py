@@ -55,11 +55,11 @@ class Walk:
         self.time = Usd.TimeCode(stage.GetStartTimeCode()) if self.has_range else Usd.TimeCode.EarliestTime()
         self.materials = Materials(out, self.time)
         self.meshes = Meshes(out, self.time)
-        # Lights, and their transforms to the world if a point instancer places them.
-        self.lights: list[tuple[Usd.Prim, Gf.Matrix4d | None]] = []
+        # Lights; those that a point instancer places with their transform to the world and whether they are hidden.
+        self.lights: list[tuple[Usd.Prim, tuple[Gf.Matrix4d, bool] | None]] = []
         self.cameras: list[Usd.Prim] = []
         self.prototypes: dict[Sdf.Path, int] = {}
-        self.prototype_lights: dict[Sdf.Path, list[tuple[Usd.Prim, Gf.Matrix4d]]] = {}
+        self.prototype_lights: dict[Sdf.Path, list[tuple[Usd.Prim, Gf.Matrix4d, bool]]] = {}
 
     def run(self) -> None:
         """Writes the description."""
@@ -274,10 +274,20 @@ class Walk:
         result = self.walk(prototype, -2, True)
         cache = UsdGeom.XformCache(self.time)
         inverse = cache.GetLocalToWorldTransform(prototype).GetInverse()
-        self.prototype_lights[prototype.GetPath()] = [(prim, (cache.GetLocalToWorldTransform(prim) if place is None else place) * inverse)
-                                                      for prim, place in self.lights[count:]]
+        self.prototype_lights[prototype.GetPath()] = [
+            (prim, (cache.GetLocalToWorldTransform(prim) if place is None else place[0]) * inverse,
+             self.is_hidden_in(prim, prototype) if place is None else place[1]) for prim, place in self.lights[count:]]
         del self.lights[count:]
         return result
+
+    def is_hidden_in(self, prim: Usd.Prim, prototype: Usd.Prim) -> bool:
+        """Returns whether a prim is invisible in its prototype; what is above that does not count."""
+        while prim and not prim.IsPseudoRoot() and prim.GetPath().HasPrefix(prototype.GetPath()):
+            imageable = UsdGeom.Imageable(prim)
+            if imageable and imageable.GetVisibilityAttr().Get(self.time) == UsdGeom.Tokens.invisible:
+                return True
+            prim = prim.GetParent()
+        return False
 
     def place_lights(self, instancer: Usd.Prim, targets: list[Sdf.Path], indices: Vt.IntArray, matrices: Vt.Matrix4dArray) -> None:
         """Adds the lights of all prototypes at each place of an instancer."""
@@ -285,11 +295,12 @@ class Walk:
         if not any(found):
             return
         world = UsdGeom.XformCache(self.time).GetLocalToWorldTransform(instancer)
+        is_hidden = UsdGeom.Imageable(instancer).ComputeVisibility(self.time) == UsdGeom.Tokens.invisible
         for index, matrix in zip(indices, matrices):
-            for prim, local in found[index] if 0 <= index < len(found) else []:
+            for prim, local, hidden in found[index] if 0 <= index < len(found) else []:
                 if len(self.lights) >= MAX_NODES:
                     raise StageError(f"has more than {MAX_NODES} lights")
-                self.lights.append((prim, local * matrix * world))
+                self.lights.append((prim, (local * matrix * world, hidden or is_hidden)))
 
     def frames(self, cameras: list[Usd.Prim]) -> tuple[int, int, int] | None:
         """Returns the first and last time of all that moves, and what is taken off for the number of a frame."""
@@ -352,12 +363,13 @@ class Walk:
         """Returns what a function says of each prim that it can describe."""
         return [found for prim in prims if (found := self.attempt(prim, lambda: function(prim))) is not None]
 
-    def describe_light(self, prim: Usd.Prim, place: Gf.Matrix4d | None, frames: tuple[int, int, int] | None) -> dict[str, Any]:
+    def describe_light(self, prim: Usd.Prim, place: tuple[Gf.Matrix4d, bool] | None, frames: tuple[int, int, int] | None) -> dict[str, Any]:
         """Returns a light with its links; in an instance of a point instancer as it is at the first frame."""
         result = self.over_time(prim, light, frames if place is None else None)
         result["rig"] = rig(prim, self.time)
         if place is not None:
-            result["matrix"] = world_matrix(place)
+            result["matrix"] = world_matrix(place[0])
+            result["hidden"] = place[1]
             result["rig"]["shared"] = True
         result["links"] = linked_nodes(prim, self.nodes, self.out)
         return result

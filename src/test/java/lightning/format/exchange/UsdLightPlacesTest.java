@@ -114,4 +114,33 @@ class UsdLightPlacesTest {
         assertThat(new String(export.bytes(), StandardCharsets.UTF_8)).doesNotContain("rows", "lightning_lights");
         assertThat(export.notes()).containsEntry("edited lights of point instancers, which a layer cannot change one by one", 3);
     }
+
+    /** Prototypes are usually kept under an invisible prim. */
+    @Test
+    void lightsOfHiddenPrototypes_shine() throws Exception {
+        ImportedScene scene = imported("""
+                def Scope "protos"
+                {
+                    token visibility = "invisible"
+                    def Xform "lamp"
+                    {
+                        def SphereLight "bulb"
+                        {
+                        }
+                        def SphereLight "spare"
+                        {
+                            token visibility = "invisible"
+                        }
+                    }
+                }
+                def PointInstancer "rows"
+                {
+                    int[] protoIndices = [0]
+                    point3f[] positions = [(10, 0, 0)]
+                    rel prototypes = [</protos/lamp>]
+                }
+                """);
+        assertThat(scene.scene().lights().stream().filter(Light::on).map(Light::position)).containsExactly(new Vec3(10, 0, 0));
+        assertThat(scene.scene().lights()).hasSize(4);
+    }
 }
