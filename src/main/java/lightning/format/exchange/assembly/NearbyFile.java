@@ -22,7 +22,7 @@ import lightning.base.file.RegularFile;
 record NearbyFile(Path folder) {
     /** @throws IOException if the folder cannot be resolved */
     static NearbyFile of(Path source) throws IOException {
-        return new NearbyFile(ParentFolder.of(source.toAbsolutePath()).toRealPath());
+        return new NearbyFile(ParentFolder.of(source).toRealPath());
     }
 
     /** Returns a regular file that a reference names; empty if there is none. */

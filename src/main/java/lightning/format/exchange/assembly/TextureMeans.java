@@ -33,12 +33,17 @@ public record TextureMeans(double roughness, double metalness) {
     }
 
     public static double mean(Texture texture, int channel) {
+        return mean(texture, 0, texture.width(), 0, texture.height(), channel);
+    }
+
+    /** Returns the mean of a block of pixels: columns from {@code x0} to below {@code x1}, rows from {@code y0} to below {@code y1}. */
+    public static double mean(Texture texture, int x0, int x1, int y0, int y1, int channel) {
         double sum = 0;
-        for (int y = 0; y < texture.height(); y++) {
-            for (int x = 0; x < texture.width(); x++) {
+        for (int y = y0; y < y1; y++) {
+            for (int x = x0; x < x1; x++) {
                 sum += texture.channel(x, y, channel);
             }
         }
-        return sum / ((double) texture.width() * texture.height());
+        return sum / ((double) (x1 - x0) * (y1 - y0));
     }
 }

@@ -61,10 +61,7 @@ final class UsedImage {
     }
 
     private static byte[] png(Texture colors, @Nullable Texture opacity, boolean isColor, long maxPixels) throws IOException {
-        int step = 1;
-        while ((long) Math.ceilDiv(colors.width(), step) * Math.ceilDiv(colors.height(), step) > maxPixels) {
-            step++;
-        }
+        int step = TextureDecoder.step(colors.width(), colors.height(), maxPixels);
         int width = Math.ceilDiv(colors.width(), step);
         int height = Math.ceilDiv(colors.height(), step);
         int bands = opacity == null ? 3 : 4;
@@ -73,13 +70,15 @@ final class UsedImage {
         WritableRaster raster = model.createCompatibleWritableRaster(width, height);
         int[] row = new int[bands * width];
         for (int y = 0; y < height; y++) {
+            int y1 = Math.min((y + 1) * step, colors.height());
             for (int x = 0; x < width; x++) {
+                int x1 = Math.min((x + 1) * step, colors.width());
                 for (int c = 0; c < 3; c++) {
-                    double mean = mean(colors, x * step, y * step, step, c);
+                    double mean = TextureMeans.mean(colors, x * step, x1, y * step, y1, c);
                     row[bands * x + c] = code(isColor ? SrgbCurve.fromLinear(mean) : mean);
                 }
                 if (opacity != null) {
-                    row[bands * x + 3] = code(mean(opacity, x * step, y * step, step, 0));
+                    row[bands * x + 3] = code(TextureMeans.mean(opacity, x * step, x1, y * step, y1, 0));
                 }
             }
             raster.setPixels(0, y, width, 1, row);
@@ -91,17 +90,5 @@ final class UsedImage {
 
     private static int code(double v) {
         return (int) Math.rint(MAX_CODE * Math.clamp(v, 0, 1));
-    }
-
-    private static double mean(Texture texture, int x0, int y0, int step, int channel) {
-        int x1 = Math.min(x0 + step, texture.width());
-        int y1 = Math.min(y0 + step, texture.height());
-        double sum = 0;
-        for (int y = y0; y < y1; y++) {
-            for (int x = x0; x < x1; x++) {
-                sum += texture.channel(x, y, channel);
-            }
-        }
-        return sum / ((double) (x1 - x0) * (y1 - y0));
     }
 }

@@ -9,6 +9,8 @@ import java.awt.image.WritableRaster;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import javax.imageio.ImageIO;
+import lightning.base.math.SrgbCurve;
+import lightning.format.exchange.assembly.TextureMeans;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureUsage;
 
@@ -51,27 +53,17 @@ final class TextureAtlas {
                 int x0 = (int) ((long) x * tile.width() / tileWidth);
                 int x1 = Math.max(x0 + 1, (int) ((long) (x + 1) * tile.width() / tileWidth));
                 for (int c = 0; c < 3; c++) {
-                    line[3 * x + c] = code(mean(tile, x0, x1, y0, y1, c));
+                    line[3 * x + c] = code(TextureMeans.mean(tile, x0, x1, y0, y1, c));
                 }
             }
             raster.setPixels(column * tileWidth, row * tileHeight + y, tileWidth, 1, line);
         }
     }
 
-    private static double mean(Texture tile, int x0, int x1, int y0, int y1, int channel) {
-        double sum = 0;
-        for (int y = y0; y < y1; y++) {
-            for (int x = x0; x < x1; x++) {
-                sum += tile.channel(x, y, channel);
-            }
-        }
-        return sum / ((double) (x1 - x0) * (y1 - y0));
-    }
-
-    /** Returns the code of a linear value: sRGB (IEC 61966-2-1) for colors. */
+    /** Returns the code of a linear value: sRGB for colors. */
     private int code(double v) {
         isClamped |= v > 1;
-        double s = !isColor ? v : v <= 0.0031308 ? 12.92 * v : 1.055 * Math.pow(v, 1 / 2.4) - 0.055;
+        double s = isColor ? SrgbCurve.fromLinear(v) : v;
         return (int) Math.rint(Math.clamp(s, 0, 1) * max);
     }
 

@@ -82,16 +82,30 @@ public final class TextureDecoder {
      * @throws UnusableFileException if it is not a PNG or JPEG, too large or damaged
      */
     public static Texture decodeReduced(String name, byte[] file, TextureUsage samples) throws UnusableFileException {
-        return read(name, file, reader -> {
-            checkSides(name, reader.getWidth(0), reader.getHeight(0));
-            ImageReadParam reduction = reader.getDefaultReadParam();
-            int step = 1;
-            while ((long) Math.ceilDiv(reader.getWidth(0), step) * Math.ceilDiv(reader.getHeight(0), step) > JenLimits.TEXTURE_PIXELS) {
-                step++;
-            }
-            reduction.setSourceSubsampling(step, step, 0, 0);
-            return texture(reader.read(0, reduction), samples);
-        });
+        return read(name, file, reader -> texture(readReduced(name, reader), samples));
+    }
+
+    /**
+     * Reads an opened image. One of too many pixels loses rows and columns until it has at most {@link JenLimits#TEXTURE_PIXELS}.
+     *
+     * @param name name of the file in messages
+     * @throws UnusableFileException if a side is longer than that of a texture may be
+     */
+    public static BufferedImage readReduced(String name, ImageReader reader) throws IOException, UnusableFileException {
+        checkSides(name, reader.getWidth(0), reader.getHeight(0));
+        ImageReadParam reduction = reader.getDefaultReadParam();
+        int step = step(reader.getWidth(0), reader.getHeight(0), JenLimits.TEXTURE_PIXELS);
+        reduction.setSourceSubsampling(step, step, 0, 0);
+        return reader.read(0, reduction);
+    }
+
+    /** Returns the smallest step in which rows and columns of an image have at most {@code maxPixels} pixels. */
+    public static int step(int width, int height, long maxPixels) {
+        int step = 1;
+        while ((long) Math.ceilDiv(width, step) * Math.ceilDiv(height, step) > maxPixels) {
+            step++;
+        }
+        return step;
     }
 
     /**
@@ -125,8 +139,19 @@ public final class TextureDecoder {
      * @throws UnusableFileException if it is not a PNG or JPEG, damaged, or has too many scans
      */
     public static <T> T read(String name, byte[] file, Reading<T> reading) throws UnusableFileException {
+        return read(name, file, FORMATS, reading);
+    }
+
+    /**
+     * Opens an image of some formats, and reads a value from it.
+     *
+     * @param name name of the file in messages
+     * @param formats names of the formats as Java's image decoders have them, in lower case
+     * @throws UnusableFileException if it has none of the formats, is damaged, or has too many scans
+     */
+    public static <T> T read(String name, byte[] file, Set<String> formats, Reading<T> reading) throws UnusableFileException {
         try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
-            ImageReader reader = reader(name, in);
+            ImageReader reader = reader(name, in, formats);
             try {
                 reader.setInput(in, true, true);
                 checkScans(name, file, reader);
@@ -142,12 +167,12 @@ public final class TextureDecoder {
         }
     }
 
-    private static ImageReader reader(String name, ImageInputStream in)
+    private static ImageReader reader(String name, ImageInputStream in, Set<String> formats)
             throws IOException, UnusableFileException {
         Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
         while (readers.hasNext()) {
             ImageReader reader = readers.next();
-            if (FORMATS.contains(reader.getFormatName().toLowerCase(Locale.ROOT))) {
+            if (formats.contains(reader.getFormatName().toLowerCase(Locale.ROOT))) {
                 return reader;
             }
             reader.dispose();
@@ -225,7 +250,7 @@ public final class TextureDecoder {
     /** Returns true if an image has alpha; false if it cannot be decoded. */
     public static boolean hasAlpha(byte[] file) {
         try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
-            ImageReader reader = reader("", in);
+            ImageReader reader = reader("", in, FORMATS);
             try {
                 reader.setInput(in, true, true);
                 // Not the raw type: a gray or RGB image may have a color that counts as transparent.

@@ -2,6 +2,7 @@ package lightning.render.image.aces;
 
 import lightning.base.math.Matrix3;
 import lightning.base.math.Primaries;
+import lightning.base.math.SrgbCurve;
 
 /** Exact output transform of ACES 2, from linear Rec. 709 to sRGB. Evaluates 30 powers, about a microsecond. */
 final class Aces2 {
@@ -45,7 +46,6 @@ final class Aces2 {
 
     /** Returns the sRGB encoding, symmetric around 0. */
     static double encode(double v) {
-        double size = Math.abs(v);
-        return Math.copySign(size <= 0.0031308 ? 12.92 * size : 1.055 * StrictMath.pow(size, 1 / 2.4) - 0.055, v);
+        return Math.copySign(SrgbCurve.fromLinear(Math.abs(v)), v);
     }
 }
