@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lightning.base.text.DecimalNumber;
 import lightning.format.exchange.assembly.ConeProfile;
@@ -63,17 +62,7 @@ final class SpotEdges {
 
     /** Returns the inner angle, in degrees, of a light whose profile was made here for its angle; empty for any other. */
     static OptionalDouble inner(Light light) {
-        Matcher name = NAME.matcher(light.profile().map(IesProfile::file).orElse(""));
-        if (!name.matches() || light.angle() <= 0) {
-            return OptionalDouble.empty();
-        }
-        try {
-            double inner = Double.parseDouble(name.group(1));
-            boolean isSame = inner >= 0 && inner < light.angle() && light.angle() <= 90
-                    && edge(inner, light.angle()).photometry().equals(light.profile().orElseThrow().photometry());
-            return isSame ? OptionalDouble.of(inner) : OptionalDouble.empty();
-        } catch (IllegalArgumentException e) {
-            return OptionalDouble.empty();
-        }
+        return ConeProfile.parameter(light, NAME, inner -> inner >= 0 && inner < light.angle() && light.angle() <= 90,
+                inner -> edge(inner, light.angle()));
     }
 }

@@ -173,13 +173,7 @@ public final class UsdLightExport {
 
     /** Writes what has been edited of an imported light. */
     private void addChanges(Light light, String type, UsdPaths.Prim stagePrim, UsdOriginal original) throws IOException {
-        List<UsdLightChanges.State> states = new ArrayList<>();
-        for (Scene state : frames.isEmpty() ? List.of(scene) : frames) {
-            Light own = state.light(light.name()).orElseThrow();
-            states.add(new UsdLightChanges.State(first + states.size() + paths.shift(), inGroup(own, state), state.isActive(own),
-                    state.world().meters()));
-        }
-        var changes = new UsdLightChanges(original, light, animated.shot(), stagePrim.type(), type, states, paths);
+        var changes = new UsdLightChanges(original, light, animated.shot(), stagePrim.type(), type, states(light), paths);
         Map<String, TreeMap<Integer, String>> values = changes.values();
         Map<String, String> files = new LinkedHashMap<>();
         if (isShaped(type) && !profile(light).equals(profile(changes.before()))) {
@@ -231,18 +225,21 @@ public final class UsdLightExport {
         }
     }
 
-    /** Returns the values of each attribute at all frames; at one time only if nothing moves. */
-    private Map<String, TreeMap<Integer, String>> values(Light light, String type) {
-        Map<String, TreeMap<Integer, String>> result = new LinkedHashMap<>();
-        List<Scene> states = frames.isEmpty() ? List.of(scene) : frames;
-        for (int i = 0; i < states.size(); i++) {
-            Scene state = states.get(i);
+    /** Returns a light at all frames; at one time only if nothing moves. */
+    private List<UsdLightChanges.State> states(Light light) {
+        List<UsdLightChanges.State> states = new ArrayList<>();
+        for (Scene state : frames.isEmpty() ? List.of(scene) : frames) {
             Light own = state.light(light.name()).orElseThrow();
-            int time = first + i + paths.shift();
-            new UsdLightValues(type, inGroup(own, state), state.world().meters(), paths.hasZUp()).values(state.isActive(own))
-                    .forEach((declaration, value) -> result.computeIfAbsent(declaration, _ -> new TreeMap<>()).put(time, value));
+            states.add(new UsdLightChanges.State(first + states.size() + paths.shift(), inGroup(own, state), state.isActive(own),
+                    state.world().meters()));
         }
-        return result;
+        return states;
+    }
+
+    /** Returns all values of a light that the stage does not have. */
+    private Map<String, TreeMap<Integer, String>> values(Light light, String type) {
+        return UsdLightChanges.series(states(light),
+                s -> new UsdLightValues(type, s.light(), s.meters(), paths.hasZUp()).values(s.isOn()));
     }
 
     /** Returns a light with color and intensity of its group, which USD has not. */

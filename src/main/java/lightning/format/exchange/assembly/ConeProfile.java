@@ -3,9 +3,16 @@ package lightning.format.exchange.assembly;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.DoubleFunction;
+import java.util.function.DoublePredicate;
 import java.util.function.DoubleUnaryOperator;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import lightning.base.text.DecimalNumber;
+import lightning.scene.asset.IesProfile;
+import lightning.scene.light.Light;
 import lightning.scene.value.Photometry;
 
 /** Light profile around an axis, for soft edges of cones that a scene's own law does not have. */
@@ -45,6 +52,29 @@ public final class ConeProfile {
     private static double rounded(double v) {
         double nearest = Math.rint(v * 1e9) / 1e9;
         return v >= 1e-3 || nearest == 0 ? nearest + 0.0 : v;
+    }
+
+    /**
+     * Returns the parameter, in the name of its file, of a light's profile that was made here for the light's angle; empty for any other
+     * light.
+     *
+     * @param name    of such files; its first group is the parameter
+     * @param isValid whether a curve has the parameter
+     * @param curve   profile for a parameter
+     */
+    public static OptionalDouble parameter(Light light, Pattern name, DoublePredicate isValid, DoubleFunction<ConeProfile> curve) {
+        Matcher matcher = name.matcher(light.profile().map(IesProfile::file).orElse(""));
+        if (!matcher.matches() || light.angle() <= 0) {
+            return OptionalDouble.empty();
+        }
+        try {
+            double parameter = Double.parseDouble(matcher.group(1));
+            boolean isSame = isValid.test(parameter)
+                    && curve.apply(parameter).photometry().equals(light.profile().orElseThrow().photometry());
+            return isSame ? OptionalDouble.of(parameter) : OptionalDouble.empty();
+        } catch (IllegalArgumentException e) {
+            return OptionalDouble.empty();
+        }
     }
 
     public Photometry photometry() {

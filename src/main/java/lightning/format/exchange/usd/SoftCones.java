@@ -4,7 +4,6 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lightning.base.text.DecimalNumber;
 import lightning.format.exchange.assembly.ConeProfile;
@@ -43,18 +42,7 @@ public final class SoftCones {
 
     /** Returns the softness of a light whose profile was made here for its angle; empty for any other. */
     public static OptionalDouble softness(Light light) {
-        Matcher name = NAME.matcher(light.profile().map(IesProfile::file).orElse(""));
-        if (!name.matches() || light.angle() <= 0) {
-            return OptionalDouble.empty();
-        }
-        try {
-            double softness = Double.parseDouble(name.group(1));
-            boolean isSame = softness > 0 && softness <= 1
-                    && curve(light.angle(), softness).photometry().equals(light.profile().orElseThrow().photometry());
-            return isSame ? OptionalDouble.of(softness) : OptionalDouble.empty();
-        } catch (IllegalArgumentException e) {
-            return OptionalDouble.empty();
-        }
+        return ConeProfile.parameter(light, NAME, softness -> softness > 0 && softness <= 1, softness -> curve(light.angle(), softness));
     }
 
     private static ConeProfile curve(double angle, double softness) {

@@ -8,6 +8,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
@@ -62,7 +63,7 @@ public final class UsdLightChanges {
     private final Set<String> edited;
     private final Vec3 scale;
     private final boolean isNormalized;
-    private boolean leavesRig;
+    private final Map<String, TreeMap<Integer, String>> values;
 
     /**
      * @param light  the light itself, without its group
@@ -81,6 +82,17 @@ public final class UsdLightChanges {
         edited = edited(light, shot, paths);
         before = edited.contains("profile") ? original.light() : original.light().withProfile(light.profile());
         isNormalized = original.isNormalized() || states.stream().anyMatch(s -> !Double.isFinite(intensity(s.light(), false, s.meters())));
+        values = changedValues();
+    }
+
+    /** Returns the values of attributes at all states, by declaration and time. */
+    public static Map<String, TreeMap<Integer, String>> series(List<State> states, Function<State, Map<String, String>> valuesAt) {
+        Map<String, TreeMap<Integer, String>> result = new LinkedHashMap<>();
+        for (State state : states) {
+            valuesAt.apply(state).forEach((declaration, value) -> result.computeIfAbsent(declaration, _ -> new TreeMap<>())
+                    .put(state.time(), value));
+        }
+        return result;
     }
 
     private Set<String> edited(Light light, Optional<Shot> shot, UsdPaths paths) {
@@ -125,16 +137,16 @@ public final class UsdLightChanges {
 
     /** Returns whether the transform is that in the stage, since it cannot be one under the parent. */
     public boolean leavesRig() {
-        return leavesRig;
+        return values.containsKey(UsdLightValues.MATRIX) && !isInRig();
     }
 
     /** Returns the values of each attribute that changes, by its declaration and time. */
     public Map<String, TreeMap<Integer, String>> values() {
-        Map<String, TreeMap<Integer, String>> now = new LinkedHashMap<>();
-        for (State state : states) {
-            values(state, type, isNormalized)
-                    .forEach((declaration, value) -> now.computeIfAbsent(declaration, _ -> new TreeMap<>()).put(state.time(), value));
-        }
+        return values;
+    }
+
+    private Map<String, TreeMap<Integer, String>> changedValues() {
+        Map<String, TreeMap<Integer, String>> now = series(states, state -> values(state, type, isNormalized));
         Map<String, String> old = values(new State(0, before, before.on(), states.getFirst().meters()), originalType,
                 original.isNormalized());
         // Where the import could not keep these, the light says something else than the stage.
@@ -146,7 +158,6 @@ public final class UsdLightChanges {
                 result.put(declaration, samples);
             }
         });
-        leavesRig = result.containsKey(UsdLightValues.MATRIX) && !isInRig();
         return result;
     }
 
@@ -221,7 +232,7 @@ public final class UsdLightChanges {
 
     /** Returns the transform under the parent. */
     private String matrix(Light light) {
-        Transform tilt = hasZUp ? Transform.rotation(new Vec3(90, 0, 0)) : Transform.IDENTITY;
+        Transform tilt = UsdLightValues.tilt(hasZUp);
         Transform world = original.world();
         Transform turned = isTurned(light) ? turn(light, tilt).times(world.linearPart()) : world.linearPart();
         Vec3 place = !light.type().hasPosition() || light.position().equals(original.light().position())
@@ -233,15 +244,14 @@ public final class UsdLightChanges {
         if (light == before) {
             return false;
         }
-        boolean hangs = light.type() == LightType.POINT && light.profile().isPresent();
+        boolean hangs = UsdLightValues.hangs(light);
         return edited.contains("type") && (light.type() != LightType.POINT || hangs) || hangs && edited.contains("profile")
                 || light.type().hasDirection() && edited.contains("direction")
                 || LightAttribute.UP.appliesTo(light.type()) && edited.contains("up");
     }
 
     private Transform turn(Light light, Transform tilt) {
-        boolean hangs = light.type() == LightType.POINT;
-        Vec3 direction = hangs ? new Vec3(0, -1, 0) : light.direction().normalized();
+        Vec3 direction = light.type() == LightType.POINT ? UsdLightValues.DOWN : light.direction().normalized();
         LightFrame old = LightFrame.of(original.world());
         boolean hasTop = light.type() == LightType.RECT || LightAttribute.UP.appliesTo(light.type()) && edited.contains("up");
         return hasTop ? old.to(LightFrame.of(tilt.transformVector(light.area().right(direction)), tilt.transformVector(direction)))

@@ -25,6 +25,7 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
     static final String NORMALIZE = "bool inputs:normalize";
     static final String SOFTNESS = "float inputs:shaping:cone:softness";
     static final String POINT = "bool treatAsPoint";
+    static final Vec3 DOWN = new Vec3(0, -1, 0);
     private static final double SPHERE_FACTOR = 4;
     private static final double FULL_ANGLE = 180;
 
@@ -124,15 +125,24 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
     }
 
     private String matrix() {
-        boolean hangs = light.type() == LightType.POINT && light.profile().isPresent();
-        Vec3 direction = hangs ? new Vec3(0, -1, 0) : light.direction().normalized();
+        Vec3 direction = hangs(light) ? DOWN : light.direction().normalized();
         return matrix(light.area().right(direction), direction.times(-1), light.type().hasPosition() ? light.position() : Vec3.ZERO,
                 hasZUp);
     }
 
+    /** Returns whether the profile of a light without direction points down. */
+    static boolean hangs(Light light) {
+        return light.type() == LightType.POINT && light.profile().isPresent();
+    }
+
+    /** Returns the transform from the scene to the axes of the stage. */
+    static Transform tilt(boolean hasZUp) {
+        return hasZUp ? Transform.rotation(new Vec3(90, 0, 0)) : Transform.IDENTITY;
+    }
+
     /** Returns the text of a matrix with these x and z axes, unit vectors in the scene, and this place. */
     public static String matrix(Vec3 x, Vec3 z, Vec3 place, boolean hasZUp) {
-        Transform tilt = hasZUp ? Transform.rotation(new Vec3(90, 0, 0)) : Transform.IDENTITY;
+        Transform tilt = tilt(hasZUp);
         return Stream.of(row(tilt.transformVector(x), 0), row(tilt.transformVector(z.cross(x)), 0), row(tilt.transformVector(z), 0),
                 row(tilt.transformVector(place), 1)).collect(Collectors.joining(", ", "( ", " )"));
     }
