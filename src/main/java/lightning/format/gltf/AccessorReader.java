@@ -39,9 +39,8 @@ final class AccessorReader {
             };
         }
 
-        /** Decodes a normalized integer: glTF 2.0, §3.6.2.2. */
         private double decode(int v, int max) {
-            return normalized ? Math.max((double) v / max, -1) : v;
+            return normalized ? fraction(v, max) : v;
         }
     }
 
@@ -55,6 +54,11 @@ final class AccessorReader {
     AccessorReader(GltfFile file) {
         this.file = file;
         buffers = file.buffers();
+    }
+
+    /** Decodes a normalized integer: glTF 2.0, §3.6.2.2. */
+    static double fraction(int v, int max) {
+        return Math.max((double) v / max, -1);
     }
 
     int count(JsonValue index) throws MeshException {

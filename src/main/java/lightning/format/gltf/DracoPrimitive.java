@@ -8,6 +8,7 @@ import com.openize.drako.PointAttribute;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.Map;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
@@ -68,7 +69,7 @@ final class DracoPrimitive {
 
     /** Rejects data that promises more faces than the accessors, before anything of that size is made. */
     private static void checkCounts(JsonValue json, byte[] data, int faces) throws MeshException {
-        boolean isDraco = data.length > HEADER_BYTES + 2 && java.util.Arrays.equals(java.util.Arrays.copyOf(data, MAGIC.length), MAGIC);
+        boolean isDraco = data.length > HEADER_BYTES + 2 && Arrays.equals(data, 0, MAGIC.length, MAGIC, 0, MAGIC.length);
         if (!isDraco) {
             throw json.problem("must be data of Draco, is not");
         }
@@ -144,14 +145,14 @@ final class DracoPrimitive {
             attribute.getValue(index, v);
             for (int c = 0; c < components; c++) {
                 int code = type == DataType.UINT8 ? v[c] & 0xFF : v[c];
-                out[at + c] = isNormalized ? Math.max((float) code / (type == DataType.UINT8 ? 255 : 127), -1) : code;
+                out[at + c] = isNormalized ? (float) AccessorReader.fraction(code, type == DataType.UINT8 ? 255 : 127) : code;
             }
         } else if (type == DataType.UINT16 || type == DataType.INT16) {
             short[] v = new short[components];
             attribute.getValue(index, v);
             for (int c = 0; c < components; c++) {
                 int code = type == DataType.UINT16 ? v[c] & 0xFFFF : v[c];
-                out[at + c] = isNormalized ? Math.max((float) code / (type == DataType.UINT16 ? 65535 : 32767), -1) : code;
+                out[at + c] = isNormalized ? (float) AccessorReader.fraction(code, type == DataType.UINT16 ? 65535 : 32767) : code;
             }
         } else {
             int[] v = new int[components];

@@ -3,8 +3,10 @@ package lightning.format.gltf;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.format.mesh.MeshException;
@@ -28,6 +30,8 @@ public final class PosedMeshes {
     private final UniqueNames names = new UniqueNames();
     /** Values of accessors already read. */
     private final Map<Integer, float[]> cachedValues = new HashMap<>();
+    /** Mesh and index of each primitive whose compressed data has been decoded. */
+    private final Set<List<Integer>> decoded = new HashSet<>();
     private long bytes;
 
     private PosedMeshes(GltfFile file) throws IOException, MeshException {
@@ -107,7 +111,9 @@ public final class PosedMeshes {
         bytes += 8L * (positions.length + (normals == null ? 0 : normals.length));
         limit.checkBytes(bytes, primitive);
         if (part.vertices().length > 0) {
-            new DracoPrimitive(file, accessors).decode(primitive);
+            if (decoded.add(List.of(part.mesh(), part.primitive()))) {
+                new DracoPrimitive(file, accessors).decode(primitive);
+            }
             morph(primitive, part, weights, positions, normals);
             if (node.skin() >= 0 && primitive.get("attributes").get("JOINTS_0").isPresent()) {
                 bend(file.array("skins").element(node.skin()), primitive.get("attributes"), part, positions, normals);
