@@ -34,7 +34,7 @@ import lightning.scene.value.SceneLimits;
 
 /** Converter of a glTF file's animation to a shot, with a value at each frame. */
 final class GltfShot {
-    /** Maximum number of frames of all that moves: a few bytes can let thousands of objects move for thousands of frames. */
+    /** Maximum number of frames of all moving objects together: a few bytes can let thousands of objects move for thousands of frames. */
     private static final long MAX_STATES = 4_000_000;
     private static final int BLOCK = 256;
     private static final List<LightAttribute<?>> LIGHT_ATTRIBUTES = List.of(LightAttribute.POSITION, LightAttribute.DIRECTION,
@@ -115,7 +115,7 @@ final class GltfShot {
     }
 
     /**
-     * Adds the keys of all that moves to the scene.
+     * Adds the keys of moving nodes, lights and the camera to the scene.
      *
      * @param cameraNode node of the scene's camera; empty if it is not of the file
      * @param fieldOfView its vertical field of view without animation, in radians
@@ -170,7 +170,7 @@ final class GltfShot {
         return states;
     }
 
-    /** Adds tracks; if a state is beyond the limits of a scene, none but a note. */
+    /** Adds tracks; if a state is beyond the limits of a scene, adds a note instead. */
     private void addTracks(String note, Supplier<List<Track>> supplier) {
         if (keys > Shot.MAX_KEYS) {
             return;

@@ -37,7 +37,7 @@ public final class GltfMeshReader {
     private final List<GltfPart> parts = new ArrayList<>();
     /** Values of accessors already read, by accessor and requested form. */
     private final Map<String, float[]> cachedValues = new HashMap<>();
-    /** Whether colors of an accessor are transparent. */
+    /** True for an accessor whose colors are transparent. */
     private final Map<Integer, Boolean> transparentColors = new HashMap<>();
     /** Compacted index of each vertex of a pool; all −1 between two parts. */
     private int[] vertexMap = {};

@@ -21,7 +21,7 @@ public final class TextTokenizer {
     private static final long MAX_EXACT_INTEGER = 1L << 53;
     private static final int MAX_DIGITS = 18;
     private static final byte[] BYTE_ORDER_MARK = {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF};
-    /** What C libraries write for values that are no numbers, or infinite. */
+    /** Words of C libraries for values that are no numbers, or infinite. */
     private static final Pattern NAN_PATTERN =
             Pattern.compile("[-+]?(nan(\\(\\w*\\))?|inf(inity)?|1\\.#(ind|inf|[qs]nan)\\d*)", Pattern.CASE_INSENSITIVE);
 

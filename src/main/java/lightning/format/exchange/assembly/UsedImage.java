@@ -18,7 +18,7 @@ import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureUsage;
 import org.jspecify.annotations.Nullable;
 
-/** PNG or JPEG image of an imported scene, with what it is used for. */
+/** PNG or JPEG image of an imported scene, with its usages. */
 final class UsedImage {
     private static final int MAX_CODE = 255;
 
