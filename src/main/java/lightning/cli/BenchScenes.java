@@ -35,7 +35,7 @@ record BenchScenes(List<NamedScene> scenes, List<MeasurementFailure> problems) {
         Set<String> names = new HashSet<>();
         for (Path file : files.isEmpty() ? bundledScenes(defaultScenes) : files.stream().map(ShippedFile::resolve).toList()) {
             try {
-                scenes.add(new NamedScene(name(file, names), JenReader.read(file).scene(), file));
+                scenes.add(new NamedScene(name(file, names), JenReader.read(file).requireAllFiles().scene(), file));
             } catch (JenException e) {
                 problems.add(unreadable(file, e.problems().stream().map(Object::toString).collect(Collectors.joining("\n"))));
             } catch (IOException e) {

@@ -11,6 +11,7 @@ import lightning.cli.output.Console;
 import lightning.cli.output.ExitCode;
 import lightning.cli.report.CheckReport;
 import lightning.format.jen.InertProperties;
+import lightning.format.jen.JenReader;
 import lightning.format.jen.ReferencedFiles;
 import lightning.scene.Scene;
 import lightning.scene.asset.Gobo;
@@ -22,7 +23,7 @@ import picocli.CommandLine.Mixin;
 @Command(name = "check", abbreviateSynopsis = true, header = "Validate a scene.",
         description = {
             "Reads the scene and its textures. Prints one line per problem, FILE:LINE:COLUMN: what was expected and what was "
-                    + "found; the exit code is then 2. Prints a one-line summary of a valid scene, and warnings to the error stream."},
+                    + "found; the exit code is then 2. A file that the scene cannot use, or only with fewer pixels, is a problem here. Prints a one-line summary of a valid scene, and warnings to the error stream."},
         footer = {
             "Example:",
             "  lightning check scenes/bird.jen"})
@@ -38,7 +39,7 @@ final class CheckCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        Scene scene = input.read().scene();
+        Scene scene = JenReader.read(input.path()).requireAllFiles().scene();
         Map<String, Long> objects = count(scene.placedShapes().stream().map(s -> s.shape().solid().typeName()));
         Map<String, Long> lights = count(scene.lights().stream().map(CheckCommand::typeName));
         long textures = ReferencedFiles.textures(scene).distinct().count();

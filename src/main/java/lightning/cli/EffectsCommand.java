@@ -62,7 +62,7 @@ final class EffectsCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        Scene scene = picture.apply(input.read().scene());
+        Scene scene = picture.apply(input.read(console).scene());
         Scene after = edited(scene);
         RenderOptions options = RenderOptions.DEFAULT.withThreads(threads.count());
         MemoryEstimate.check(scene, options);

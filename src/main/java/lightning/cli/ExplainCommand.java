@@ -74,7 +74,7 @@ final class ExplainCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        Scene scene = picture.apply(input.read().scene());
+        Scene scene = picture.apply(input.read(console).scene());
         int width = scene.picture().width();
         int height = scene.picture().height();
         if (pixel.x() >= width || pixel.y() >= height) {

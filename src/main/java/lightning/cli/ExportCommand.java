@@ -47,7 +47,7 @@ final class ExportCommand implements Callable<Integer> {
             throw new BadInputException(output + ": the output name must end in .pov");
         }
         PictureOutput.checkFile(output);
-        Scene scene = picture.apply(input.read().scene());
+        Scene scene = picture.apply(input.read(console).scene());
         input.inputs(scene).check(output);
         PovScene pov = PovScene.of(scene, name.substring(0, name.length() - ".pov".length()));
         pov.write(output);

@@ -69,7 +69,7 @@ final class ExportLightsCommand implements Callable<Integer> {
             throw new BadInputException(Console.text("%s: is the file to copy; choose another output name", output));
         }
         PictureOutput.checkFile(output);
-        JenDocument document = input.read();
+        JenDocument document = input.read(console);
         Scene scene = document.scene();
         input.inputs(scene).check(output);
         LightUnits chosen = units != null ? units : LightUnits.findIn(document.text()).orElse(LightUnits.CANDELA);

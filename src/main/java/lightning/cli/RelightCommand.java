@@ -108,7 +108,7 @@ final class RelightCommand implements Callable<Integer> {
         if (saveFile != null) {
             PictureOutput.checkFile(saveFile);
         }
-        JenDocument document = input.read();
+        JenDocument document = input.read(console);
         List<Scene> edited = editedScenes(document.scene());
         int last = edited.size();
         InputFiles inputs =

@@ -77,7 +77,7 @@ final class RenderCommand implements Callable<Integer> {
             throw new BadInputException(layers.usedOption().get() + " and --traditional cannot be combined: a trace without a cache has no "
                     + (layers.usedOption().get().equals("--layers") ? "layers" : "mattes"));
         }
-        Scene scene = picture.apply(input.read().scene());
+        Scene scene = picture.apply(input.read(console).scene());
         InputFiles inputs = output.withViewFile(input.inputs(scene));
         inputs.check(output.file());
         if (layers.mattes().isPresent()) {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import lightning.base.file.ShippedFile;
+import lightning.cli.output.Console;
 import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
@@ -25,7 +26,15 @@ final class SceneFile {
         return InputFiles.of(path(), List.of(scenes));
     }
 
-    JenDocument read() throws IOException, JenException {
-        return JenReader.read(path());
+    /** Reads the scene; prints a line for each file that it lacks. */
+    JenDocument read(Console console) throws IOException, JenException {
+        return read(path(), console);
+    }
+
+    /** Reads a scene file; prints a line for each file that it lacks. */
+    static JenDocument read(Path file, Console console) throws IOException, JenException {
+        JenDocument document = JenReader.read(file);
+        document.notes().forEach(note -> console.warn("%s", note));
+        return document;
     }
 }

@@ -118,7 +118,7 @@ final class ShotRelightCommand implements Callable<Integer> {
         if (memory != null && !(memory >= 0)) {
             throw new BadInputException("--memory must be 0 or more, was " + memory);
         }
-        JenDocument document = input.read();
+        JenDocument document = input.read(console);
         ShotFrames shot = frames.of(document, input.path());
         ShotRevision original = new ShotRevision(picture.apply(document.scene()), shot.shot());
         shot.check(original.scene());

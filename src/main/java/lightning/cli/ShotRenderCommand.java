@@ -102,7 +102,7 @@ final class ShotRenderCommand implements Callable<Integer> {
         } else {
             Ffmpeg.require();
         }
-        JenDocument document = input.read();
+        JenDocument document = input.read(console);
         ShotFrames shot = frames.of(document, input.path());
         FrameRange range = shot.range();
         Scene scene = picture.apply(document.scene());

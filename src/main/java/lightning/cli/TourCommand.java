@@ -25,7 +25,6 @@ import lightning.cli.output.TourTable;
 import lightning.cli.report.RaysReport;
 import lightning.cli.report.TourReport;
 import lightning.format.image.ImageFile;
-import lightning.format.jen.JenReader;
 import lightning.format.pov.PovRayRunner;
 import lightning.format.pov.PovScene;
 import lightning.render.image.Film;
@@ -91,7 +90,7 @@ final class TourCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         Path file = ShippedFile.resolve(scene == null ? DEFAULT_SCENE : scene);
-        Scene read = JenReader.read(file).scene();
+        Scene read = SceneFile.read(file, console).scene();
         Scene sized = read.withPicture(read.picture().withSize(size.width(), size.height()));
         MemoryEstimate.check(sized, RenderOptions.DEFAULT.withThreads(threads.count()));
         Optional<PovRayRunner> pov = povray ? PovRayRunner.find() : Optional.empty();

@@ -62,7 +62,10 @@ final class SceneEditing {
         }
         gesture = null;
         ObjectNode content = describe();
-        addAll(content.putArray("notes"), Stream.concat(source.notes().stream(), SceneWarnings.of(document().scene()).stream()).toList());
+        addAll(content.putArray("notes"),
+                Stream.of(source.notes().stream(), document().notes().stream().map(Object::toString),
+                        SceneWarnings.of(document().scene()).stream())
+                        .flatMap(notes -> notes).toList());
         return content;
     }
 

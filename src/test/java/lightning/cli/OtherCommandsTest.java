@@ -58,6 +58,19 @@ class OtherCommandsTest {
     }
 
     @Test
+    void check_missingImage_isAProblem() throws Exception {
+        Files.writeString(scene, "jen 1\nmaterial m { texture \"none.png\" }\n");
+        CliResult.run("check", scene).assertRejected(":2:22: material 'm': there is no texture 'none.png'");
+    }
+
+    @Test
+    void render_missingImage_isNoted() throws Exception {
+        Files.writeString(scene, "jen 1\nmaterial m { texture \"none.png\" }\n");
+        assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png")).assertSuccess().err())
+                .contains(":2:22: material 'm': there is no texture 'none.png' in the folder ").contains("; left out\n");
+    }
+
+    @Test
     void check_ambienceAndIndirectLight_areReported() throws Exception {
         Files.writeString(scene, "jen 1\npicture { indirect {} }\nmaterial m { ambient 1 1 1 }\nsphere a { material m }\n");
         CliResult checked = CliResult.run("check", scene).assertSuccess();

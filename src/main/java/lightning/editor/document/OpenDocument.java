@@ -17,6 +17,7 @@ import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
+import lightning.format.jen.Problem;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.shot.AnimatedScene;
@@ -218,6 +219,11 @@ public final class OpenDocument {
     /** Returns the file and those that the current scene references, none of which an export may replace. */
     public InputFiles inputs() {
         return InputFiles.of(file(), List.of(savedScene(), content().base()));
+    }
+
+    /** Returns the files that the scene file names and cannot use, or only with fewer pixels; see {@link JenDocument#notes}. */
+    public List<Problem> notes() {
+        return savedDocument().notes();
     }
 
     /** Returns the scene of the file, without keyframes applied. */

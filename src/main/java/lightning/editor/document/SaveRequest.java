@@ -57,7 +57,10 @@ record SaveRequest(SavedScene source, AnimatedScene content, Path target, boolea
 
     private AtomicFile checkedTarget(JenDocument text) throws IOException {
         try {
-            JenReader.read(text.text(), target.toString(), ParentFolder.of(target));
+            JenDocument saved = JenReader.read(text.text(), target.toString(), ParentFolder.of(target));
+            if (saved.notes().size() > source.document().notes().size()) {
+                saved.requireAllFiles();
+            }
         } catch (JenException e) {
             throw new IOException(Messages.tr("the saved scene cannot be read: {0}", e.problems().getFirst()), e);
         }

@@ -206,6 +206,7 @@ public class LightningApp extends Application {
         if (files.failedFile() != null && files.failure() != null) {
             opened.reportFailedOpen(files.failedFile(), files.failure());
         }
+        opened.files().showNotes();
         preloader = new IdlePreloader(stage.getScene(), opened::isIdle, opened.window().preloadSteps().iterator());
         editorOpened(opened);
         if (files.isStartScene() && files.findRecoveries().isEmpty()) {

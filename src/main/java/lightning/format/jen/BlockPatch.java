@@ -3,10 +3,12 @@ package lightning.format.jen;
 import static java.util.Objects.requireNonNull;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import lightning.base.text.DecimalNumber;
 
 /** Minimal text edits that update one block to changed content. */
-record BlockPatch(SourceText source, TokenList tokens, TextEdits edits) {
+record BlockPatch(SourceText source, TokenList tokens, TextEdits edits, Set<LeftOutFile> leftOut) {
     /** Patches the name and the properties; children are patched by the caller. */
     void apply(Block block, BlockContent target) {
         if (!block.name.equals(target.name())) {
@@ -23,12 +25,22 @@ record BlockPatch(SourceText source, TokenList tokens, TextEdits edits) {
             } else if (value instanceof Value.Nested(BlockContent content)) {
                 apply(nested(block, entry), content);
             } else if (value instanceof Value.Absent) {
-                remove(entry);
+                if (!isLeftOut(block, entry)) {
+                    remove(entry);
+                }
             } else {
                 property.checkValue(value);
                 change(entry, value);
             }
         }
+    }
+
+    /** Returns whether a property names a file that the scene lacks, or is its repeat. */
+    private boolean isLeftOut(Block block, Block.Entry entry) {
+        Block.Entry file =
+                TextureProperty.of(block.type).stream().filter(t -> t.repeatProperty().equals(Optional.of(entry.property().name())))
+                        .findFirst().map(t -> block.entry(t.name())).orElse(entry);
+        return file.value() instanceof Value.Quoted(String name) && leftOut.contains(new LeftOutFile(file.property().name(), name));
     }
 
     /** Replaces only the tokens of the value that differ. */

@@ -26,22 +26,25 @@ final class DocumentPatch {
 
     private final SourceText source;
     private final TokenList tokens;
+    private final Set<LeftOutFile> leftOut;
 
-    private DocumentPatch(SourceText source, TokenList tokens) {
+    private DocumentPatch(SourceText source, TokenList tokens, Set<LeftOutFile> leftOut) {
         this.source = source;
         this.tokens = tokens;
+        this.leftOut = leftOut;
     }
 
     /**
      * Returns the patched text.
      *
      * @param original scene that {@code text} describes; elements identical in {@code edited} are skipped
+     * @param leftOut files that the scene lacks; the text still names them
      */
-    static String apply(String text, Scene original, Scene edited) {
+    static String apply(String text, Scene original, Scene edited, Set<LeftOutFile> leftOut) {
         var problems = new ProblemList();
         TokenList tokens = Lexer.tokens(text, problems);
         List<Block> blocks = Parser.parseFile(tokens, problems);
-        return new DocumentPatch(new SourceText("", text), tokens).patchScene(blocks, original, edited);
+        return new DocumentPatch(new SourceText("", text), tokens, leftOut).patchScene(blocks, original, edited);
     }
 
     /** Returns the text with a replaced shot block, appended if there was none. */
@@ -60,7 +63,7 @@ final class DocumentPatch {
     static String removeShot(String text) {
         TokenList tokens = Lexer.tokens(text, new ProblemList());
         var edits = new TextEdits(text);
-        var patch = new DocumentPatch(new SourceText("", text), tokens);
+        var patch = new DocumentPatch(new SourceText("", text), tokens, Set.of());
         ofKinds(Parser.parseFile(tokens, new ProblemList()), List.of(BlockTypes.SHOT.keyword())).forEach(shot -> patch.remove(edits, shot));
         return edits.apply(0, text.length());
     }
@@ -120,7 +123,7 @@ final class DocumentPatch {
     private void patchSingle(TextEdits edits, List<Block> blocks, BlockContent target) {
         List<Block> old = ofKinds(blocks, List.of(target.type().keyword()));
         if (!old.isEmpty()) {
-            new BlockPatch(source, tokens, edits).apply(old.getFirst(), target);
+            new BlockPatch(source, tokens, edits, leftOut).apply(old.getFirst(), target);
         } else if (!target.isInitial()) {
             String block = source.newline() + JenWriter.block(target, "", source.newline());
             int end = tokens.end(VERSION_TOKEN);
@@ -159,7 +162,7 @@ final class DocumentPatch {
     }
 
     private void patchBlock(TextEdits edits, Block block, BlockContent target) {
-        new BlockPatch(source, tokens, edits).apply(block, target);
+        new BlockPatch(source, tokens, edits, leftOut).apply(block, target);
         if (block.type == BlockTypes.GROUP) {
             append(edits, block, patchList(edits, block.children, target.children()));
         }

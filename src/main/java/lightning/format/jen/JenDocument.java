@@ -3,7 +3,9 @@ package lightning.format.jen;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import lightning.base.file.AtomicFile;
 import lightning.base.file.FileState;
 import lightning.scene.Scene;
@@ -16,16 +18,20 @@ public final class JenDocument {
     private final Scene scene;
     private final Optional<Shot> shot;
     private final String text;
+    private final List<Problem> notes;
+    private final Set<LeftOutFile> leftOut;
 
-    JenDocument(Scene scene, Optional<Shot> shot, String text) {
+    JenDocument(Scene scene, Optional<Shot> shot, String text, List<Problem> notes, Set<LeftOutFile> leftOut) {
         this.scene = scene;
         this.shot = shot;
         this.text = text;
+        this.notes = List.copyOf(notes);
+        this.leftOut = leftOut;
     }
 
     /** Creates a document with new text. */
     public static JenDocument of(Scene scene) {
-        return new JenDocument(scene, Optional.empty(), JenWriter.write(scene));
+        return new JenDocument(scene, Optional.empty(), JenWriter.write(scene), List.of(), Set.of());
     }
 
     public Scene scene() {
@@ -35,6 +41,26 @@ public final class JenDocument {
     /** Returns the animation, if the file has a shot. */
     public Optional<Shot> shot() {
         return shot;
+    }
+
+    /**
+     * Returns what the file names and the scene lacks, in the order of the text it was read from: images and profiles that cannot be used are left
+     * out, those that are too large are reduced. The text still names them.
+     */
+    public List<Problem> notes() {
+        return notes;
+    }
+
+    /**
+     * Returns this document if the scene has everything that the text names.
+     *
+     * @throws JenException if there are {@link #notes}; contains them as problems
+     */
+    public JenDocument requireAllFiles() throws JenException {
+        if (!notes.isEmpty()) {
+            throw new JenException(notes);
+        }
+        return this;
     }
 
     /** Returns the scene with its shot. */
@@ -59,7 +85,7 @@ public final class JenDocument {
             return this;
         }
         Optional<Shot> updatedShot = shot.map(s -> new TrackRetargeting(scene, edited).retarget(s));
-        return new JenDocument(edited, updatedShot, DocumentPatch.apply(text, scene, edited));
+        return new JenDocument(edited, updatedShot, DocumentPatch.apply(text, scene, edited, leftOut), notes, leftOut);
     }
 
     /** Returns the document for an edited scene with its shot; see {@link #withScene}. */
@@ -70,7 +96,7 @@ public final class JenDocument {
 
     /** Returns the document without its shot block. */
     public JenDocument withoutShot() {
-        return shot.isEmpty() ? this : new JenDocument(scene, Optional.empty(), DocumentPatch.removeShot(text));
+        return shot.isEmpty() ? this : new JenDocument(scene, Optional.empty(), DocumentPatch.removeShot(text), notes, leftOut);
     }
 
     /**
@@ -83,7 +109,7 @@ public final class JenDocument {
             return this;
         }
         newShot.check(scene);
-        return new JenDocument(scene, Optional.of(newShot), DocumentPatch.applyShot(text, scene, newShot));
+        return new JenDocument(scene, Optional.of(newShot), DocumentPatch.applyShot(text, scene, newShot), notes, leftOut);
     }
 
     /**

@@ -19,7 +19,7 @@ public final class JenReader {
     private JenReader() {}
 
     /**
-     * Reads a scene file and the files it references.
+     * Reads a scene file and the files it references. Images and profiles that cannot be used are left out and {@linkplain JenDocument#notes noted}.
      *
      * @throws IOException if the file cannot be read, or is a folder, a pipe or a device; these are not opened, since
      *     reading could block or never end
@@ -37,10 +37,10 @@ public final class JenReader {
      * @param stage shapes that the lights may be linked to
      * @return the file's content, with defaults for everything else, and its own stage if it has one
      * @throws IOException as {@link #read(Path)}
-     * @throws JenException as {@link #read(Path)}
+     * @throws JenException as {@link #read(Path)}, also if an image or profile cannot be used
      */
     public static Scene readLights(Path file, Path folder, Stage stage) throws IOException, JenException {
-        return read(file, folder, stage).scene();
+        return read(file, folder, stage).requireAllFiles().scene();
     }
 
     private static JenDocument read(Path file, Path folder, Stage stage) throws IOException, JenException {
@@ -82,7 +82,8 @@ public final class JenReader {
     static JenDocument read(SourceText source, AssetFolders files, Stage stage, ProblemList problems) throws JenException {
         TokenList tokens = Lexer.tokens(source.text(), problems);
         List<Block> blocks = Parser.parseFile(tokens, problems);
-        Optional<Scene> scene = new SceneBuilder(tokens, problems, files, List.of(), stage).build(blocks);
+        var notes = FileNotes.create();
+        Optional<Scene> scene = new SceneBuilder(tokens, problems, notes, files, List.of(), stage).build(blocks);
         if (scene.isEmpty()) {
             throw new JenException(problems.toProblems(source));
         }
@@ -90,6 +91,6 @@ public final class JenReader {
         if (!problems.isEmpty()) {
             throw new JenException(problems.toProblems(source));
         }
-        return new JenDocument(scene.get(), shot, source.text());
+        return new JenDocument(scene.get(), shot, source.text(), notes.toProblems(source), notes.leftOut());
     }
 }

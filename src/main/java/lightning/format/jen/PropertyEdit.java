@@ -232,7 +232,8 @@ public final class PropertyEdit {
             throw new IllegalArgumentException("expected one light, such as 'fill point intensity=0.5', found " + Quote.of(text));
         }
         Optional<Scene> added =
-                new SceneBuilder(tokens, problems, AssetFolders.of(Path.of("")), scene.rig().lightGroups(), scene.stage()).build(blocks);
+                new SceneBuilder(tokens, problems, FileNotes.asProblems(problems), AssetFolders.of(Path.of("")), scene.rig().lightGroups(),
+                        scene.stage()).build(blocks);
         throwIfAny(problems);
         LightRig addedRig = added.orElseThrow().rig();
         return blocks.getFirst().type == BlockTypes.LIGHT_GROUP ? scene.withRig(scene.rig().addLightGroup(addedRig.lightGroups().getLast()))

@@ -170,7 +170,10 @@ final class PropertyParser {
         }
         try {
             Value value = value(property, tokens.text(token));
-            property.checkValue(value);
+            if (property.form() != Property.Form.QUOTED) {
+                // Whether a file can be used is checked when it is read.
+                property.checkValue(value);
+            }
             block.add(new Block.Entry(property, nameToken, token, token + 1, value));
         } catch (IllegalArgumentException e) {
             problem(token, token, block.title() + ": " + e.getMessage());

@@ -17,6 +17,7 @@ import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.attribute.ValueKind;
 import lightning.scene.node.Solid;
 import lightning.scene.value.ShapeGains;
+import org.jspecify.annotations.Nullable;
 
 /**
  * All values of one block, written or default, converted to scene types.
@@ -24,7 +25,7 @@ import lightning.scene.value.ShapeGains;
  * @param lookup returns the value of a property by name, or null
  * @param files source of the referenced assets
  */
-record PropertyValues(Function<String, Value> lookup, AssetSource files) {
+record PropertyValues(Function<String, @Nullable Value> lookup, AssetSource files) {
 
     /** Returns the record with all given attributes set from the block. */
     <T> T applyAll(T record, List<? extends SceneAttribute<T, ?>> attributes) {

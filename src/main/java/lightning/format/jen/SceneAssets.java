@@ -46,7 +46,12 @@ record SceneAssets(Scene scene, Optional<Path> folder) implements AssetSource {
         Optional<Texture> shown = scene.lights().stream().flatMap(l -> l.texture().stream())
                 .filter(t -> samples == TextureUsage.EMISSION && t.file().equals(file)).map(LightTexture::image).findFirst();
         return existing.or(() -> projected).or(() -> shown)
-                .orElseGet(() -> read("texture", file, f -> new TextureFolder(f).load(file, samples)));
+                .orElseGet(() -> read("texture", file, f -> new TextureFolder(f).load(file, samples, SceneAssets::refuse)));
+    }
+
+    /** Refuses a texture that a scene would show with fewer pixels: an edit has no place for a note. */
+    private static void refuse(String note) {
+        throw new IllegalArgumentException(note);
     }
 
     private static Stream<TextureMap> maps(Material material, TextureUsage samples) {

@@ -4,11 +4,13 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiConsumer;
 import lightning.base.math.Vec3;
 import lightning.base.text.Quote;
 import lightning.format.jen.asset.AssetFolders;
@@ -49,6 +51,7 @@ import org.jspecify.annotations.Nullable;
 final class SceneBuilder {
     private final TokenList tokens;
     private final ProblemList problems;
+    private final FileNotes notes;
     private final TextureFolder textures;
     private final ProfileFolder profiles;
     private final EnvironmentFolder environments;
@@ -65,15 +68,18 @@ final class SceneBuilder {
     /**
      * Creates a builder.
      *
+     * @param notes receives files that are left out or changed
      * @param files asset loaders
      * @param existingGroups external banks that lights may reference
      * @param stage external shapes that lights may be linked to
      */
-    SceneBuilder(TokenList tokens, ProblemList problems, AssetFolders files, List<LightGroup> existingGroups, Stage stage) {
+    SceneBuilder(TokenList tokens, ProblemList problems, FileNotes notes, AssetFolders files, List<LightGroup> existingGroups,
+            Stage stage) {
         this.stage = stage;
         this.existingGroups = existingGroups;
         this.tokens = tokens;
         this.problems = problems;
+        this.notes = notes;
         textures = files.textures();
         profiles = files.profiles();
         environments = files.environments();
@@ -258,22 +264,23 @@ final class SceneBuilder {
             checkModel(block);
         }
         Map<LoadedAssets.TextureKey, Texture> loadedTextures = new HashMap<>();
-        boolean hasAllTextures = loadTextures(block, loadedTextures);
-        Photometry profile = loadAsset(block, LightAttribute.PROFILE.name(), profiles::load);
-        EnvironmentMap environment = loadAsset(block, World.ENVIRONMENT.name(), environments::load);
+        Set<String> unusable = new HashSet<>();
+        boolean hasAllTextures = loadTextures(block, loadedTextures, unusable);
+        Photometry profile = loadOptional(block, LightAttribute.PROFILE.name(), profiles::load, unusable);
+        EnvironmentMap environment = loadOptional(block, World.ENVIRONMENT.name(), environments::load, unusable);
         Mesh mesh = loadMesh(block);
         if (!problems.isEmpty() && (type.isNamed() && block.name.isEmpty()
                 || type.header().filter(p -> block.entry(p.name()) == null).isPresent()
                 || !hasAllTextures
-                || block.isWritten(LightAttribute.PROFILE.name()) && profile == null
-                || block.isWritten(World.ENVIRONMENT.name()) && environment == null
                 || block.isWritten(BlockTypes.FILE) && mesh == null)) {
             return Optional.empty();
         }
         try {
             return Optional
                     .of(type.builder().build(block.name,
-                            new PropertyValues(block::value, new LoadedAssets(loadedTextures, profile, environment, mesh)), children));
+                            new PropertyValues(property -> unusable.contains(property) ? null : block.value(property),
+                                    new LoadedAssets(loadedTextures, profile, environment, mesh)),
+                            children));
         } catch (IllegalArgumentException e) {
             problem(block, block.title() + ": " + e.getMessage());
             return Optional.empty();
@@ -293,25 +300,44 @@ final class SceneBuilder {
         }
     }
 
-    /** Loads the textures of a block; returns false if any failed. */
-    private boolean loadTextures(Block block, Map<LoadedAssets.TextureKey, Texture> loadedTextures) {
-        boolean hasAllTextures = true;
+    /**
+     * Loads the textures of a block; returns false if the value of any is not a file.
+     *
+     * @param unusable receives the properties whose files cannot be used
+     */
+    private boolean loadTextures(Block block, Map<LoadedAssets.TextureKey, Texture> loadedTextures, Set<String> unusable) {
+        boolean areFiles = true;
         for (TextureProperty textureProperty : TextureProperty.of(block.type)) {
-            Block.Entry entry = block.entry(textureProperty.name());
+            String property = textureProperty.name();
+            Block.Entry entry = block.entry(property);
             if (entry != null && entry.value() instanceof Value.Quoted(String file)) {
-                Texture texture = loadAsset(block, textureProperty.name(), name -> textures.load(name, textureProperty.samples()));
-                loadedTextures.put(new LoadedAssets.TextureKey(file, textureProperty.samples()), texture);
-                hasAllTextures &= texture != null;
+                Texture texture = loadOptional(block, property,
+                        name -> textures.load(name, textureProperty.samples(),
+                                note -> notes.reduce(tokens.start(entry.from()), block.title() + ": " + note)),
+                        unusable);
+                if (texture != null) {
+                    loadedTextures.put(new LoadedAssets.TextureKey(file, textureProperty.samples()), texture);
+                }
             } else {
-                hasAllTextures &= !block.isWritten(textureProperty.name());
+                areFiles &= !block.isWritten(property);
             }
         }
-        return hasAllTextures;
+        return areFiles;
     }
 
     private @Nullable Mesh loadMesh(Block block) {
         Block.Entry part = block.entry(BlockTypes.PART);
-        return loadAsset(block, BlockTypes.FILE, file -> meshes.load(file, part == null ? "" : ((Value.Name) part.value()).name()));
+        return loadAsset(block, BlockTypes.FILE, file -> meshes.load(file, part == null ? "" : ((Value.Name) part.value()).name()),
+                (entry, reason) -> problems.add(tokens.start(entry.from()), block.title() + ": " + reason));
+    }
+
+    /** Loads an asset that the scene can do without. One that cannot be used is noted, and its property added to {@code unusable}. */
+    private <T> @Nullable T loadOptional(Block block, String property, AssetLoader<T> loader, Set<String> unusable) {
+        return loadAsset(block, property, loader, (entry, reason) -> {
+            notes.leaveOut(tokens.start(entry.from()), new LeftOutFile(property, ((Value.Quoted) entry.value()).file()),
+                    block.title() + ": " + reason);
+            unusable.add(property);
+        });
     }
 
     private interface AssetLoader<T> {
@@ -319,7 +345,7 @@ final class SceneBuilder {
     }
 
     /** Loads the asset that a property references; null if it references none, or the asset cannot be used. */
-    private <T> @Nullable T loadAsset(Block block, String property, AssetLoader<T> loader) {
+    private <T> @Nullable T loadAsset(Block block, String property, AssetLoader<T> loader, BiConsumer<Block.Entry, String> onUnusable) {
         Block.Entry entry = block.entry(property);
         if (entry == null) {
             return null;
@@ -327,7 +353,7 @@ final class SceneBuilder {
         try {
             return loader.load(((Value.Quoted) entry.value()).file());
         } catch (UnusableFileException e) {
-            problems.add(tokens.start(entry.from()), block.title() + ": " + e.getMessage());
+            onUnusable.accept(entry, String.valueOf(e.getMessage()));
             return null;
         }
     }

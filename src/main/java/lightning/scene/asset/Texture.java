@@ -57,6 +57,11 @@ public final class Texture {
         return height;
     }
 
+    /** Returns the number of pixels. */
+    public long pixels() {
+        return (long) width * height;
+    }
+
     /** Returns one channel (0 red, 1 green, 2 blue) of the pixel in column {@code x}, row {@code y}. */
     public float channel(int x, int y, int channel) {
         return value(3 * (y * width + x) + channel);

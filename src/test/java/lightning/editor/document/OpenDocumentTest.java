@@ -134,6 +134,16 @@ class OpenDocumentTest {
     }
 
     @Test
+    void saveAsOfASceneWithMissingTextures_keepsTheirNames() throws Exception {
+        Path textured = Files.writeString(folder.resolve("t.jen"),
+                DeskScene.TEXT.replace("material mirror {", "material mirror { texture \"none.png\" "));
+        OpenDocument open = OpenDocument.open(textured);
+        Path away = folder.resolve("away.jen");
+        TestSaves.saveAs(open, away);
+        assertThat(away).hasContent(Files.readString(textured));
+    }
+
+    @Test
     void failedSave_keepsDirty() {
         setIntensity("key", 2);
         assertThatIOException().isThrownBy(() -> TestSaves.saveAs(document, folder.resolve("nowhere/desk.jen")));

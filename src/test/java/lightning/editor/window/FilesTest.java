@@ -198,6 +198,15 @@ class FilesTest extends EditorFixture {
     }
 
     @Test
+    void sceneWithMissingImages_opensAndListsThem() throws IOException {
+        answer = Files.writeString(folder.resolve("bare.jen"), "jen 1\nmaterial m {\n  texture \"none.png\" }\nsphere s { material m }\n");
+        startCommand(Command.LOAD_FILE);
+        waitFor("the scene is open", () -> model().editor().document().name().equals("bare.jen"));
+        assertThat(closeNotes()).singleElement().asString().startsWith("line 3: material 'm': there is no texture 'none.png' in the folder")
+                .endsWith("; left out");
+    }
+
+    @Test
     void missingFile_showsError() {
         answer = folder.resolve("nowhere.jen");
         startCommand(Command.LOAD_FILE);
@@ -309,7 +318,7 @@ class FilesTest extends EditorFixture {
         chooseLighting("sky");
         waitFor("the scene is open", () -> model().editor().document().name().equals("tri.jen"));
         waitFor("the message is shown", () -> text("message").startsWith("Imported tri.obj; 1 import note"));
-        assertThat(closeImportNotes()).containsExactly("lines");
+        assertThat(closeNotes()).containsExactly("lines");
         assertThat(model().editor().scene().lights()).extracting(Light::name).containsExactly("sun", "sky");
         assertThat(model().editor().scene().picture().sampling().antialias()).isEqualTo(AntialiasMode.EDGES);
         String first = Files.readString(folder.resolve("tri.jen"));
@@ -321,10 +330,10 @@ class FilesTest extends EditorFixture {
         assertThat(Files.readString(folder.resolve("tri.jen"))).isEqualTo(first);
     }
 
-    /** Copies and closes the list of import notes; returns its lines. */
-    private List<String> closeImportNotes() {
-        waitFor("the notes are listed", () -> robot.lookup("#import-notes").tryQuery().isPresent());
-        ListView<String> list = robot.lookup("#import-notes").query();
+    /** Copies and closes the list of notes; returns its lines. */
+    private List<String> closeNotes() {
+        waitFor("the notes are listed", () -> robot.lookup("#notes").tryQuery().isPresent());
+        ListView<String> list = robot.lookup("#notes").query();
         robot.interact(() -> {
             Button copy = robot.lookup(".dialog-pane .button").lookup((Button button) -> button.getText().equals("Copy")).query();
             copy.fire();

@@ -22,7 +22,7 @@ class LightTextureTest {
     Path folder;
 
     private Scene read(String light) throws Exception {
-        return JenReader.read("jen 1\nlight screen rect { " + light + " }\n", "a.jen", folder).scene();
+        return JenReader.read("jen 1\nlight screen rect { " + light + " }\n", "a.jen", folder).requireAllFiles().scene();
     }
 
     private Light screen(String file) throws Exception {

@@ -21,6 +21,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.lifecycle.AfterContainer;
 import net.jqwik.api.lifecycle.BeforeContainer;
+import org.assertj.core.api.Assertions;
 
 /** Invariants of writing and saving, over random scenes and edits. */
 class SavingInvariantsTest {
@@ -42,9 +43,9 @@ class SavingInvariantsTest {
             var image = new BufferedImage(1 + i, 2, BufferedImage.TYPE_INT_RGB);
             image.setRGB(0, 1, 0x102030 * (i + 1));
             ImageIO.write(image, "png", file.toFile());
-            images.add(loader.load(RandomScenes.TEXTURES.get(i), TextureUsage.COLOR));
-            numbers.add(loader.load(RandomScenes.TEXTURES.get(i), TextureUsage.DATA));
-            opacities.add(loader.load(RandomScenes.TEXTURES.get(i), TextureUsage.OPACITY));
+            images.add(loader.load(RandomScenes.TEXTURES.get(i), TextureUsage.COLOR, Assertions::fail));
+            numbers.add(loader.load(RandomScenes.TEXTURES.get(i), TextureUsage.DATA, Assertions::fail));
+            opacities.add(loader.load(RandomScenes.TEXTURES.get(i), TextureUsage.OPACITY, Assertions::fail));
         }
     }
 

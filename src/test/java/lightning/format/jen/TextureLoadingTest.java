@@ -189,7 +189,7 @@ class TextureLoadingTest {
 
     @Test
     void missingFile_isReportedWithLocation() {
-        assertThat(problem("a.png")).isEqualTo("s.jen:1:28: material 'm': there is no texture 'a.png' in the folder 'scenes'");
+        assertThat(problem("a.png")).isEqualTo("s.jen:1:28: material 'm': there is no texture 'a.png' in the folder 'scenes'; left out");
     }
 
     @Test
@@ -210,8 +210,6 @@ class TextureLoadingTest {
     void hugeSize_isRejectedBeforeDecoding() throws Exception {
         Files.write(scenes.resolve("a.png"), header(30_000, 30_000));
         assertThat(problem("a.png")).contains("from 1 to 16384 pixels along each side, has 30000×30000");
-        Files.write(scenes.resolve("a.png"), header(16_384, 16_384));
-        assertThat(problem("a.png")).contains("must have at most 16777216 pixels, has 16384×16384");
     }
 
     @Test
@@ -282,8 +280,8 @@ class TextureLoadingTest {
     }
 
     private Texture load(String name) throws JenException {
-        return JenReader.read("jen 1 material m { texture \"" + name + "\" }", "s.jen", scenes).scene().materials().getFirst()
-                .texture().orElseThrow().image();
+        return JenReader.read("jen 1 material m { texture \"" + name + "\" }", "s.jen", scenes).requireAllFiles().scene()
+                .materials().getFirst().texture().orElseThrow().image();
     }
 
     private String problem(String name) {

@@ -136,17 +136,27 @@ public final class EditorDialogs {
         return cards.chosen();
     }
 
-    /** Lists what an import left out or changed, without blocking the window. The list can be copied. */
+    /** Lists what an import left out or changed. */
     void showImportNotes(Path file, Map<String, Integer> notes) {
-        Alert alert = alert(Alert.AlertType.INFORMATION,
-                Messages.tr("Not everything in {0} was imported as it is", Quote.path(file.getFileName())),
-                "", COPY, ButtonType.CLOSE);
+        showNotes(Messages.tr("Not everything in {0} was imported as it is", Quote.path(file.getFileName())),
+                notes.entrySet().stream().sorted(Map.Entry.comparingByKey())
+                        .map(note -> note.getValue() == 1 ? note.getKey() : note.getKey() + " (" + note.getValue() + ")").toList());
+    }
+
+    /** Lists the files that a scene names and does not show as they are. */
+    void showNotes(Path file, List<Problem> notes) {
+        showNotes(Messages.tr("{0} is open, but not all of its files can be used", Quote.path(file.getFileName())),
+                notes.stream().map(note -> Messages.tr("line {0}: {1}", note.line(), note.message())).toList());
+    }
+
+    /** Lists notes without blocking the window. The list can be copied. */
+    private void showNotes(String title, List<String> notes) {
+        Alert alert = alert(Alert.AlertType.INFORMATION, title, "", COPY, ButtonType.CLOSE);
         alert.initModality(Modality.NONE);
         var list = new ListView<String>();
-        list.setId("import-notes");
-        list.setAccessibleText(Messages.tr("Notes of the import"));
-        notes.entrySet().stream().sorted(Map.Entry.comparingByKey())
-                .forEach(note -> list.getItems().add(note.getValue() == 1 ? note.getKey() : note.getKey() + " (" + note.getValue() + ")"));
+        list.setId("notes");
+        list.setAccessibleText(Messages.tr("Notes"));
+        list.getItems().addAll(notes);
         list.setPrefSize(WIDTH, Math.min(LIST_HEIGHT, ROW_HEIGHT * (notes.size() + 1)));
         alert.getDialogPane().setContent(list);
         alert.setResizable(true);

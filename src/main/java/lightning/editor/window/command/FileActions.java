@@ -198,6 +198,15 @@ public final class FileActions {
             preferences.addRecent(opened.file());
         }
         refreshRecent();
+        showNotes();
+    }
+
+    /** Shows which files of the open scene cannot be used; nothing if there are none. */
+    public void showNotes() {
+        OpenDocument document = editor.document();
+        if (!document.notes().isEmpty()) {
+            notices.showNotes(document.file(), document.notes());
+        }
     }
 
     /** Opens edits recovered after a crash. */

@@ -257,7 +257,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
     void writeReplacing(SceneReplacement.Observer observer) throws IOException, JenException {
         requireNoReplacedSource();
         if (hasAllFiles()) {
-            JenReader.read(text(), sceneFile.toString(), ParentFolder.of(sceneFile));
+            JenReader.read(text(), sceneFile.toString(), ParentFolder.of(sceneFile)).requireAllFiles();
             AtomicFile.of(sceneFile).write(text().getBytes(StandardCharsets.UTF_8));
             StagingFolder.removeStale(sceneFile);
         } else {
@@ -275,7 +275,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
     public JenDocument document(CachingJenReader reader) throws IOException, JenException {
         requireNoDifferentFiles();
         writeCopies();
-        return reader.read(text(), sceneFile.toString(), unscaledScene.stage());
+        return reader.read(text(), sceneFile.toString(), unscaledScene.stage()).requireAllFiles();
     }
 
     /** Returns the imported file, the files that it references and those that the scene references. */

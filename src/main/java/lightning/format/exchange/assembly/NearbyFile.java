@@ -3,13 +3,12 @@ package lightning.format.exchange.assembly;
 import java.io.IOException;
 import java.net.URLDecoder;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Stream;
+import lightning.base.file.FolderEntry;
 import lightning.base.file.ParentFolder;
 import lightning.base.file.RegularFile;
 
@@ -63,31 +62,11 @@ record NearbyFile(Path folder) {
             if (spelling.isEmpty() || !path.startsWith(folder) || path.equals(folder)) {
                 return Optional.empty();
             }
-            Path at = folder;
-            for (Path name : folder.relativize(path)) {
-                Optional<Path> child = child(at, name.toString());
-                if (child.isEmpty()) {
-                    return Optional.empty();
-                }
-                at = child.get();
-            }
-            return RegularFile.describeIrregular(at).isEmpty() && at.toRealPath().startsWith(folder) ? Optional.of(at) : Optional.empty();
+            Optional<Path> entry = FolderEntry.find(folder, folder.relativize(path));
+            return entry.isPresent() && RegularFile.describeIrregular(entry.get()).isEmpty() && entry.get().toRealPath().startsWith(folder)
+                    ? entry : Optional.empty();
         } catch (InvalidPathException e) {
             return Optional.empty();
-        }
-    }
-
-    /** Returns the entry of a folder with this name, or else the only one with this name in another case. */
-    private static Optional<Path> child(Path folder, String name) throws IOException {
-        if (Files.exists(folder.resolve(name))) {
-            return Optional.of(folder.resolve(name));
-        }
-        if (!Files.isDirectory(folder)) {
-            return Optional.empty();
-        }
-        try (Stream<Path> entries = Files.list(folder)) {
-            var matches = entries.filter(entry -> entry.getFileName().toString().equalsIgnoreCase(name)).limit(2).toList();
-            return matches.size() == 1 ? Optional.of(matches.getFirst()) : Optional.empty();
         }
     }
 }

@@ -78,7 +78,7 @@ final class SceneReplacement {
                 observer.afterStep();
             }
             String stagedText = text.of(FileRenaming.into(staging.getFileName().toString(), names())::applyTo);
-            JenReader.read(stagedText, sceneFile.toString(), folder);
+            JenReader.read(stagedText, sceneFile.toString(), folder).requireAllFiles();
             write(finalScene, text.of(UnaryOperator.identity()));
             write(sceneFile, stagedText);
         } catch (IOException | JenException | RuntimeException e) {

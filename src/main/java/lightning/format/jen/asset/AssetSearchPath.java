@@ -7,9 +7,11 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import lightning.base.file.FolderEntry;
 import lightning.base.text.Quote;
 import lightning.format.mesh.MeshException;
 
@@ -38,7 +40,7 @@ public final class AssetSearchPath {
     }
 
     /**
-     * Returns the file for a valid name.
+     * Returns the file for a valid name; if there is none, the only one of that name in another case.
      *
      * @throws UnusableFileException if it does not exist, or a link leads out of the folders
      * @throws IOException if the folders cannot be read
@@ -49,16 +51,26 @@ public final class AssetSearchPath {
         for (Path folder : folders) {
             Path path = folder.resolve(file);
             if (Files.isRegularFile(path)) {
-                Path real = path.toRealPath();
-                if (!real.startsWith(folder)) {
-                    throw new UnusableFileException(noun + " " + Quote.of(file) + " must be inside " + describe(folder)
-                            + ", found a link to another folder");
-                }
-                return real;
+                return real(file, folder, path);
+            }
+        }
+        for (Path folder : folders) {
+            Optional<Path> path = FolderEntry.find(folder, folder.getFileSystem().getPath(file));
+            if (path.isPresent() && Files.isRegularFile(path.get())) {
+                return real(file, folder, path.get());
             }
         }
         throw new UnusableFileException("there is no " + noun + " " + Quote.of(file) + " in "
                 + String.join(" or ", folders.stream().map(AssetSearchPath::describe).toList()));
+    }
+
+    private Path real(String file, Path folder, Path path) throws IOException, UnusableFileException {
+        Path real = path.toRealPath();
+        if (!real.startsWith(folder)) {
+            throw new UnusableFileException(noun + " " + Quote.of(file) + " must be inside " + describe(folder)
+                    + ", found a link to another folder");
+        }
+        return real;
     }
 
     /** Reads the content of a file. */

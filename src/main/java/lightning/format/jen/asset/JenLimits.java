@@ -27,8 +27,10 @@ public final class JenLimits {
     public static final int TEXTURE_SIDE = 16_384;
     /** Maximum number of pixels of a texture: 16 Mi, 192 MiB when decoded. */
     public static final int TEXTURE_PIXELS = 16 << 20;
-    /** Maximum number of pixels of all textures of a scene: 64 Mi, 768 MiB when decoded. */
+    /** Maximum number of pixels of all textures of a scene that are not reduced: 64 Mi, 768 MiB when decoded. */
     public static final long TOTAL_TEXTURE_PIXELS = 64 << 20;
+    /** Maximum number of pixels of the textures that are reduced because of the limit above: each has at most half of those that are left. */
+    static final long REDUCED_TEXTURE_PIXELS = 32 << 20;
 
     private JenLimits() {}
 }

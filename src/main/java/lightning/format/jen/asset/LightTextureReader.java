@@ -19,32 +19,16 @@ public final class LightTextureReader {
     private LightTextureReader() {}
 
     /**
-     * Reads an image in linear light, with the limits of textures.
+     * Reads an image in linear light, with the limits of textures; values are limited to 0 … {@link SceneLimits#MAX_EMISSION}.
      *
      * @param name name of the file in messages; its extension says the format
      * @throws UnusableFileException if it is too large, damaged or of another format
      */
     public static Texture read(String name, Path path) throws IOException, UnusableFileException {
-        return read(name, path, JenLimits.TOTAL_TEXTURE_PIXELS);
-    }
-
-    /**
-     * Reads an image in linear light; values are limited to 0 … {@link SceneLimits#MAX_EMISSION}.
-     *
-     * @param name       name of the file in messages
-     * @param pixelsLeft maximum number of pixels, in addition to that of the format
-     * @throws UnusableFileException if it is too large, damaged or of another format
-     */
-    static Texture read(String name, Path path, long pixelsLeft) throws IOException, UnusableFileException {
         if (!isLinear(name)) {
-            return TextureDecoder.decode(name, path, TextureUsage.COLOR, pixelsLeft);
+            return TextureDecoder.decode(name, TextureDecoder.readFile(name, path), TextureUsage.COLOR);
         }
-        Texture image = hasExtension(name, ".hdr") ? readHdr(path) : readExr(name, path);
-        if ((long) image.width() * image.height() > pixelsLeft) {
-            throw unusable(name,
-                    "exceeds the limit: all textures together must have at most " + JenLimits.TOTAL_TEXTURE_PIXELS + " pixels");
-        }
-        return image;
+        return hasExtension(name, ".hdr") ? readHdr(path) : readExr(name, path);
     }
 
     /** Returns whether a file of this name has linear values: Radiance HDR or OpenEXR. */

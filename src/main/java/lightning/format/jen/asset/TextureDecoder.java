@@ -39,20 +39,18 @@ public final class TextureDecoder {
     private TextureDecoder() {}
 
     /**
-     * Checks the header of the file, then decodes it.
+     * Reads the content of a file.
      *
      * @param name name of the file in messages
-     * @param samples meaning of the samples
-     * @param pixelsLeft maximum number of pixels, in addition to {@link JenLimits#TEXTURE_PIXELS}
-     * @throws UnusableFileException if it is not a PNG or JPEG, too large or damaged
+     * @throws UnusableFileException if it has more than {@link JenLimits#TEXTURE_BYTES}
      * @throws IOException if it cannot be read
      */
-    static Texture decode(String name, Path path, TextureUsage samples, long pixelsLeft) throws IOException, UnusableFileException {
+    static byte[] readFile(String name, Path path) throws IOException, UnusableFileException {
         long bytes = Files.size(path);
         if (bytes > JenLimits.TEXTURE_BYTES) {
             throw unusable(name, "must have at most " + JenLimits.TEXTURE_BYTES + " bytes, has " + bytes);
         }
-        return decode(name, RegularFile.readBytes(path, "a PNG or JPEG file", JenLimits.TEXTURE_BYTES), samples, pixelsLeft);
+        return RegularFile.readBytes(path, "a PNG or JPEG file", JenLimits.TEXTURE_BYTES);
     }
 
     /**
@@ -62,7 +60,7 @@ public final class TextureDecoder {
      * @throws UnusableFileException if it is not a PNG or JPEG, too large or damaged
      */
     public static Texture decodeNumbers(String name, byte[] file) throws UnusableFileException {
-        return decode(name, file, TextureUsage.DATA, JenLimits.TEXTURE_PIXELS);
+        return decode(name, file, TextureUsage.DATA);
     }
 
     /**
@@ -72,7 +70,7 @@ public final class TextureDecoder {
      * @throws UnusableFileException if it is not a PNG or JPEG, too large or damaged
      */
     public static Texture decodeColors(String name, byte[] file) throws UnusableFileException {
-        return decode(name, file, TextureUsage.COLOR, JenLimits.TEXTURE_PIXELS);
+        return decode(name, file, TextureUsage.COLOR);
     }
 
     /**
@@ -82,7 +80,22 @@ public final class TextureDecoder {
      * @throws UnusableFileException if it is not a PNG or JPEG, too large or damaged
      */
     public static Texture decodeReduced(String name, byte[] file, TextureUsage samples) throws UnusableFileException {
-        return read(name, file, reader -> texture(readReduced(name, reader), samples));
+        return decodeReduced(name, file, samples, JenLimits.TEXTURE_PIXELS);
+    }
+
+    /**
+     * Decodes an image. One of too many pixels loses rows and columns.
+     *
+     * @param name name of the file in messages
+     * @param maxPixels maximum number of pixels
+     * @throws UnusableFileException if it is not a PNG or JPEG, too large or damaged, or {@code maxPixels} is 0
+     */
+    static Texture decodeReduced(String name, byte[] file, TextureUsage samples, long maxPixels) throws UnusableFileException {
+        if (maxPixels < 1) {
+            throw unusable(name,
+                    "exceeds the limit: all textures together must have at most " + JenLimits.TOTAL_TEXTURE_PIXELS + " pixels");
+        }
+        return read(name, file, reader -> texture(readReduced(name, reader, maxPixels), samples));
     }
 
     /**
@@ -92,9 +105,13 @@ public final class TextureDecoder {
      * @throws UnusableFileException if a side is longer than that of a texture may be
      */
     public static BufferedImage readReduced(String name, ImageReader reader) throws IOException, UnusableFileException {
+        return readReduced(name, reader, JenLimits.TEXTURE_PIXELS);
+    }
+
+    private static BufferedImage readReduced(String name, ImageReader reader, long maxPixels) throws IOException, UnusableFileException {
         checkSides(name, reader.getWidth(0), reader.getHeight(0));
         ImageReadParam reduction = reader.getDefaultReadParam();
-        int step = step(reader.getWidth(0), reader.getHeight(0), JenLimits.TEXTURE_PIXELS);
+        int step = step(reader.getWidth(0), reader.getHeight(0), maxPixels);
         reduction.setSourceSubsampling(step, step, 0, 0);
         return reader.read(0, reduction);
     }
@@ -118,9 +135,10 @@ public final class TextureDecoder {
         return read(name, file, reader -> (long) reader.getWidth(0) * reader.getHeight(0));
     }
 
-    private static Texture decode(String name, byte[] file, TextureUsage samples, long pixelsLeft) throws UnusableFileException {
+    /** Decodes an image of the size that a texture may have. */
+    static Texture decode(String name, byte[] file, TextureUsage samples) throws UnusableFileException {
         return read(name, file, reader -> {
-            checkSize(name, reader.getWidth(0), reader.getHeight(0), pixelsLeft);
+            checkSize(name, reader.getWidth(0), reader.getHeight(0));
             return texture(reader.read(0), samples);
         });
     }
@@ -198,16 +216,11 @@ public final class TextureDecoder {
         }
     }
 
-    private static void checkSize(String name, int width, int height, long pixelsLeft)
-            throws UnusableFileException {
+    private static void checkSize(String name, int width, int height) throws UnusableFileException {
         checkSides(name, width, height);
         long pixels = (long) width * height;
         if (pixels > JenLimits.TEXTURE_PIXELS) {
             throw unusable(name, "must have at most " + JenLimits.TEXTURE_PIXELS + " pixels, has " + width + "×" + height);
-        }
-        if (pixels > pixelsLeft) {
-            throw unusable(name, "exceeds the limit: all textures together must have at most "
-                    + JenLimits.TOTAL_TEXTURE_PIXELS + " pixels");
         }
     }
 

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import lightning.base.text.Quote;
 import lightning.scene.asset.Texture;
@@ -19,7 +20,7 @@ public final class TextureFolder {
 
     private final AssetSearchPath searchPath;
     private final Map<CacheKey, Texture> cache = new HashMap<>();
-    private long pixels;
+    private final TextureBudget budget = new TextureBudget();
 
     /** File with the meaning of its samples. */
     private record CacheKey(Path path, TextureUsage samples) {}
@@ -39,17 +40,18 @@ public final class TextureFolder {
     }
 
     /**
-     * Loads a texture.
+     * Loads a texture. A PNG or JPEG of too many pixels loses rows and columns.
      *
      * @param samples meaning of the samples
+     * @param notes receives a clause if the texture is reduced
      * @throws UnusableFileException if the file does not exist in the folders, a link leads out of them, or it is not an
      *     image within {@link JenLimits}
      */
-    public Texture load(String file, TextureUsage samples) throws UnusableFileException {
-        return searchPath.read(file, path -> load(file, samples, path));
+    public Texture load(String file, TextureUsage samples, Consumer<String> notes) throws UnusableFileException {
+        return searchPath.read(file, path -> load(file, samples, path, notes));
     }
 
-    private Texture load(String file, TextureUsage samples, Path path) throws UnusableFileException, IOException {
+    private Texture load(String file, TextureUsage samples, Path path, Consumer<String> notes) throws UnusableFileException, IOException {
         var key = new CacheKey(path, samples);
         Texture cached = cache.get(key);
         if (cached != null) {
@@ -59,11 +61,32 @@ public final class TextureFolder {
             throw new UnusableFileException("a scene may have at most " + JenLimits.TEXTURES + " textures, found another, "
                     + Quote.of(file));
         }
-        long pixelsLeft = JenLimits.TOTAL_TEXTURE_PIXELS - pixels;
-        Texture texture = samples == TextureUsage.EMISSION ? LightTextureReader.read(file, path, pixelsLeft)
-                : TextureDecoder.decode(file, path, samples, pixelsLeft);
-        pixels += (long) texture.width() * texture.height();
+        Texture texture = samples == TextureUsage.EMISSION && LightTextureReader.isLinear(file) ? loadLinear(file, path)
+                : loadCodes(file, samples, path, notes);
         cache.put(key, texture);
+        return texture;
+    }
+
+    private Texture loadLinear(String file, Path path) throws UnusableFileException, IOException {
+        Texture texture = LightTextureReader.read(file, path);
+        if (texture.pixels() > budget.limit(texture.pixels())) {
+            throw new UnusableFileException("texture " + Quote.of(file) + " exceeds the limit: all textures together must have at most "
+                    + JenLimits.TOTAL_TEXTURE_PIXELS + " pixels");
+        }
+        budget.use(texture.pixels(), texture.pixels());
+        return texture;
+    }
+
+    private Texture loadCodes(String file, TextureUsage samples, Path path, Consumer<String> notes)
+            throws UnusableFileException, IOException {
+        byte[] content = TextureDecoder.readFile(file, path);
+        long pixels = TextureDecoder.pixels(file, content);
+        Texture texture = TextureDecoder.decodeReduced(file, content, samples, budget.limit(pixels));
+        if (texture.pixels() < pixels) {
+            notes.accept(
+                    "texture " + Quote.of(file) + " has " + pixels + " pixels; reduced to " + texture.width() + "×" + texture.height());
+        }
+        budget.use(pixels, texture.pixels());
         return texture;
     }
 }
