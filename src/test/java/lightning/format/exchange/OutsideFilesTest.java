@@ -194,11 +194,12 @@ class OutsideFilesTest {
     @ParameterizedTest
     @ValueSource(strings = {"material m { texture \"%s\" }\nsphere s { material m }", "light l spot { gobo \"%s\" }\nsphere s { }",
         "world { environment \"%s\" }\nsphere s { }", "light l spot { profile \"%s\" }\nsphere s { }", "mesh s { file \"%s\" }"})
-    void scene_rejectsFilesOutside(String text) {
+    void scene_lacksFilesOutside(String text) {
         for (String path : outsidePaths("a.png").toList()) {
             assertThatExceptionOfType(JenException.class)
                     .isThrownBy(
-                            () -> JenReader.read(Files.writeString(input.resolve("a.jen"), "jen 1\n" + text.replace("%s", path) + "\n")));
+                            () -> JenReader.read(Files.writeString(input.resolve("a.jen"), "jen 1\n" + text.replace("%s", path) + "\n"))
+                                    .requireAllFiles());
         }
     }
 }

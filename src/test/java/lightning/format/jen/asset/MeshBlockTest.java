@@ -89,8 +89,8 @@ public class MeshBlockTest {
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
         "mesh m { } | mesh 'm': expected a file, found none",
         "mesh m { file \"b.ply\" } | there is no mesh file 'b.ply' in the folder 'scenes'",
-        "mesh m { file \"../a.ply\" } | mesh 'm': file must be a path without empty names, . and .., was '../a.ply'",
-        "mesh m { file \"/etc/passwd\" } | mesh 'm': file must be a file next to the scene or in its meshes folder",
+        "mesh m { file \"../a.ply\" } | mesh 'm': mesh file must be a path without empty names, . and .., was '../a.ply'",
+        "mesh m { file \"/etc/passwd\" } | mesh 'm': mesh file must be a file next to the scene or in its meshes folder",
         "mesh m { file \"a.ply\" part head } | mesh 'm': mesh file 'a.ply' has no part 'head'",
         "mesh m { file a } | mesh 'm': file: expected a file name in quotes, found 'a'",
         "sphere m { file \"a.ply\" } | sphere 'm': unknown property 'file'",
