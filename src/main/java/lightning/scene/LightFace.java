@@ -9,6 +9,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TextureWrap;
 import lightning.scene.light.AreaShape;
 import lightning.scene.light.FaceVisibility;
 import lightning.scene.light.Falloff;
@@ -121,7 +122,7 @@ record LightFace(Shape shape, Material material) {
 
     /** Returns the light's image on its plane, upright and not mirrored for a viewer, who looks against the light's direction. */
     private static Optional<TextureMap> glowMap(Light light) {
-        return light.texture().map(t -> new TextureMap(t.file(), -1, 1, t.image(), true));
+        return light.texture().map(t -> new TextureMap(t.file(), -1, 1, t.image(), TextureWrap.CLAMP));
     }
 
     /** Returns a color whose product with any pixel of an image may be emitted. */

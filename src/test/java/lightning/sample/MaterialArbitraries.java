@@ -5,6 +5,7 @@ import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TextureWrap;
 import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.Bulb;
 import lightning.scene.material.BumpMapping;
@@ -199,7 +200,12 @@ final class MaterialArbitraries {
     }
 
     private static Arbitrary<TextureMap> maps() {
-        return Combinators.combine(images(), repeats(), repeats()).as((image, u, v) -> new TextureMap("sample.png", u, v, image));
+        return Combinators.combine(images(), repeats(), repeats(), wraps())
+                .as((image, u, v, wrap) -> new TextureMap("sample.png", u, v, image, wrap));
+    }
+
+    private static Arbitrary<TextureWrap> wraps() {
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(TextureWrap.REPEAT)), Tuple.of(1, Arbitraries.of(TextureWrap.ALL)));
     }
 
     private static Arbitrary<Double> repeats() {

@@ -16,7 +16,6 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;
 import lightning.scene.asset.Texture;
-import lightning.scene.asset.TextureMap;
 import lightning.scene.material.Material;
 import lightning.scene.node.Mesh;
 import lightning.scene.node.NodeGroup;
@@ -100,8 +99,8 @@ public final class SessionExporter {
     }
 
     private static Material withTextureFiles(Material material, Map<Texture, String> files) {
-        return material.withTexture(material.texture().map(t -> new TextureMap(
-                files.computeIfAbsent(t.image(), _ -> "texture-" + files.size() + ".png"), t.repeatU(), t.repeatV(), t.image())));
+        return material.withTexture(material.texture().map(
+                t -> t.withFile(files.computeIfAbsent(t.image(), _ -> "texture-" + files.size() + ".png"))));
     }
 
     private static BufferedImage image(Texture texture) {

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -120,9 +119,7 @@ final class GltfImport {
 
     private ImportedScene assemble() throws IOException, MeshException {
         var surfaces = new GltfMaterialImport(assembler, file, meshFile);
-        Set<Integer> repeating = new HashSet<>();
-        parts.values().forEach(all -> all.stream().filter(GltfPart::repeatsImages).forEach(part -> repeating.add(part.material())));
-        for (GltfMaterial material : file.materials(repeating::contains)) {
+        for (GltfMaterial material : file.materials()) {
             Material converted = surfaces.convert(material);
             String name = assembler.addMaterial(material.name(), converted);
             materials.add(name);

@@ -9,6 +9,7 @@ import lightning.format.exchange.assembly.MirrorMetals;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.assembly.TextureMeans;
 import lightning.format.exchange.assembly.TransmissionImport;
+import lightning.format.gltf.GltfImage;
 import lightning.format.gltf.GltfMaterial;
 import lightning.format.gltf.GltfScene;
 import lightning.format.jen.asset.TextureDecoder;
@@ -48,7 +49,8 @@ final class GltfMaterialImport {
             Material unlit = Material.of("material").withDiffuse(Rgb.BLACK);
             return withCutout(map.isEmpty() ? unlit.withAmbient(base) : unlit.withGlow(base).withGlowMap(map), m);
         }
-        TextureMeans means = m.metallicRoughnessImage() < 0 ? TextureMeans.NONE : metallicRoughnessMeans(m.metallicRoughnessImage());
+        TextureMeans means =
+                m.metallicRoughnessImage().isPresent() ? metallicRoughnessMeans(m.metallicRoughnessImage().index()) : TextureMeans.NONE;
         Material material = withGlow(Material.of("material").withModel(ShadingModel.METALLIC).withBase(base), m)
                 .withMetalness(SceneAssembler.clamp(m.metallic() * means.metalness(), 1))
                 .withRoughness(SceneAssembler.clamp(m.roughness() * means.roughness(), 1))
@@ -97,7 +99,7 @@ final class GltfMaterialImport {
         if (glow.isBlack() || m.emissionImage().isEmpty()) {
             return material.withGlow(glow);
         }
-        Optional<TextureMap> map = textureMap(m.emissionImage().getAsInt(), TextureUsage.COLOR);
+        Optional<TextureMap> map = textureMap(m.emissionImage().get(), TextureUsage.COLOR);
         assembler.notes.add("emissiveTexture of materials", map.isEmpty() ? 1 : 0);
         return map.isEmpty() ? material : material.withGlow(glow).withGlowMap(map);
     }
@@ -127,8 +129,9 @@ final class GltfMaterialImport {
     /** Adds an opacity map from the texture's alpha. */
     private Material withCutout(Material material, GltfMaterial m) throws IOException, MeshException {
         Optional<TextureMap> opacity =
-                m.cutoff() > 0 && m.baseImage() >= 0 && imageBytes(m.baseImage()).filter(TextureDecoder::hasAlpha).isPresent()
-                        ? textureMap(m.baseImage(), TextureUsage.OPACITY) : Optional.empty();
+                m.cutoff() > 0 && m.baseImage().isPresent()
+                        && imageBytes(m.baseImage().index()).filter(TextureDecoder::hasAlpha).isPresent()
+                                ? textureMap(m.baseImage(), TextureUsage.OPACITY) : Optional.empty();
         if (opacity.isEmpty()) {
             assembler.notes.add("materials invisible by their alpha cutoff, imported as visible", m.cutoff() > m.alphaFactor() ? 1 : 0);
             return material;
@@ -138,10 +141,11 @@ final class GltfMaterialImport {
     }
 
     /** Returns an image as a texture; empty if there is none or it cannot be used. */
+    private Optional<TextureMap> textureMap(GltfImage image, TextureUsage usage) throws IOException, MeshException {
+        return image.isPresent() ? textureMap(image.index(), usage).map(map -> map.withWrap(image.wrap())) : Optional.empty();
+    }
+
     private Optional<TextureMap> textureMap(int image, TextureUsage usage) throws IOException, MeshException {
-        if (image < 0) {
-            return Optional.empty();
-        }
         Optional<String> reference = file.imageReference(image);
         return reference.isPresent() ? assembler.images.file(reference.get(), usage)
                 : embeddedBytes(image).isEmpty() ? Optional.empty()

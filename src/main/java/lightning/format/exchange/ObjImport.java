@@ -34,6 +34,7 @@ import lightning.format.mesh.ply.PlyReader;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureUsage;
+import lightning.scene.asset.TextureWrap;
 import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Material;
@@ -264,7 +265,8 @@ final class ObjImport {
 
     private Optional<TextureMap> textureMap(Optional<MtlImage> image, TextureUsage usage) throws IOException {
         return image.isEmpty() ? Optional.empty() : assembler.images.file(image.get().path(), usage)
-                .map(map -> map.withRepeatU(repeat(image.get().scaleU())).withRepeatV(repeat(image.get().scaleV())));
+                .map(map -> map.withRepeatU(repeat(image.get().scaleU())).withRepeatV(repeat(image.get().scaleV()))
+                        .withWrap(image.get().isClamped() ? TextureWrap.CLAMP : TextureWrap.REPEAT));
     }
 
     private static double repeat(double scale) {

@@ -1,6 +1,6 @@
 package lightning.format.gltf;
 
-import java.util.OptionalInt;
+import java.util.Optional;
 import lightning.base.math.Rgb;
 
 /**
@@ -12,11 +12,11 @@ import lightning.base.math.Rgb;
  * @param f0 specular reflectance at normal incidence, for the dielectric part
  * @param f90 specular reflectance at grazing incidence
  * @param emission linear, including strength, multiplied by the emission image
- * @param emissionImage index of the emission image, −1 if its format is not supported; empty for none
+ * @param emissionImage emission image, without index if its format is not supported; empty for none
  * @param isUnlit true if it shows its base color regardless of lights
- * @param baseImage index of the base color image; −1 for none
- * @param metallicRoughnessImage index of the metallic-roughness image; −1 for none
- * @param normalImage index of the normal map; −1 for none
+ * @param baseImage base color image
+ * @param metallicRoughnessImage metallic-roughness image
+ * @param normalImage normal map
  * @param normalScale strength of the normal map
  * @param opacity 0 … 1; below 1 for a veil
  * @param transmission transmission through the surface
@@ -25,12 +25,14 @@ import lightning.base.math.Rgb;
  * @param isBlended true if the file blends by alpha instead of cutting out
  */
 public record GltfMaterial(String name, Rgb base, double metallic, double roughness, Rgb f0, double f90, Rgb emission,
-        OptionalInt emissionImage, boolean isUnlit, int baseImage, int metallicRoughnessImage, int normalImage, double normalScale,
+        Optional<GltfImage> emissionImage, boolean isUnlit, GltfImage baseImage, GltfImage metallicRoughnessImage, GltfImage normalImage,
+        double normalScale,
         double opacity, Transmission transmission, double cutoff,
         double alphaFactor, boolean isBlended) {
     /** Matte gray material. */
-    static final GltfMaterial GRAY = new GltfMaterial("", Rgb.gray(0.5), 0, 1, Rgb.gray(0.04), 1, Rgb.BLACK, OptionalInt.empty(), false, -1,
-            -1, -1, 1, 1, new Transmission(0, 1.5, true, Rgb.WHITE, Double.POSITIVE_INFINITY), 0, 1, false);
+    static final GltfMaterial GRAY =
+            new GltfMaterial("", Rgb.gray(0.5), 0, 1, Rgb.gray(0.04), 1, Rgb.BLACK, Optional.empty(), false, GltfImage.NONE,
+                    GltfImage.NONE, GltfImage.NONE, 1, 1, new Transmission(0, 1.5, true, Rgb.WHITE, Double.POSITIVE_INFINITY), 0, 1, false);
 
     /**
      * Transmission through a surface and the volume behind it.

@@ -11,18 +11,4 @@ import lightning.scene.node.Mesh;
  * @param material index of its material; −1 for none
  * @param vertices index in the file of each of its vertices, if it can be posed by a skin or morph targets; otherwise empty
  */
-public record GltfPart(int mesh, int primitive, String name, int material, Mesh triangles, int[] vertices) {
-    /** Distance beyond an image that counts as its edge, for rounding. */
-    private static final float EDGE = 1e-5F;
-
-    /** Returns whether it shows an image beyond its edges. */
-    public boolean repeatsImages() {
-        float[] coordinates = triangles.coordinates();
-        for (int i = 0; coordinates != null && i < coordinates.length; i++) {
-            if (!(coordinates[i] >= -EDGE && coordinates[i] <= 1 + EDGE)) {
-                return true;
-            }
-        }
-        return false;
-    }
-}
+public record GltfPart(int mesh, int primitive, String name, int material, Mesh triangles, int[] vertices) {}

@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.IntPredicate;
 import java.util.function.Predicate;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
@@ -261,17 +260,13 @@ public final class GltfScene {
         return v;
     }
 
-    /**
-     * Returns all materials, in index order; a gray one in the place of one with invalid values.
-     *
-     * @param repeats whether a mesh shows the images of a material beyond their edges
-     */
-    public List<GltfMaterial> materials(IntPredicate repeats) throws MeshException {
+    /** Returns all materials, in index order; a gray one in the place of one with invalid values. */
+    public List<GltfMaterial> materials() throws MeshException {
         List<GltfMaterial> materials = new ArrayList<>();
         JsonValue array = file.array("materials");
         for (int i = 0; i < array.size(); i++) {
             try {
-                materials.add(new MaterialReader(file, notes, repeats.test(i)).material(array.element(i)));
+                materials.add(new MaterialReader(file, notes).material(array.element(i)));
             } catch (MeshException e) {
                 notes.add("materials with invalid values, imported as gray");
                 materials.add(GltfMaterial.GRAY);

@@ -1,19 +1,21 @@
 package lightning.format.gltf;
 
 import java.util.List;
-import java.util.OptionalInt;
+import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
+import lightning.scene.asset.TextureWrap;
 
 /**
  * Reader for the materials of a glTF file.
  *
  * @param notes receives omitted features
- * @param repeats true if a mesh shows the materials' images beyond their edges
  */
-record MaterialReader(GltfFile file, ConversionNotes notes, boolean repeats) {
+record MaterialReader(GltfFile file, ConversionNotes notes) {
     private static final int REPEAT = 10497;
+    private static final int CLAMP = 33071;
+    private static final int MIRROR = 33648;
     private static final int NEAREST = 9728;
     private static final double DEFAULT_CUTOFF = 0.5;
 
@@ -41,7 +43,7 @@ record MaterialReader(GltfFile file, ConversionNotes notes, boolean repeats) {
         Surface surface = glossy.isPresent() && !pbr.isPresent() ? glossySurface(glossy) : metallicSurface(pbr, extensions);
         return new GltfMaterial(material.get("name").text().orElse(""), surface.base, surface.metallic, surface.roughness,
                 surface.f0, surface.f90, new Rgb(emission[0], emission[1], emission[2]).times(strength),
-                emissive.isPresent() ? OptionalInt.of(textureImage(emissive)) : OptionalInt.empty(),
+                emissive.isPresent() ? Optional.of(textureImage(emissive)) : Optional.empty(),
                 extensions.get("KHR_materials_unlit").isPresent(), surface.baseImage, surface.metallicRoughnessImage, textureImage(normals),
                 normals.get("scale").number(1), opacity, readTransmission(extensions), cutoff, alphaFactor, isBlended);
     }
@@ -64,7 +66,8 @@ record MaterialReader(GltfFile file, ConversionNotes notes, boolean repeats) {
     }
 
     /** Reflection properties of a material, as in {@link GltfMaterial}. */
-    private record Surface(Rgb base, int baseImage, double metallic, double roughness, int metallicRoughnessImage, Rgb f0, double f90) {}
+    private record Surface(Rgb base, GltfImage baseImage, double metallic, double roughness,
+            GltfImage metallicRoughnessImage, Rgb f0, double f90) {}
 
     /**
      * Reads the metallic-roughness model: appendix B of glTF 2.0; KHR_materials_ior; KHR_materials_specular, which clamps
@@ -82,7 +85,7 @@ record MaterialReader(GltfFile file, ConversionNotes notes, boolean repeats) {
         double f0 = (ior - 1) * (ior - 1) / ((ior + 1) * (ior + 1));
         return new Surface(new Rgb(base[0], base[1], base[2]), textureImage(pbr.get("baseColorTexture")),
                 pbr.get("metallicFactor").number(1), pbr.get("roughnessFactor").number(1),
-                imageIndex(pbr.get("metallicRoughnessTexture")), new Rgb(Math.min(f0 * tint[0], 1) * weight,
+                textureImage(pbr.get("metallicRoughnessTexture")), new Rgb(Math.min(f0 * tint[0], 1) * weight,
                         Math.min(f0 * tint[1], 1) * weight, Math.min(f0 * tint[2], 1) * weight),
                 weight);
     }
@@ -95,19 +98,37 @@ record MaterialReader(GltfFile file, ConversionNotes notes, boolean repeats) {
         notes.add("specularGlossinessTexture of materials", hasTexture ? 1 : 0);
         // The factor multiplied by such an image is not meaningful alone: most files use 1.
         return new Surface(new Rgb(diffuse[0], diffuse[1], diffuse[2]), textureImage(glossiness.get("diffuseTexture")), 0,
-                hasTexture ? 0.5 : 1 - glossiness.get("glossinessFactor").number(1), -1,
+                hasTexture ? 0.5 : 1 - glossiness.get("glossinessFactor").number(1), GltfImage.NONE,
                 hasTexture ? Rgb.gray(0.04) : new Rgb(specular[0], specular[1], specular[2]), 1);
     }
 
-    private int textureImage(JsonValue texture) {
+    private GltfImage textureImage(JsonValue texture) {
+        return new GltfImage(imageIndex(texture), wrap(texture));
+    }
+
+    /** Returns what follows the edges of a texture's image. */
+    private TextureWrap wrap(JsonValue texture) {
         try {
-            if (texture.isPresent()) {
-                noteSampler(texture.get("index").resolve(file.array("textures")).get("sampler"));
+            JsonValue index = texture.isPresent() ? texture.get("index").resolve(file.array("textures")).get("sampler") : texture;
+            if (!index.isPresent()) {
+                return TextureWrap.REPEAT;
             }
+            JsonValue sampler = index.resolve(file.array("samplers"));
+            notes.add("unfiltered textures, imported as filtered",
+                    sampler.get("magFilter").integer(0, Integer.MAX_VALUE, 0) == NEAREST ? 1 : 0);
+            return new TextureWrap(edge(sampler.get("wrapS")), edge(sampler.get("wrapT")));
         } catch (MeshException e) {
-            // Noted with the image.
+            // An invalid texture is noted with the image.
+            return TextureWrap.REPEAT;
         }
-        return imageIndex(texture);
+    }
+
+    private TextureWrap.Edge edge(JsonValue mode) throws MeshException {
+        return switch (mode.integer(0, Integer.MAX_VALUE, REPEAT)) {
+            case CLAMP -> TextureWrap.Edge.CLAMP;
+            case MIRROR -> TextureWrap.Edge.MIRROR;
+            default -> TextureWrap.Edge.REPEAT;
+        };
     }
 
     /** Returns the index of a texture's image; −1 for none, and with a note for one that is invalid. */
@@ -129,19 +150,5 @@ record MaterialReader(GltfFile file, ConversionNotes notes, boolean repeats) {
             return -1;
         }
         return source.index(file.array("images"));
-    }
-
-    /** Notes sampler settings that are not supported: textures always repeat and are filtered. Inside of the image, the first does not matter. */
-    private void noteSampler(JsonValue index) throws MeshException {
-        if (index.isPresent()) {
-            JsonValue sampler = index.resolve(file.array("samplers"));
-            boolean isRepeating = true;
-            for (String wrap : List.of("wrapS", "wrapT")) {
-                isRepeating &= sampler.get(wrap).integer(0, Integer.MAX_VALUE, REPEAT) == REPEAT;
-            }
-            notes.add("clamped or mirrored textures, imported as repeating", isRepeating || !repeats ? 0 : 1);
-            notes.add("unfiltered textures, imported as filtered",
-                    sampler.get("magFilter").integer(0, Integer.MAX_VALUE, 0) == NEAREST ? 1 : 0);
-        }
     }
 }

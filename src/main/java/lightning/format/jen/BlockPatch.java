@@ -3,7 +3,6 @@ package lightning.format.jen;
 import static java.util.Objects.requireNonNull;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import lightning.base.text.DecimalNumber;
 
@@ -35,10 +34,10 @@ record BlockPatch(SourceText source, TokenList tokens, TextEdits edits, Set<Left
         }
     }
 
-    /** Returns whether a property names a file that the scene lacks, or is its repeat. */
+    /** Returns whether a property names a file that the scene lacks, or depends on such a file. */
     private boolean isLeftOut(Block block, Block.Entry entry) {
         Block.Entry file =
-                TextureProperty.of(block.type).stream().filter(t -> t.repeatProperty().equals(Optional.of(entry.property().name())))
+                TextureProperty.of(block.type).stream().filter(t -> t.dependents().contains(entry.property().name()))
                         .findFirst().map(t -> block.entry(t.name())).orElse(entry);
         return file.value() instanceof Value.Quoted(String name) && leftOut.contains(new LeftOutFile(file.property().name(), name));
     }

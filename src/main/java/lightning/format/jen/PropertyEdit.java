@@ -360,8 +360,8 @@ public final class PropertyEdit {
             values.put(property, parseValue(type, name, property, value));
         }
         for (TextureProperty picture : TextureProperty.of(type)) {
-            if (picture.repeatProperty().filter(property::equals).isPresent() && values.get(picture.name()) instanceof Value.Absent) {
-                throw new IllegalArgumentException("material " + Quote.of(name) + ": " + picture.missingMessage());
+            if (picture.dependents().contains(property) && values.get(picture.name()) instanceof Value.Absent) {
+                throw new IllegalArgumentException("material " + Quote.of(name) + ": " + picture.missingMessage(property));
             }
         }
         type.properties().forEach(p -> values.computeIfPresent(p.name(), (n, v) -> v instanceof Value.Absent ? p.initial() : v));

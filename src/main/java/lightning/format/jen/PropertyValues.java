@@ -63,7 +63,8 @@ record PropertyValues(Function<String, @Nullable Value> lookup, AssetSource file
     }
 
     private TextureMap textureMap(String file, ValueKind.TextureKind kind) {
-        return new TextureMap(file, number(kind.repeatName(), 0), number(kind.repeatName(), 1), files.texture(file, kind.usage()));
+        return new TextureMap(file, number(kind.repeatName(), 0), number(kind.repeatName(), 1), files.texture(file, kind.usage()),
+                ValueKind.TextureKind.WRAP.parse(word(kind.wrapName())));
     }
 
     /** Casts a value whose attribute kind guarantees type {@code V}, which the compiler cannot verify. */

@@ -255,9 +255,11 @@ final class SceneBuilder {
     /** Builds the record of a block; empty if a problem prevents it. */
     private <T> Optional<T> buildRecord(Block block, BlockType<T> type, List<SceneNode> children) {
         for (TextureProperty textureProperty : TextureProperty.of(type)) {
-            Block.Entry repeat = textureProperty.repeatProperty().map(block::entry).orElse(null);
-            if (repeat != null && !block.isWritten(textureProperty.name())) {
-                problems.add(tokens.start(repeat.nameToken()), block.title() + ": " + textureProperty.missingMessage());
+            for (String dependent : textureProperty.dependents()) {
+                Block.Entry entry = block.entry(dependent);
+                if (entry != null && !block.isWritten(textureProperty.name())) {
+                    problems.add(tokens.start(entry.nameToken()), block.title() + ": " + textureProperty.missingMessage(dependent));
+                }
             }
         }
         if (block.type == BlockTypes.MATERIAL) {

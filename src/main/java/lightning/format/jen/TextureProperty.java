@@ -1,7 +1,6 @@
 package lightning.format.jen;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.scene.asset.TextureUsage;
 import lightning.scene.attribute.ChoiceKind;
@@ -14,10 +13,10 @@ import lightning.scene.material.MaterialAttribute;
 /**
  * Property that references an image file.
  *
- * @param repeatProperty property with the image's repeat; empty if there is none
+ * @param dependents properties that need it: how often the image repeats, and what follows its edges
  * @param samples meaning of the samples
  */
-record TextureProperty(String name, Optional<String> repeatProperty, TextureUsage samples) {
+record TextureProperty(String name, List<String> dependents, TextureUsage samples) {
     private static final List<TextureProperty> OF_MATERIAL = MaterialAttribute.ALL.stream().flatMap(TextureProperty::of).toList();
     private static final List<TextureProperty> OF_LIGHT = LightAttribute.ALL.stream().flatMap(TextureProperty::of).toList();
 
@@ -28,18 +27,19 @@ record TextureProperty(String name, Optional<String> repeatProperty, TextureUsag
 
     private static Stream<TextureProperty> of(SceneAttribute<?, ?> attribute) {
         return switch (attribute.kind()) {
-            case ValueKind.TextureKind t -> Stream.of(new TextureProperty(attribute.name(), Optional.of(t.repeatName()), t.usage()));
-            case ValueKind.GoboKind _ -> Stream.of(new TextureProperty(attribute.name(), Optional.empty(), TextureUsage.COLOR));
+            case ValueKind.TextureKind t ->
+                    Stream.of(new TextureProperty(attribute.name(), List.of(t.repeatName(), t.wrapName()), t.usage()));
+            case ValueKind.GoboKind _ -> Stream.of(new TextureProperty(attribute.name(), List.of(), TextureUsage.COLOR));
             case ValueKind.LightTextureKind _ ->
-                    Stream.of(new TextureProperty(attribute.name(), Optional.empty(), TextureUsage.EMISSION));
+                    Stream.of(new TextureProperty(attribute.name(), List.of(), TextureUsage.EMISSION));
             case NumericKind<?> _,ChoiceKind<
                     ?> _,ValueKind.LinksKind _,ValueKind.GainsKind _,ValueKind.NameKind _,ValueKind.ProfileKind _,ValueKind.EnvironmentKind _ ->
                     Stream.empty();
         };
     }
 
-    /** Returns the message for a repeat without an image. */
-    String missingMessage() {
-        return repeatProperty.orElseThrow() + " needs a " + name + ", found none";
+    /** Returns the message for a dependent without an image. */
+    String missingMessage(String dependent) {
+        return dependent + " needs a " + name + ", found none";
     }
 }

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import lightning.base.math.Rgb;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TextureWrap;
 import lightning.scene.material.Bulb;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Material;
@@ -222,6 +223,9 @@ record PovMaterialWriter(List<String> warnings) {
     /** Maps POV-Ray's image map, in the xy plane or around y, to our texture coordinates. */
     private List<String> textureTransform(Material m, TextureMap map, Solid solid) {
         List<String> statements = new ArrayList<>();
+        if (!map.wrap().equals(TextureWrap.REPEAT)) {
+            warn("material " + m.name() + ": a texture repeats beyond its edges");
+        }
         if (solid instanceof Solid.TriangleMesh) {
             statements.add("scale <" + 1 / map.repeatU() + ", " + 1 / map.repeatV() + ", 1>");
             return statements;

@@ -10,10 +10,10 @@ import lightning.scene.value.SceneLimits;
  * @param repeatU repetitions around the shape, not 0 (negative mirrors it)
  * @param repeatV repetitions along the shape, not 0
  * @param image   the decoded image
- * @param isClamped true if pixels at the edges do not blend with the opposite edge: the image covers the surface once, so the repetitions are 1 or −1
+ * @param wrap    what follows the edges of the image
  */
 @RecordBuilder
-public record TextureMap(String file, double repeatU, double repeatV, Texture image, boolean isClamped) implements TextureMapBuilder.With {
+public record TextureMap(String file, double repeatU, double repeatV, Texture image, TextureWrap wrap) implements TextureMapBuilder.With {
     public TextureMap {
         checkRepeat("repeat u", repeatU);
         checkRepeat("repeat v", repeatV);
@@ -21,12 +21,12 @@ public record TextureMap(String file, double repeatU, double repeatV, Texture im
 
     /** Creates a map whose image repeats endlessly. */
     public TextureMap(String file, double repeatU, double repeatV, Texture image) {
-        this(file, repeatU, repeatV, image, false);
+        this(file, repeatU, repeatV, image, TextureWrap.REPEAT);
     }
 
     /** Returns whether both look the same on every surface; the file name does not matter. */
     public boolean hasSameTexels(TextureMap o) {
-        return repeatU == o.repeatU && repeatV == o.repeatV && isClamped == o.isClamped && image.equals(o.image);
+        return repeatU == o.repeatU && repeatV == o.repeatV && wrap.equals(o.wrap) && image.equals(o.image);
     }
 
     private static void checkRepeat(String name, double value) {

@@ -10,6 +10,7 @@ import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.LightTexture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureUsage;
+import lightning.scene.asset.TextureWrap;
 import lightning.scene.value.SceneLimits;
 import lightning.scene.value.ShapeGains;
 import lightning.scene.value.ShapeLinks;
@@ -184,6 +185,15 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
      * @param usage      meaning of its samples
      */
     record TextureKind(String repeatName, TextureUsage usage) implements MaterialKind<Optional<TextureMap>> {
+        /** What follows the edges of an image. */
+        public static final ChoiceKind<TextureWrap> WRAP =
+                new ChoiceKind<>(TextureWrap.ALL, TextureWrap.ALL.stream().map(TextureWrap::word).toList());
+
+        /** Returns the keyword for what follows the edges of the image. */
+        public String wrapName() {
+            return repeatName.replace("repeat", "wrap");
+        }
+
         @Override
         public boolean isEquivalent(Optional<TextureMap> a, Optional<TextureMap> b) {
             return a.isPresent() == b.isPresent() && (a.isEmpty() || a.get().hasSameTexels(b.get()));
@@ -191,7 +201,8 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
 
         @Override
         public String format(Optional<TextureMap> value) {
-            return value.map(t -> t.file() + " " + SceneLimits.formatShort(t.repeatU()) + " × " + SceneLimits.formatShort(t.repeatV()))
+            return value.map(t -> t.file() + " " + SceneLimits.formatShort(t.repeatU()) + " × " + SceneLimits.formatShort(t.repeatV())
+                    + (t.wrap().equals(TextureWrap.REPEAT) ? "" : " " + t.wrap().word()))
                     .orElse("none");
         }
 

@@ -48,6 +48,10 @@ class SceneImporterTest {
              'cameras': [{'perspective': {'yfov': 1}}], 'skins': [{}],
              'materials': [{'name': 'red', 'pbrMetallicRoughness': {'baseColorFactor': [1, 0, 0, 1], 'metallicFactor': 0}}]""")
             .replace("'indices': 3", "'indices': 3, 'material': 0");
+    /** PNG of a pixel with the values 128, 192, 255, in Base64. */
+    private static final String PIXEL =
+            "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGNoOPAfAAQDAkBvhCYaAAAAAElFTkSuQmCC";
+
     @TempDir
     private Path folder;
     private Path from;
@@ -100,29 +104,21 @@ class SceneImporterTest {
     }
 
     @Test
-    void clampedTextures_areNotedIfTheyShowBeyondTheirEdges() throws Exception {
+    void samplers_sayWhatFollowsTheEdges() throws Exception {
         String clamped =
-                SCENE.replace("'metallicFactor': 0}", "'metallicFactor': 0, 'baseColorTexture': {'index': 0, 'extensions': {"
-                        + "'KHR_texture_transform': {'scale': [1, 1.5]}}}}").replace("'cameras':",
-                                "'textures': [{'sampler': 0, 'source': 0}], 'samplers': [{'wrapS': 33071, 'magFilter': 9728}], "
-                                        + "'images': [{'uri': 'data:image/png;base64,'}], 'cameras':");
-        assertThat(read(Files.write(from.resolve("a.glb"), GltfFixtures.binary(clamped, GltfFixtures.SQUARE))).notes())
-                .containsEntry("clamped or mirrored textures, imported as repeating", 1)
-                .containsEntry("unfiltered textures, imported as filtered", 1);
-        String inside = clamped.replace("[1, 1.5]", "[1, 1]");
-        assertThat(read(Files.write(from.resolve("a.glb"), GltfFixtures.binary(inside, GltfFixtures.SQUARE))).notes())
-                .doesNotContainKey("clamped or mirrored textures, imported as repeating")
-                .containsEntry("unfiltered textures, imported as filtered", 1);
+                SCENE.replace("'metallicFactor': 0}", "'metallicFactor': 0, 'baseColorTexture': {'index': 0}}").replace("'cameras':",
+                        "'textures': [{'sampler': 0, 'source': 0}], 'samplers': [{'wrapS': 33071, 'wrapT': 33648, 'magFilter': 9728}], "
+                                + "'images': [{'uri': 'data:image/png;base64," + PIXEL + "'}], 'cameras':");
+        ImportedScene imported = read(Files.write(from.resolve("a.glb"), GltfFixtures.binary(clamped, GltfFixtures.SQUARE)));
+        assertThat(imported.text()).contains(" wrap clamp_mirror");
+        assertThat(imported.notes()).containsEntry("unfiltered textures, imported as filtered", 1);
     }
 
-    /** Pixel with the values 128, 192, 255. */
     @Test
     void normalMap_hasItsScale() throws Exception {
         String mapped =
                 SCENE.replace("'materials': [{", "'materials': [{'normalTexture': {'index': 0, 'scale': 0.5}, ").replace("'cameras':",
-                        "'textures': [{'source': 0}], 'images': [{'uri': 'data:image/png;base64,"
-                                + "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGNoOPAfAAQDAkBvhCYaAAAAAElFTkSuQmCC"
-                                + "'}], 'cameras':");
+                        "'textures': [{'source': 0}], 'images': [{'uri': 'data:image/png;base64," + PIXEL + "'}], 'cameras':");
         BumpMapping relief = imported(Files.write(from.resolve("a.glb"), GltfFixtures.binary(mapped, GltfFixtures.SQUARE))).materials()
                 .getFirst().bumpMapping();
         assertThat(relief.strength()).isEqualTo(0.5);

@@ -17,6 +17,7 @@ import lightning.scene.ViewSettings;
 import lightning.scene.World;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TextureWrap;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
 import lightning.scene.light.LightRig;
@@ -248,7 +249,8 @@ final class RandomScenes {
     private Optional<TextureMap> map(List<Texture> images) {
         int i = random.nextInt(TEXTURES.size());
         return random.nextInt(3) == 0 ? Optional.of(new TextureMap(TEXTURES.get(i), chance() ? 1 : scale(1e-6, 1e6),
-                scale(1e-6, 1e6), images.get(i))) : Optional.empty();
+                scale(1e-6, 1e6), images.get(i), TextureWrap.ALL.get(chance() ? 0 : random.nextInt(TextureWrap.ALL.size()))))
+                : Optional.empty();
     }
 
     private SceneNode node(List<Material> materials, int depth) {

@@ -27,6 +27,7 @@ import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TextureWrap;
 import lightning.scene.light.LightType;
 import lightning.scene.material.Material;
 import lightning.scene.node.Shape;
@@ -161,7 +162,8 @@ class MaterialWorkTest {
     void texture_updatesTexelsOfItsRows() {
         try (StudioRenderer studio = studio(ReflectionMode.STALE, MirrorStorage.FULL_ROWS)) {
             long before = studio.renderer().cache().bytes();
-            for (Optional<TextureMap> texture : List.of(CHECKS, CHECKS.map(t -> new TextureMap("d.png", -1, 7, t.image())))) {
+            for (Optional<TextureMap> texture : List.of(CHECKS, CHECKS.map(t -> new TextureMap("d.png", -1, 7, t.image())),
+                    CHECKS.map(t -> t.withWrap(TextureWrap.CLAMP)))) {
                 UpdateResult update = edit(studio, MATT, m -> m.withTexture(texture));
                 assertThat(update.plan().steps()).containsExactly("matt: texture");
                 assertWork(update, studio.referenceRows().count(0, ofMaterial(studio, MATT)), rows(studio), 0, 0);

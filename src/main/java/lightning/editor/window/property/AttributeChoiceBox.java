@@ -24,9 +24,19 @@ final class AttributeChoiceBox<V> extends StackPane {
      * @param onChosen  receives the chosen value
      */
     AttributeChoiceBox(SceneAttribute<?, V> attribute, ChoiceKind<V> choice, String help, Consumer<V> onChosen) {
+        this(attribute.id(), Messages.tr(attribute.title()), choice, help, onChosen);
+    }
+
+    /**
+     * @param id  of the box
+     * @param title  for screen readers
+     * @param help  tooltip text; may be empty
+     * @param onChosen  receives the chosen value
+     */
+    AttributeChoiceBox(String id, String title, ChoiceKind<V> choice, String help, Consumer<V> onChosen) {
         this.choice = choice;
-        box.setId(attribute.id());
-        box.setAccessibleText(Messages.tr(attribute.title()));
+        box.setId(id);
+        box.setAccessibleText(title);
         box.setMaxWidth(Double.MAX_VALUE);
         choice.labels().forEach(label -> box.getItems().add(SectionLayout.title(label)));
         getChildren().add(box);

@@ -215,7 +215,7 @@ final class MaterialPane extends VBox {
                 () -> box.show(editor.scene(), null), () -> {});
     }
 
-    private static Node labeled(String title, AttributeChoiceBox<?> box) {
+    static Node labeled(String title, AttributeChoiceBox<?> box) {
         return labeled(title, box, box.box());
     }
 

@@ -26,13 +26,14 @@ import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.format.jen.asset.FileKind;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TextureWrap;
 import lightning.scene.attribute.ValueKind;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
 
-/** Field for a texture of a material: file name, menu of the files next to the scene, and repetition. Reads files in the background. */
+/** Field for a texture of a material: file name, menu of the files next to the scene, repetition, and what follows the edges. Reads files in the background. */
 final class TextureField extends VBox {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
 
@@ -45,6 +46,7 @@ final class TextureField extends VBox {
     private final Label refusal = new Label();
     private final ArrowWidget repeatU;
     private final ArrowWidget repeatV;
+    private final AttributeChoiceBox<TextureWrap> wrap;
     private final DisabledReason disabledReason;
     private @Nullable Material shownMaterial;
 
@@ -84,10 +86,15 @@ final class TextureField extends VBox {
         row.getStyleClass().add("header-row");
         disabledReason = new DisabledReason(this, row);
         repeatU = repeatWidget(id("u"), Messages.tr("Repeat U"), repeatTitle("u"),
-                (map, v) -> new TextureMap(map.file(), v, map.repeatV(), map.image()));
+                TextureMap::withRepeatU);
         repeatV = repeatWidget(id("v"), Messages.tr("Repeat V"), repeatTitle("v"),
-                (map, v) -> new TextureMap(map.file(), map.repeatU(), v, map.image()));
-        getChildren().addAll(row, refusal, repeatU, repeatV);
+                TextureMap::withRepeatV);
+        wrap = new AttributeChoiceBox<>(wrapName().replace('_', '-'), Messages.tr("{0}: beyond its edges", title),
+                ValueKind.TextureKind.WRAP,
+                Messages.tr("What a surface shows beyond the edges of an image; the first word is for left and right"),
+                v -> editor.edit(scene -> MaterialEdits.edit(scene, editedMaterial().name(),
+                        m -> attribute.with(m, attribute.get(m).map(map -> map.withWrap(v)))), null));
+        getChildren().addAll(row, refusal, repeatU, repeatV, MaterialPane.labeled(Messages.tr("Wrap"), wrap));
     }
 
     private String id(String axis) {
@@ -97,6 +104,10 @@ final class TextureField extends VBox {
     /** Returns the name of the repeat attribute in the scene file. */
     private String repeatTitle(String axis) {
         return (attribute.kind() instanceof ValueKind.TextureKind t ? t.repeatName() : "repeat") + " " + axis;
+    }
+
+    private String wrapName() {
+        return attribute.kind() instanceof ValueKind.TextureKind t ? t.wrapName() : "wrap";
     }
 
     private interface RepeatEdit {
@@ -122,6 +133,8 @@ final class TextureField extends VBox {
         Optional<String> reason = attribute.get(material).isEmpty() ? missingReason : Optional.empty();
         repeatU.setDisabledReason(reason);
         repeatV.setDisabledReason(reason);
+        wrap.setDisabledReason(reason);
+        wrap.show(attribute.get(material).map(TextureMap::wrap).orElse(TextureWrap.REPEAT));
         repeatU.show(attribute.get(material).map(TextureMap::repeatU).orElse(1.0));
         repeatV.show(attribute.get(material).map(TextureMap::repeatV).orElse(1.0));
     }
@@ -132,6 +145,7 @@ final class TextureField extends VBox {
         revert();
         repeatU.showNothing();
         repeatV.showNothing();
+        wrap.showNothing();
     }
 
     void setDisabledReason(Optional<String> reason) {
@@ -139,6 +153,7 @@ final class TextureField extends VBox {
         if (reason.isPresent()) {
             repeatU.setDisabledReason(reason);
             repeatV.setDisabledReason(reason);
+            wrap.setDisabledReason(reason);
         }
     }
 

@@ -10,11 +10,13 @@ package lightning.format.mesh.obj;
  * @param scaleV     repetitions along v
  * @param offsetU    -o, added to the scaled coordinate u
  * @param offsetV    added to the scaled coordinate v
+ * @param isClamped  -clamp, whether its edges go on instead of repeating it
  */
-public record MtlImage(String path, boolean isNormal, double multiplier, double scaleU, double scaleV, double offsetU, double offsetV) {
+public record MtlImage(String path, boolean isNormal, double multiplier, double scaleU, double scaleV, double offsetU, double offsetV,
+        boolean isClamped) {
     /** Creates an image without options. */
     public MtlImage(String path) {
-        this(path, false, 1, 1, 1, 0, 0);
+        this(path, false, 1, 1, 1, 0, 0, false);
     }
 
     /** Returns whether it is moved. */

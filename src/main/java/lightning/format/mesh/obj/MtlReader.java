@@ -214,6 +214,7 @@ public final class MtlReader {
         double multiplier = 1;
         double[] scale = {1, 1};
         double[] offset = {0, 0};
+        boolean isClamped = false;
         while (rest.startsWith("-")) {
             String[] words = rest.split("\\s+", 2);
             rest = words.length < 2 ? "" : words[1];
@@ -225,6 +226,7 @@ public final class MtlReader {
             };
             double[] numbers = new double[most];
             int count = 0;
+            String first = rest.split("\\s+", 2)[0];
             // The last arguments of -o, -s and -t are optional.
             while (count < most && !rest.isEmpty() && (count == 0 || NUMBER.matcher(rest.split("\\s+", 2)[0]).matches())) {
                 String[] argument = rest.split("\\s+", 2);
@@ -236,11 +238,15 @@ public final class MtlReader {
                 case "-bm" -> multiplier = isRead ? numbers[0] : 1;
                 case "-s" -> scale = isRead ? new double[] {numbers[0], count > 1 ? numbers[1] : 1} : scale;
                 case "-o" -> offset = isRead ? new double[] {numbers[0], count > 1 ? numbers[1] : 0} : offset;
+                case "-clamp" -> {
+                    isClamped = first.equals("on");
+                    isRead = isClamped || first.equals("off");
+                }
                 default -> isRead = false;
             }
             notes.add("options " + option + " of textures", isRead ? 0 : 1);
         }
         return rest.isEmpty() ? Optional.empty()
-                : Optional.of(new MtlImage(rest, isNormal, multiplier, scale[0], scale[1], offset[0], offset[1]));
+                : Optional.of(new MtlImage(rest, isNormal, multiplier, scale[0], scale[1], offset[0], offset[1], isClamped));
     }
 }

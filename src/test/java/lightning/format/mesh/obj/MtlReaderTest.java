@@ -48,14 +48,14 @@ class MtlReaderTest {
         assertThat(materials.get("old oak"))
                 .isEqualTo(new MtlMaterial("old oak", IlluminationModel.REFLECTION, new Rgb(0.5, 0.25, 0.125), Rgb.gray(0.5),
                         new Rgb(0, 0, 2), OptionalDouble.of(96.5), 0.5, Rgb.WHITE, 1.5,
-                        Optional.of(new MtlImage("my wood.png", false, 1, 2, 2, 0.5, 0)),
+                        Optional.of(new MtlImage("my wood.png", false, 1, 2, 2, 0.5, 0, true)),
                         Optional.of(new MtlImage("lamps.png")), Optional.of(new MtlImage("holes.png")),
-                        Optional.of(new MtlImage("bumps.png", false, 0.25, 1, 1, 0, 0)), Optional.empty()));
+                        Optional.of(new MtlImage("bumps.png", false, 0.25, 1, 1, 0, 0, false)), Optional.empty()));
         assertThat(materials.get("plain"))
                 .isEqualTo(new MtlMaterial("plain", IlluminationModel.HIGHLIGHT, Rgb.gray(0.8), Rgb.BLACK, Rgb.BLACK,
                         OptionalDouble.empty(), 1,
                         Rgb.WHITE, 1.5, Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty()));
-        assertThat(notes.counts()).containsOnlyKeys("ambient colors (Ka) of materials", "options -clamp of textures");
+        assertThat(notes.counts()).containsOnlyKeys("ambient colors (Ka) of materials");
     }
 
     @ParameterizedTest
@@ -127,7 +127,7 @@ class MtlReaderTest {
     @Test
     void normalMap_winsOverBumpMap() throws Exception {
         assertThat(read("newmtl a\nmap_Bump b.png\nnorm n.png\nbump c.png\n").get("a").bump())
-                .contains(new MtlImage("n.png", true, 1, 1, 1, 0, 0));
+                .contains(new MtlImage("n.png", true, 1, 1, 1, 0, 0, false));
     }
 
     private Map<String, MtlMaterial> read(String file) throws IOException, MeshException {
