@@ -44,7 +44,8 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
     public static final SceneAttribute<World, Rgb> BACKGROUND = new SceneAttribute<>("background", "background",
             NumericKind.color(SceneLimits.MAX_EMISSION), Rgb.BLACK, "linear red, green, blue", World::background, World::withBackground);
     public static final SceneAttribute<World, Optional<Environment>> ENVIRONMENT = new SceneAttribute<>("environment", "environment",
-            new ValueKind.EnvironmentKind(), Optional.empty(), "a Radiance HDR file", World::environment, World::withEnvironment);
+            new ValueKind.EnvironmentKind(), Optional.empty(), "a Radiance HDR or OpenEXR file", World::environment,
+            World::withEnvironment);
     public static final SceneAttribute<World, Double> ROTATION = new SceneAttribute<>("rotation", "environment rotation",
             NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), 0.0, "degrees about y", World::rotation,
             World::withRotation);

@@ -168,7 +168,7 @@ public final class UsdLightExport {
     }
 
     private String texture(Light light) throws IOException {
-        return light.faceImage().isPresent() ? asset(FileKind.LIGHT_TEXTURE, light.texture().orElseThrow().file()) : "@@";
+        return light.faceImage().isPresent() ? asset(FileKind.TEXTURE, light.texture().orElseThrow().file()) : "@@";
     }
 
     /** Writes what has been edited of an imported light. */

@@ -17,24 +17,50 @@ import lightning.scene.value.SceneLimits;
  * flat or run-length encoded, also in the old way. The picture may be mirrored or turned; the header's exposure is divided out.
  */
 public final class HdrReader {
-    /** Maximum file size in bytes: 64 MiB. */
+    /** Maximum size of an image's file in bytes: 64 MiB. */
     public static final int MAX_BYTES = 64 << 20;
-    /** Maximum number of pixels: 8 Mi, 96 MiB when decoded. */
+    /** Maximum number of pixels of an image that is read as a whole: 8 Mi, 96 MiB when decoded. */
     public static final int MAX_PIXELS = 8 << 20;
 
     private static final int MAX_HEADER_BYTES = 1 << 16;
+    private static final int MAX_SIDE = 1 << 16;
     private static final Pattern SIZE = Pattern.compile("([-+])([XY]) +([0-9]{1,18}) +([-+])([XY]) +([0-9]{1,18}) *");
     private static final Pattern EXPOSURE = Pattern.compile("EXPOSURE= *([0-9.]{1,20}(?:[eE][+-]?[0-9]{1,3})?) *");
 
     private final Path file;
     private final byte[] bytes;
+    private final Matcher size;
     private int next;
     private int line;
     private double exposure = 1;
 
-    private HdrReader(Path file, byte[] bytes) {
+    private HdrReader(Path file, byte[] bytes, long maxPixels) throws MeshException {
         this.file = file;
         this.bytes = bytes;
+        size = readHeader();
+        long pixels = (long) lines() * lineLength();
+        if (pixels < 1 || pixels > maxPixels) {
+            throw problem("an image must have from 1 to " + maxPixels + " pixels, has " + size.group(6) + "×" + size.group(3));
+        }
+        if (Math.max(lines(), lineLength()) > MAX_SIDE) {
+            throw problem("an image must have at most " + MAX_SIDE + " pixels along each side, has " + size.group(6) + "×" + size.group(3));
+        }
+    }
+
+    /**
+     * Opens an image and reads its header.
+     *
+     * @param maxBytes  maximum size of the file in bytes
+     * @param maxPixels maximum number of pixels
+     * @throws MeshException if it is not a Radiance image or too large; the message contains the position
+     * @throws IOException if it cannot be read
+     */
+    public static HdrReader open(Path file, int maxBytes, long maxPixels) throws IOException, MeshException {
+        long size = Files.size(file);
+        if (size > maxBytes) {
+            throw new MeshException(file, "", "an environment must have at most " + maxBytes + " bytes, has " + size);
+        }
+        return new HdrReader(file, RegularFile.readBytes(file, "a Radiance HDR file", maxBytes), maxPixels);
     }
 
     /**
@@ -44,54 +70,80 @@ public final class HdrReader {
      * @throws IOException if it cannot be read
      */
     public static EnvironmentMap read(Path file) throws IOException, MeshException {
-        long size = Files.size(file);
-        if (size > MAX_BYTES) {
-            throw new MeshException(file, "", "an environment must have at most " + MAX_BYTES + " bytes, has " + size);
-        }
-        return new HdrReader(file, RegularFile.readBytes(file, "a Radiance HDR file", MAX_BYTES)).environment();
+        HdrReader reader = open(file, MAX_BYTES, MAX_PIXELS);
+        // Read once without keeping it: a damaged file shall not take the memory of the size that it claims.
+        reader.read((x, y, rgb) -> {});
+        float[] values = new float[3 * reader.width() * reader.height()];
+        reader.read((x, y, rgb) -> System.arraycopy(rgb, 0, values, 3 * (y * reader.width() + x), 3));
+        return new EnvironmentMap(reader.width(), reader.height(), values);
     }
 
-    private EnvironmentMap environment() throws MeshException {
-        Matcher size = readHeader();
-        // Scan lines run along the second side.
-        int height = parseSide(size.group(3));
-        int width = parseSide(size.group(6));
-        long pixels = (long) width * height;
-        if (pixels < 1 || pixels > MAX_PIXELS) {
-            throw problem("an image must have from 1 to " + MAX_PIXELS + " pixels, has " + size.group(6) + "×" + size.group(3));
-        }
-        byte[] pixel = new byte[4 * width];
-        // Read once without keeping it: a damaged file shall not take the memory of the size that it claims.
-        int start = next;
-        for (int y = 0; y < height; y++) {
-            readScanline(width, y, pixel);
-        }
-        next = start;
-        boolean isTurned = size.group(2).equals("X");
+    /** Returns the number of scan lines, which run along the second side. */
+    private int lines() {
+        return parseSide(size.group(3));
+    }
+
+    private int lineLength() {
+        return parseSide(size.group(6));
+    }
+
+    private boolean isTurned() {
+        return size.group(2).equals("X");
+    }
+
+    /** Returns the width of the picture, as shown. */
+    public int width() {
+        return isTurned() ? lines() : lineLength();
+    }
+
+    /** Returns the height of the picture, as shown. */
+    public int height() {
+        return isTurned() ? lineLength() : lines();
+    }
+
+    /** Receives pixels. */
+    @FunctionalInterface
+    public interface PixelConsumer {
+        /**
+         * Receives a pixel.
+         *
+         * @param rgb linear, 0 … {@link SceneLimits#MAX_EMISSION}, {@code float[3]}; reused
+         */
+        void accept(int x, int y, float[] rgb);
+    }
+
+    /**
+     * Reads all pixels. May be called again.
+     *
+     * @throws MeshException if the file is truncated or damaged; the message contains the position
+     */
+    public void read(PixelConsumer sink) throws MeshException {
+        int length = lineLength();
+        byte[] pixel = new byte[4 * length];
+        float[] rgb = new float[3];
+        boolean isTurned = isTurned();
         boolean isUpward = size.group(isTurned ? 4 : 1).equals("+");
         boolean isLeftward = size.group(isTurned ? 1 : 4).equals("-");
-        int columns = isTurned ? height : width;
-        int rows = isTurned ? width : height;
-        float[] rgb = new float[3 * width * height];
-        for (int line = 0; line < height; line++) {
-            readScanline(width, line, pixel);
-            for (int i = 0; i < width; i++) {
-                int column = isTurned ? line : i;
-                int row = isTurned ? i : line;
-                int at = (isUpward ? rows - 1 - row : row) * columns + (isLeftward ? columns - 1 - column : column);
-                int e = pixel[3 * width + i] & 0xFF;
+        int start = next;
+        for (int scan = 0; scan < lines(); scan++) {
+            readScanline(length, scan, pixel);
+            for (int i = 0; i < length; i++) {
+                int column = isTurned ? scan : i;
+                int row = isTurned ? i : scan;
+                int e = pixel[3 * length + i] & 0xFF;
                 double scale = e == 0 ? 0 : Math.scalb(1.0, e - 136) / exposure;
                 for (int c = 0; c < 3; c++) {
-                    rgb[3 * at + c] = (float) Math.min((pixel[c * width + i] & 0xFF) * scale, SceneLimits.MAX_EMISSION);
+                    rgb[c] = (float) Math.min((pixel[c * length + i] & 0xFF) * scale, SceneLimits.MAX_EMISSION);
                 }
+                sink.accept(isLeftward ? width() - 1 - column : column, isUpward ? height() - 1 - row : row, rgb);
             }
         }
-        return new EnvironmentMap(columns, rows, rgb);
+        next = start;
     }
 
-    /** Parses a side length in pixels, clamped to just above the maximum number of pixels. */
+    /** Parses a side length in pixels, clamped to a number that no image can have. */
     private static int parseSide(String digits) {
-        return (int) Math.min(Long.parseLong(digits), MAX_PIXELS + 1);
+        return (int) Math.min(Long.parseLong(digits), Integer.MAX_VALUE);
     }
 
     /** Reads the header up to and including the resolution line. */

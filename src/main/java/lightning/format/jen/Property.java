@@ -79,7 +79,8 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
             case ValueKind.AssetKind<?> _ -> List.of(fileProperty(a, a.unit(), t -> ((Optional<?>) a.get(t))
                     .<Value>map(held -> new Value.Quoted(((FileAsset) held).file())).orElse(new Value.Absent())));
             case ValueKind.TextureKind k -> List.of(
-                    fileProperty(a, "a PNG or JPEG file", t -> textureValue(a.get(t), map -> new Value.Quoted(map.file()))),
+                    fileProperty(a, "a PNG, JPEG, Radiance HDR or OpenEXR file",
+                            t -> textureValue(a.get(t), map -> new Value.Quoted(map.file()))),
                     Property.<T>numbers(k.repeatName(), List.of(" u", " v"), Value.of(1, 1), -SceneLimits.MAX_REPEAT,
                             SceneLimits.MAX_REPEAT,
                             "times, needs a " + a.name(), t -> textureValue(a.get(t), map -> Value.of(map.repeatU(), map.repeatV())))

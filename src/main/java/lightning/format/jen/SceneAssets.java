@@ -69,7 +69,7 @@ record SceneAssets(Scene scene, Optional<Path> folder) implements AssetSource {
     @Override
     public EnvironmentMap environment(String file) {
         return scene.world().environment().filter(p -> p.file().equals(file)).map(Environment::map)
-                .orElseGet(() -> read("environment", file, f -> new EnvironmentFolder(f).load(file)));
+                .orElseGet(() -> read("environment", file, f -> new EnvironmentFolder(f).load(file, note -> {})));
     }
 
     @Override

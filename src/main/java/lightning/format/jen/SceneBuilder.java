@@ -269,7 +269,9 @@ final class SceneBuilder {
         Set<String> unusable = new HashSet<>();
         boolean hasAllTextures = loadTextures(block, loadedTextures, unusable);
         Photometry profile = loadOptional(block, LightAttribute.PROFILE.name(), profiles::load, unusable);
-        EnvironmentMap environment = loadOptional(block, World.ENVIRONMENT.name(), environments::load, unusable);
+        EnvironmentMap environment = loadOptional(block, World.ENVIRONMENT.name(),
+                name -> environments.load(name, note -> noteReduction(block, World.ENVIRONMENT.name(), note)),
+                unusable);
         Mesh mesh = loadMesh(block);
         if (!problems.isEmpty() && (type.isNamed() && block.name.isEmpty()
                 || type.header().filter(p -> block.entry(p.name()) == null).isPresent()
@@ -315,7 +317,7 @@ final class SceneBuilder {
             if (entry != null && entry.value() instanceof Value.Quoted(String file)) {
                 Texture texture = loadOptional(block, property,
                         name -> textures.load(name, textureProperty.samples(),
-                                note -> notes.reduce(tokens.start(entry.from()), block.title() + ": " + note)),
+                                note -> noteReduction(block, property, note)),
                         unusable);
                 if (texture != null) {
                     loadedTextures.put(new LoadedAssets.TextureKey(file, textureProperty.samples()), texture);
@@ -325,6 +327,10 @@ final class SceneBuilder {
             }
         }
         return areFiles;
+    }
+
+    private void noteReduction(Block block, String property, String note) {
+        notes.reduce(tokens.start(requireNonNull(block.entry(property)).from()), block.title() + ": " + note);
     }
 
     private @Nullable Mesh loadMesh(Block block) {

@@ -62,6 +62,24 @@ public final class Texture {
         return (long) width * height;
     }
 
+    /** Returns the largest value. */
+    public float max() {
+        float max = 0;
+        for (int i = 0; i < 3 * width * height; i++) {
+            max = Math.max(max, value(i));
+        }
+        return max;
+    }
+
+    /** Returns a texture whose values are at most {@code limit}. */
+    public Texture limited(float limit) {
+        float[] limited = new float[3 * width * height];
+        for (int i = 0; i < limited.length; i++) {
+            limited[i] = Math.min(value(i), limit);
+        }
+        return new Texture(width, height, limited);
+    }
+
     /** Returns one channel (0 red, 1 green, 2 blue) of the pixel in column {@code x}, row {@code y}. */
     public float channel(int x, int y, int channel) {
         return value(3 * (y * width + x) + channel);

@@ -100,8 +100,9 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     public static final LightAttribute<Double> FEATHER = of("feather", Cone.FEATHERS, Cone.DEFAULT.feather(),
             "degrees inside the door's edge", Light::feather, Light::withFeather, Section.CONE,
             Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
-    public static final LightAttribute<Optional<Gobo>> GOBO = of("gobo", new ValueKind.GoboKind(), Optional.empty(), "a PNG or JPEG file",
-            Light::gobo, Light::withGobo, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
+    public static final LightAttribute<Optional<Gobo>> GOBO =
+            of("gobo", new ValueKind.GoboKind(), Optional.empty(), "a PNG, JPEG, Radiance HDR or OpenEXR file",
+                    Light::gobo, Light::withGobo, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<Optional<IesProfile>> PROFILE =
             of("profile", "IES profile", new ValueKind.ProfileKind(), Optional.empty(), "an IES file",
                     Light::profile, Light::withProfile, Section.CONE, Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF));

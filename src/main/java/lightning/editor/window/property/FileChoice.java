@@ -18,7 +18,7 @@ record FileChoice(String id, Command command, FileKind kind, String help) {
         return switch (kind) {
             case ValueKind.GoboKind _ -> new FileChoice("gobo", Command.CHOOSE_GOBO, FileKind.TEXTURE,
                     Messages.tr("Image projected by the light (gobo)"));
-            case ValueKind.LightTextureKind _ -> new FileChoice("light-texture", Command.CHOOSE_LIGHT_TEXTURE, FileKind.LIGHT_TEXTURE,
+            case ValueKind.LightTextureKind _ -> new FileChoice("light-texture", Command.CHOOSE_LIGHT_TEXTURE, FileKind.TEXTURE,
                     Messages.tr("Image on the light's face, such as a screen or a window"));
             case ValueKind.ProfileKind _ -> new FileChoice("profile", Command.CHOOSE_PROFILE, FileKind.PROFILE,
                     Messages.tr("Intensity in each direction, from an IES file"));

@@ -11,7 +11,7 @@ import lightning.base.file.RegularFile;
 import lightning.editor.window.widget.PixelImage;
 import lightning.format.jen.asset.FileKind;
 import lightning.format.jen.asset.JenLimits;
-import lightning.format.jen.asset.LightTextureReader;
+import lightning.format.jen.asset.LinearTextureReader;
 import lightning.format.jen.asset.TextureDecoder;
 import lightning.format.jen.asset.UnusableFileException;
 import lightning.scene.asset.Texture;
@@ -35,7 +35,7 @@ record FileThumbnail(int width, int height, int[] pixels) {
     static Optional<FileThumbnail> of(FileKind kind, Path folder, String name) {
         try {
             Optional<Path> file = kind.find(folder, name);
-            return file.isEmpty() ? Optional.empty() : LightTextureReader.isLinear(name) ? readLinear(name, file.get())
+            return file.isEmpty() ? Optional.empty() : LinearTextureReader.isLinear(name) ? readLinear(name, file.get())
                     : read(name, file.get());
         } catch (IOException | UnusableFileException | RuntimeException e) {
             // An unreadable image is listed by name only.
@@ -48,7 +48,7 @@ record FileThumbnail(int width, int height, int[] pixels) {
         if (Files.size(path) > MAX_LINEAR_BYTES) {
             return Optional.empty();
         }
-        Texture image = LightTextureReader.read(name, path);
+        Texture image = LinearTextureReader.read(name, path);
         int step = Math.max(1, Math.max(image.width(), image.height()) / MAX_SIDE);
         int width = (image.width() + step - 1) / step;
         int height = (image.height() + step - 1) / step;

@@ -111,7 +111,7 @@ public final class AttributeJson {
             case ValueKind.NameKind _ -> (V) text(in);
             case ValueKind.GoboKind _ -> (V) Optional.of(new Gobo(file(FileKind.TEXTURE, in, files),
                     new Texture(1, 1, new float[] {1, 1, 1})));
-            case ValueKind.LightTextureKind _ -> (V) Optional.of(new LightTexture(file(FileKind.LIGHT_TEXTURE, in, files),
+            case ValueKind.LightTextureKind _ -> (V) Optional.of(new LightTexture(file(FileKind.TEXTURE, in, files),
                     new Texture(1, 1, new float[] {1, 1, 1})));
             case ValueKind.ProfileKind _ -> (V) Optional.of(new IesProfile(file(FileKind.PROFILE, in, files),
                     new Photometry(Photometry.Type.C, new double[] {0, 180}, new double[] {0}, new double[] {1, 1})));

@@ -13,7 +13,7 @@ import lightning.format.exchange.UsdLightExport;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.gltf.JsonValue;
 import lightning.format.ies.IesReader;
-import lightning.format.jen.asset.LightTextureReader;
+import lightning.format.jen.asset.LinearTextureReader;
 import lightning.format.jen.asset.UnusableFileException;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
@@ -116,7 +116,7 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
         try {
             String name = file.get("name").text().orElse("texture");
             // Read before it is copied: a hostile stage may name any file of this machine.
-            Texture image = LightTextureReader.read(name, place.get());
+            Texture image = LinearTextureReader.read(name, place.get());
             return Optional.of(new LightTexture(assembler.addFile(place.get(), name), image));
         } catch (IOException | UnusableFileException e) {
             return Optional.empty();

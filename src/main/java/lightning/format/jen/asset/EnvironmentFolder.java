@@ -3,7 +3,7 @@ package lightning.format.jen.asset;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Set;
-import lightning.format.hdr.HdrReader;
+import java.util.function.Consumer;
 import lightning.format.mesh.MeshException;
 import lightning.scene.asset.EnvironmentMap;
 import org.jspecify.annotations.Nullable;
@@ -32,16 +32,17 @@ public final class EnvironmentFolder {
     /**
      * Loads an environment map.
      *
+     * @param notes receives a clause if it is reduced
      * @throws UnusableFileException if the file does not exist in the folders, a link leads out of them, or it is not a
      *     valid image
      */
-    public EnvironmentMap load(String file) throws UnusableFileException {
-        return searchPath.read(file, this::load);
+    public EnvironmentMap load(String file, Consumer<String> notes) throws UnusableFileException {
+        return searchPath.read(file, path -> load(path, notes));
     }
 
-    private EnvironmentMap load(Path file) throws IOException, MeshException {
+    private EnvironmentMap load(Path file, Consumer<String> notes) throws IOException, MeshException {
         if (map == null || !file.equals(path)) {
-            map = HdrReader.read(file);
+            map = EnvironmentReader.read(file, notes);
             path = file;
         }
         return map;

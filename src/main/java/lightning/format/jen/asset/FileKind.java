@@ -6,29 +6,20 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
-import lightning.base.file.RegularFile;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.format.hdr.HdrReader;
 import lightning.format.ies.IesReader;
 import lightning.format.mesh.MeshException;
 
 /** Kind of asset file that a scene references next to it or in its texture folders. */
 public enum FileKind {
-    /** Image on a material, or gobo of a light. */
-    TEXTURE("texture", "a PNG or JPEG file", Messages.key("PNG, JPEG"), JenLimits.TEXTURE_BYTES, "png", "jpg", "jpeg") {
+    /** Image on a material or on the face of a light, or gobo of a light. */
+    TEXTURE("texture", "a PNG, JPEG, Radiance HDR or OpenEXR file", Messages.key("PNG, JPEG, HDR, EXR"), JenLimits.TEXTURE_BYTES, "png",
+            "jpg",
+            "jpeg", "hdr", "exr") {
         @Override
         void read(String name, Path file) throws IOException, UnusableFileException {
-            TextureDecoder.decodeNumbers(name, RegularFile.readBytes(file, "a PNG or JPEG file", JenLimits.TEXTURE_BYTES));
-        }
-    },
-    /** Image on the face of a light. */
-    LIGHT_TEXTURE("texture", "a PNG, JPEG, Radiance HDR or OpenEXR file", Messages.key("PNG, JPEG, HDR, EXR"), JenLimits.TEXTURE_BYTES,
-            "png",
-            "jpg", "jpeg", "hdr", "exr") {
-        @Override
-        void read(String name, Path file) throws IOException, UnusableFileException {
-            LightTextureReader.read(name, file);
+            LinearTextureReader.read(name, file);
         }
     },
     /** Photometric profile of a light. */
@@ -39,10 +30,10 @@ public enum FileKind {
         }
     },
     /** Environment map of a scene. */
-    ENVIRONMENT("environment", "a Radiance HDR file", Messages.key("Radiance HDR"), HdrReader.MAX_BYTES, "hdr") {
+    ENVIRONMENT("environment", "a Radiance HDR or OpenEXR file", Messages.key("HDR, EXR"), EnvironmentReader.MAX_BYTES, "hdr", "exr") {
         @Override
         void read(String name, Path file) throws IOException, MeshException {
-            HdrReader.read(file);
+            EnvironmentReader.read(file, note -> {});
         }
     };
 

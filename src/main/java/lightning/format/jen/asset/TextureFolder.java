@@ -61,20 +61,25 @@ public final class TextureFolder {
             throw new UnusableFileException("a scene may have at most " + JenLimits.TEXTURES + " textures, found another, "
                     + Quote.of(file));
         }
-        Texture texture = samples == TextureUsage.EMISSION && LightTextureReader.isLinear(file) ? loadLinear(file, path)
+        Texture texture = LinearTextureReader.isLinear(file) ? loadLinear(file, samples, path, notes)
                 : loadCodes(file, samples, path, notes);
         cache.put(key, texture);
         return texture;
     }
 
-    private Texture loadLinear(String file, Path path) throws UnusableFileException, IOException {
-        Texture texture = LightTextureReader.read(file, path);
+    private Texture loadLinear(String file, TextureUsage samples, Path path, Consumer<String> notes)
+            throws UnusableFileException, IOException {
+        Texture texture = LinearTextureReader.readLinear(file, path, samples);
         if (texture.pixels() > budget.limit(texture.pixels())) {
             throw new UnusableFileException("texture " + Quote.of(file) + " exceeds the limit: all textures together must have at most "
                     + JenLimits.TOTAL_TEXTURE_PIXELS + " pixels");
         }
         budget.use(texture.pixels(), texture.pixels());
-        return texture;
+        if (samples == TextureUsage.EMISSION || texture.max() <= 1) {
+            return texture;
+        }
+        notes.accept("texture " + Quote.of(file) + " has values above 1; limited to 1");
+        return texture.limited(1);
     }
 
     private Texture loadCodes(String file, TextureUsage samples, Path path, Consumer<String> notes)

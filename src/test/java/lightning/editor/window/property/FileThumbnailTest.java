@@ -45,7 +45,7 @@ class FileThumbnailTest {
             bytes.writeBytes(new byte[] {(byte) 128, 64, 64, (byte) (i % 100 < 50 ? 140 : 139)});
         }
         Files.write(folder.resolve("sky.hdr"), bytes.toByteArray());
-        for (FileKind kind : List.of(FileKind.ENVIRONMENT, FileKind.LIGHT_TEXTURE)) {
+        for (FileKind kind : List.of(FileKind.ENVIRONMENT, FileKind.TEXTURE)) {
             FileThumbnail small = FileThumbnail.of(kind, folder, "sky.hdr").orElseThrow();
             assertThat(small.width()).isEqualTo(50);
             assertThat(small.height()).isEqualTo(25);
@@ -54,7 +54,7 @@ class FileThumbnailTest {
             assertThat(left >> 16 & 255).isBetween(100, 250).isGreaterThan(small.pixels()[49] >> 16 & 255);
         }
         Files.writeString(folder.resolve("text.exr"), "no picture");
-        assertThat(FileThumbnail.of(FileKind.LIGHT_TEXTURE, folder, "text.exr")).isEmpty();
+        assertThat(FileThumbnail.of(FileKind.TEXTURE, folder, "text.exr")).isEmpty();
     }
 
     @Test

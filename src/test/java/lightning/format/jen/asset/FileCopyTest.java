@@ -76,7 +76,7 @@ class FileCopyTest {
     @Test
     void unreadableFile_isRejectedWithoutWriting() throws IOException {
         assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.copyToScene(FileKind.TEXTURE, picture("wood.txt", "a"), scene, true))
-                .withMessage("a texture must be a PNG or JPEG file, was 'wood.txt'");
+                .withMessage("a texture must be a PNG, JPEG, Radiance HDR or OpenEXR file, was 'wood.txt'");
         assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.copyToScene(FileKind.TEXTURE, picture("w#od.png", "a"), scene, true))
                 .withMessageStartingWith("texture must be a file name of 1 to 200 letters");
         assertThat(scene.resolve("textures")).doesNotExist();
@@ -95,7 +95,7 @@ class FileCopyTest {
         assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.copyToScene(FileKind.PROFILE, profile, scene, true))
                 .withMessageContaining("lamp.ies");
         assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.copyToScene(FileKind.ENVIRONMENT, truncated, scene, true))
-                .withMessage("an environment must be a Radiance HDR file, was 'torn.png'");
+                .withMessage("an environment must be a Radiance HDR or OpenEXR file, was 'torn.png'");
         assertThat(scene.resolve("textures")).doesNotExist();
     }
 

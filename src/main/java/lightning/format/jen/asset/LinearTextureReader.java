@@ -3,6 +3,7 @@ package lightning.format.jen.asset;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import lightning.base.text.Quote;
 import lightning.format.exr.ExrColorReader;
@@ -14,9 +15,11 @@ import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureUsage;
 import lightning.scene.value.SceneLimits;
 
-/** Reader for images on the faces of lights: PNG and JPEG files, and files of linear values above 1. */
-public final class LightTextureReader {
-    private LightTextureReader() {}
+/** Reader for images of linear values, Radiance HDR and OpenEXR, and for all images that a scene may name. */
+public final class LinearTextureReader {
+    private static final List<String> ALPHA = List.of("A");
+
+    private LinearTextureReader() {}
 
     /**
      * Reads an image in linear light, with the limits of textures; values are limited to 0 … {@link SceneLimits#MAX_EMISSION}.
@@ -25,10 +28,19 @@ public final class LightTextureReader {
      * @throws UnusableFileException if it is too large, damaged or of another format
      */
     public static Texture read(String name, Path path) throws IOException, UnusableFileException {
-        if (!isLinear(name)) {
-            return TextureDecoder.decode(name, TextureDecoder.readFile(name, path), TextureUsage.COLOR);
-        }
-        return hasExtension(name, ".hdr") ? readHdr(path) : readExr(name, path);
+        return isLinear(name) ? readLinear(name, path, TextureUsage.EMISSION)
+                : TextureDecoder.decode(name, TextureDecoder.readFile(name, path), TextureUsage.COLOR);
+    }
+
+    /**
+     * Reads an image of linear values, limited to 0 … {@link SceneLimits#MAX_EMISSION}.
+     *
+     * @param name  name of the file in messages
+     * @param usage meaning of the samples; an opacity is the alpha channel, if there is one
+     * @throws UnusableFileException if it is too large, damaged or of another format
+     */
+    static Texture readLinear(String name, Path path, TextureUsage usage) throws IOException, UnusableFileException {
+        return hasExtension(name, ".hdr") ? readHdr(path) : readExr(name, path, usage);
     }
 
     /** Returns whether a file of this name has linear values: Radiance HDR or OpenEXR. */
@@ -53,22 +65,27 @@ public final class LightTextureReader {
         }
     }
 
-    private static Texture readExr(String name, Path path) throws IOException, UnusableFileException {
+    private static Texture readExr(String name, Path path, TextureUsage usage) throws IOException, UnusableFileException {
         if (Files.size(path) > JenLimits.TEXTURE_BYTES) {
             throw unusable(name, "must have at most " + JenLimits.TEXTURE_BYTES + " bytes, has " + Files.size(path));
         }
         try (ExrReader reader = new ExrReader(path)) {
             int width = reader.header().width();
             int height = reader.header().height();
-            if (width < 1 || height < 1 || (long) width * height > HdrReader.MAX_PIXELS) {
-                throw unusable(name, "must have from 1 to " + HdrReader.MAX_PIXELS + " pixels, has " + width + "×" + height);
+            if (width < 1 || height < 1 || (long) width * height > JenLimits.TEXTURE_PIXELS) {
+                throw unusable(name, "must have from 1 to " + JenLimits.TEXTURE_PIXELS + " pixels, has " + width + "×" + height);
             }
             float[] rgb = new float[3 * width * height];
-            ExrColorReader.read(reader, (x, y, values) -> {
+            ExrReader.PixelConsumer sink = (x, y, values) -> {
                 for (int c = 0; c < 3; c++) {
-                    rgb[3 * (y * width + x) + c] = limited(values[c]);
+                    rgb[3 * (y * width + x) + c] = limited(values[c % values.length]);
                 }
-            });
+            };
+            if (usage == TextureUsage.OPACITY && reader.header().channels().stream().anyMatch(c -> ALPHA.contains(c.name()))) {
+                reader.read(ALPHA, sink);
+            } else {
+                ExrColorReader.read(reader, sink);
+            }
             return new Texture(width, height, rgb);
         } catch (IOException e) {
             throw unusable(name, String.valueOf(e.getMessage()));

@@ -1,0 +1,105 @@
+package lightning.format.jen.asset;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import lightning.format.image.ImageFile;
+import lightning.format.jen.JenDocument;
+import lightning.format.jen.JenReader;
+import lightning.render.image.Film;
+import lightning.scene.asset.EnvironmentMap;
+import lightning.scene.asset.Texture;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Environments and textures from Radiance HDR and OpenEXR files. */
+class LinearImagesTest {
+    @TempDir
+    Path folder;
+
+    private void exr(String name, int width, int height, float... rgb) throws IOException {
+        ImageFile.writeExr(folder.resolve(name), Film.ofScanlines(width, height, rgb), 32, Map.of());
+    }
+
+    private JenDocument read(String text) throws Exception {
+        return JenReader.read("jen 1 " + text, "s.jen", folder);
+    }
+
+    private static List<Float> values(Texture texture) {
+        List<Float> values = new ArrayList<>();
+        for (int i = 0; i < 3 * texture.pixels(); i++) {
+            values.add(texture.channel(i / 3 % texture.width(), i / 3 / texture.width(), i % 3));
+        }
+        return values;
+    }
+
+    @Test
+    void environmentOfOpenExr_keepsItsFloats() throws Exception {
+        exr("sky.exr", 2, 1, 1e-5f, 3, 70_000, 0.1f, -1, Float.NaN);
+        JenDocument document = read("world { environment \"sky.exr\" }");
+        EnvironmentMap map = document.scene().world().environment().orElseThrow().map();
+        assertThat(document.notes()).isEmpty();
+        assertThat(
+                new float[] {map.channel(0, 0, 0), map.channel(0, 0, 1), map.channel(0, 0, 2), map.channel(1, 0, 0), map.channel(1, 0, 1),
+                    map.channel(1, 0, 2)})
+                .containsExactly(1e-5f, 3, 70_000, 0.1f, 0, 0);
+    }
+
+    @Test
+    void textureOfOpenExr_isLinear_andLimitedTo1() throws Exception {
+        exr("a.exr", 2, 1, 0.1f, 0.2f, 0.3f, 4, 0.5f, 0);
+        JenDocument document = read("material m { texture \"a.exr\" }");
+        assertThat(values(document.scene().materials().getFirst().texture().orElseThrow().image()))
+                .containsExactly(0.1f, 0.2f, 0.3f, 1f, 0.5f, 0f);
+        assertThat(document.notes()).singleElement().asString().endsWith("texture 'a.exr' has values above 1; limited to 1");
+    }
+
+    @Test
+    void faceOfALight_isNotLimitedTo1() throws Exception {
+        exr("a.exr", 1, 1, 4, 5, 6);
+        JenDocument document = read("light l rect { texture \"a.exr\" }");
+        assertThat(values(document.scene().lights().getFirst().texture().orElseThrow().image())).containsExactly(4f, 5f, 6f);
+        assertThat(document.notes()).isEmpty();
+    }
+
+    /** Rows of 9000 pixels, the left half of each with radiance 2 in red, the rest black: runs of the old kind. */
+    private static byte[] wideHdr(int height) throws IOException {
+        var out = new ByteArrayOutputStream();
+        out.write(("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + height + " +X 9000\n").getBytes(StandardCharsets.US_ASCII));
+        for (int y = 0; y < height; y++) {
+            // A pixel of 128/256 · 2^(130 − 128) = 2, and 4499 more: 147 + 17 · 256.
+            out.write(new byte[] {(byte) 128, 0, 0, (byte) 130, 1, 1, 1, (byte) 147, 1, 1, 1, 17});
+            out.write(new byte[] {0, 0, 0, 0, 1, 1, 1, (byte) 147, 1, 1, 1, 17});
+        }
+        return out.toByteArray();
+    }
+
+    @Test
+    void largeEnvironment_isReducedToMeans() throws Exception {
+        Files.write(folder.resolve("sky.hdr"), wideHdr(1001));
+        JenDocument document = read("world { environment \"sky.hdr\" }");
+        EnvironmentMap map = document.scene().world().environment().orElseThrow().map();
+        assertThat(map.width()).isEqualTo(4500);
+        assertThat(map.height()).isEqualTo(501);
+        assertThat(map.channel(0, 0, 0)).isEqualTo(2, within(1e-6f));
+        assertThat(map.channel(2249, 500, 0)).as("last row, of one row of the image").isEqualTo(2, within(1e-6f));
+        assertThat(map.channel(2250, 500, 0)).isZero();
+        assertThat(document.notes()).singleElement().asString()
+                .endsWith("world: the environment has more than 8388608 pixels; reduced to 4500×501");
+    }
+
+    @Test
+    void environmentOfTooManyPixels_isLeftOut() throws Exception {
+        Files.writeString(folder.resolve("sky.hdr"), "#?RADIANCE\n\n-Y 60000 +X 60000\n");
+        assertThat(read("world { environment \"sky.hdr\" }").notes()).singleElement().asString()
+                .contains("an image must have from 1 to 134217728 pixels, has 60000×60000").endsWith("; left out");
+    }
+}
