@@ -19,6 +19,9 @@ module lightning {
     requires drako;
     requires com.twelvemonkeys.imageio.webp;
     requires com.twelvemonkeys.imageio.tga;
+    // Only in the process that converts other programs' files, which has a class path.
+    requires static org.lwjgl;
+    requires static org.lwjgl.assimp;
     // Compile-time annotations only; not needed at run time.
     requires static io.soabase.recordbuilder.core;
     requires static java.compiler;

@@ -8,6 +8,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import lightning.cli.Lightning;
 import lightning.editor.window.LightningApp;
+import lightning.format.assimp.AssimpConverter;
+import lightning.format.assimp.AssimpProcess;
 import lightning.format.jen.JenFile;
 
 /** Starts the program. */
@@ -25,6 +27,9 @@ public final class Main {
      * named command. Exits with its code. If no window can be opened, says which commands need none.
      */
     public static void main(String[] args) {
+        if (args.length > 0 && args[0].equals(AssimpConverter.COMMAND)) {
+            System.exit(AssimpProcess.run(List.of(args).subList(1, args.length)));
+        }
         if (!opensEditor(args)) {
             runCommand(args);
         }

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import lightning.base.process.OwnProgram;
 
 /** Launcher of this program as a separate process, as a user starts it. */
 final class RenderProcess {
@@ -21,7 +22,7 @@ final class RenderProcess {
      */
     static void render(Path scene, PictureSize size, int threads, List<String> options, Path picture, Path folder)
             throws IOException, InterruptedException {
-        List<String> commandLine = new ArrayList<>(command());
+        List<String> commandLine = new ArrayList<>(OwnProgram.command());
         commandLine.addAll(List.of("render", scene.toString(), "--size", size.toString(), "--threads", Integer.toString(threads), "-o",
                 picture.toString()));
         commandLine.addAll(options);
@@ -39,19 +40,5 @@ final class RenderProcess {
         } finally {
             process.destroy();
         }
-    }
-
-    /** Returns the launcher of the installed image or the program's folder. Without one, returns Java with the current class path. */
-    private static List<String> command() {
-        String installed = System.getProperty("jpackage.app-path");
-        if (installed != null) {
-            return List.of(installed);
-        }
-        String home = System.getProperty("lightning.home");
-        if (home != null) {
-            return List.of(Path.of(home, "bin", "lightning").toString());
-        }
-        return List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "--add-modules", "jdk.incubator.vector", "-cp",
-                System.getProperty("jdk.module.path", System.getProperty("java.class.path")), "lightning.Main");
     }
 }

@@ -14,7 +14,7 @@ import picocli.CommandLine.Spec;
 
 /** Command {@code edit}; the launcher opens files that the editor supports itself, so this command only reports others. */
 @Command(name = "edit", header = "Open a scene in the editor.", abbreviateSynopsis = true,
-        description = "Same as lightning without a command. A glTF, USD, OBJ, PLY or NFF file is converted to a scene next to it.",
+        description = "Same as lightning without a command. A glTF, USD, OBJ, PLY, NFF or FBX file, or one of another program, is converted to a scene next to it.",
         footer = {
             "Examples:",
             "  lightning edit scenes/stage.jen",

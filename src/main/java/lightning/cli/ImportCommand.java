@@ -29,7 +29,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** Converts a file of another program to a scene. */
-@Command(name = "import", header = "Convert glTF, USD, OBJ, PLY or NFF to a .jen scene.", abbreviateSynopsis = true,
+@Command(name = "import", header = "Convert glTF, USD, OBJ, PLY, NFF, FBX and others to a .jen scene.", abbreviateSynopsis = true,
         description = "Writes a scene with the file's meshes, cameras, lights and materials. Copies the file and its images next to "
                 + "the scene unless they are already there. Lists and counts the features that are left out or converted approximately.",
         footer = {

@@ -16,7 +16,7 @@ import picocli.CommandLine.Spec;
 /** Program without a command: the editor, or the tour if no window can be opened. */
 @Command(name = "lightning", versionProvider = RootCommand.Version.class,
         header = "Light ray-traced scenes: trace once, then relight exactly in a fraction of the time.",
-        description = "Without a command, opens a scene (default: a copy of scenes/stage.jen) or a glTF, USD, OBJ, PLY or NFF file in the editor. If no "
+        description = "Without a command, opens a scene (default: a copy of scenes/stage.jen) or a glTF, USD, OBJ, PLY, NFF, FBX or other file in the editor. If no "
                 + "window can be opened, runs lightning tour, which demonstrates every kind of edit with images and timings.",
         commandListHeading = "%nCommands (each has a --help with examples):%n",
         footer = {

@@ -1,6 +1,7 @@
 package lightning.format.exchange;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -75,10 +76,12 @@ final class GltfImport {
     /** Node of the scene's camera; empty if it is not of the file. */
     private Optional<GltfNode> cameraNode = Optional.empty();
 
-    private GltfImport(Path source, Path sceneFile, LightUnits units, String variant, Progress progress) throws IOException, MeshException {
+    /** @param content file with the glTF; the source itself, or what it was converted to */
+    private GltfImport(Path source, Path content, Path sceneFile, LightUnits units, String variant, Progress progress)
+            throws IOException, MeshException {
         this.units = units;
         assembler = new SceneAssembler(source, sceneFile);
-        GltfFile gltf = GltfFile.read(source, progress);
+        GltfFile gltf = GltfFile.read(content, progress);
         file = new GltfScene(gltf, assembler.notes);
         nodes = file.nodes(SceneLimits.MAX_SHAPES);
         var variants = new MaterialVariants(gltf, variant);
@@ -92,7 +95,8 @@ final class GltfImport {
         if (parts.isEmpty() && lights.isEmpty() && gltf.cameraCount() == 0) {
             throw new MeshException(source, "meshes", "must have triangles, lights or cameras");
         }
-        meshFile = parts.isEmpty() ? source.getFileName().toString() : assembler.addFile(source);
+        meshFile = parts.isEmpty() ? source.getFileName().toString() : content.equals(source) ? assembler.addFile(source)
+                : assembler.addFile(assembler.stem() + ".glb", Files.readAllBytes(content));
         posedFile =
                 posed.meshes().isEmpty() ? "" : assembler.addFile(assembler.stem() + ".posed.glb", MeshFileWriter.write(posed.meshes()));
         shot = extras.hasShot() ? Optional.empty() : shot(gltf, progress);
@@ -104,7 +108,20 @@ final class GltfImport {
 
     static ImportedScene read(Path source, Path sceneFile, LightUnits units, String variant, Progress progress)
             throws IOException, MeshException {
-        return new GltfImport(source, sceneFile, units, variant, progress).assemble();
+        return new GltfImport(source, source, sceneFile, units, variant, progress).assemble();
+    }
+
+    /**
+     * Reads a file that was converted to glTF.
+     *
+     * @param content the converted file, which may be deleted afterwards
+     * @param losses number of things of each kind that it lacks
+     */
+    static ImportedScene readConverted(Path source, Path content, Map<String, Integer> losses, Path sceneFile, LightUnits units,
+            Progress progress) throws IOException, MeshException {
+        var converted = new GltfImport(source, content, sceneFile, units, "", progress);
+        losses.forEach(converted.assembler.notes::add);
+        return converted.assemble();
     }
 
     private Optional<GltfShot> shot(GltfFile gltf, Progress progress) throws IOException, MeshException {

@@ -9,6 +9,8 @@ import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
 import lightning.format.MeshFormat;
+import lightning.format.assimp.AssimpConverter;
+import lightning.format.assimp.AssimpFormat;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.exchange.usd.UsdImport;
@@ -16,7 +18,7 @@ import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
 import lightning.format.usd.UsdSubdivision;
 
-/** Importer of other programs' files: glTF, OBJ, PLY, NFF and USD. */
+/** Importer of other programs' files: glTF, OBJ, PLY, NFF and USD, and those that Assimp converts. */
 public final class SceneImporter {
     /** Default number of refinements of subdivision surfaces. */
     public static final int DEFAULT_LEVELS = UsdSubdivision.DEFAULT_LEVELS;
@@ -27,12 +29,12 @@ public final class SceneImporter {
 
     /** Returns the file extensions that can be imported, in lower case. */
     public static List<String> extensions() {
-        return Stream.concat(MeshFormat.allExtensions().stream(), UsdStage.extensions().stream()).toList();
+        return Stream.of(MeshFormat.allExtensions(), UsdStage.extensions(), AssimpFormat.extensions()).flatMap(List::stream).toList();
     }
 
     /** Returns whether a file has the name of one that can be imported. */
     public static boolean isImportName(String file) {
-        return MeshFormat.isMeshFileName(file) || UsdStage.isStageName(file);
+        return MeshFormat.isMeshFileName(file) || UsdStage.isStageName(file) || AssimpFormat.isModelName(file);
     }
 
     /**
@@ -64,12 +66,17 @@ public final class SceneImporter {
     public static ImportedScene read(Path file, Path sceneFile, LightUnits units, int levels, String variant, Progress progress)
             throws IOException, MeshException {
         boolean isStage = UsdStage.isStageName(file.toString());
-        if (!variant.isEmpty() && (isStage || MeshFormat.detect(file) != MeshFormat.GLTF)) {
+        boolean isModel = AssimpFormat.isModelName(file.toString());
+        if (!variant.isEmpty() && (isStage || isModel || MeshFormat.detect(file) != MeshFormat.GLTF)) {
             throw new MeshException(file, "", "must be a glTF file to have the variant " + Quote.of(variant) + " of its materials");
         }
         if (isStage) {
             RegularFile.open(file, "a USD file").close();
             return UsdImport.read(file, sceneFile, levels, progress);
+        }
+        if (isModel) {
+            return AssimpConverter.convert(file, progress,
+                    (glb, losses) -> GltfImport.readConverted(file, glb, losses, sceneFile, units, progress));
         }
         return switch (MeshFormat.detect(file)) {
             case PLY -> ObjImport.importPly(file, sceneFile, progress);

@@ -6,15 +6,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.CancellationException;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import java.util.stream.Stream;
 import lightning.base.file.RegularFile;
 import lightning.base.file.ScratchFolder;
 import lightning.base.file.SearchPath;
 import lightning.base.file.TemporaryFolder;
+import lightning.base.process.ConverterProcess;
 import lightning.base.text.Messages;
 import lightning.base.text.PrintableText;
 import lightning.base.text.Quote;
@@ -41,8 +38,6 @@ record UsdConverter(Path python, Path script, Duration limit, long memory, long 
     private static final int NO_USD = 3;
     private static final int MAX_MESSAGE = 300;
     private static final int MAX_MESSAGE_BYTES = 1 << 24;
-    private static final int POLL_MILLISECONDS = 50;
-    private static final int END_SECONDS = 10;
 
     /**
      * Returns the converter of this installation.
@@ -89,62 +84,23 @@ record UsdConverter(Path python, Path script, Duration limit, long memory, long 
         var builder = new ProcessBuilder(python.toString(), "-B", script.toString(), source.toAbsolutePath().toString(), folder.toString(),
                 Long.toString(memory), Long.toString(triangles));
         builder.environment().put("PYTHONIOENCODING", "utf-8");
-        Process process;
+        int code;
         try {
-            process = builder.redirectErrorStream(true).redirectOutput(messages.toFile()).start();
+            code = ConverterProcess.run(builder.redirectErrorStream(true).redirectOutput(messages.toFile()), limit, progress);
+        } catch (TimeoutException e) {
+            throw new MeshException(source, "", "usd-core did not read it within " + limit.toSeconds() + " s");
         } catch (IOException e) {
             throw new IOException(Messages.tr("{0}: cannot run as Python", Quote.path(python)), e);
         }
-        try {
-            // Its input stays open: when this process ends in any way, the system closes it, and the converter ends.
-            await(process, source, progress);
-            if (process.exitValue() == NO_USD) {
-                throw new IOException(Messages.tr("USD files need the Python package usd-core; run: {0} -m pip install usd-core", python));
-            }
-            Path error = folder.resolve("error.txt");
-            if (Files.exists(error)) {
-                throw new MeshException(source, "", firstLine(error));
-            }
-            if (process.exitValue() != 0 || !Files.exists(folder.resolve("stage.json"))) {
-                throw new MeshException(source, "", "the converter of USD files ended with code " + process.exitValue() + " ("
-                        + lastLine(messages) + ")");
-            }
-        } finally {
-            end(process);
+        if (code == NO_USD) {
+            throw new IOException(Messages.tr("USD files need the Python package usd-core; run: {0} -m pip install usd-core", python));
         }
-    }
-
-    /** Ends a process and those it started; waits until they no longer write into the folder, which is removed next. */
-    private static void end(Process process) throws IOException {
-        List<ProcessHandle> all = Stream.concat(process.descendants(), Stream.of(process.toHandle())).toList();
-        all.forEach(ProcessHandle::destroyForcibly);
-        process.getOutputStream().close();
-        for (ProcessHandle handle : all) {
-            try {
-                handle.onExit().get(END_SECONDS, TimeUnit.SECONDS);
-            } catch (ExecutionException | TimeoutException e) {
-                // The system ends it later.
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-                return;
-            }
+        Path error = folder.resolve("error.txt");
+        if (Files.exists(error)) {
+            throw new MeshException(source, "", firstLine(error));
         }
-    }
-
-    private void await(Process process, Path source, Progress progress) throws MeshException {
-        long end = System.nanoTime() + limit.toNanos();
-        try {
-            while (!process.waitFor(POLL_MILLISECONDS, TimeUnit.MILLISECONDS)) {
-                if (progress.isCanceled()) {
-                    throw new CancellationException("canceled while usd-core read the stage");
-                }
-                if (System.nanoTime() - end > 0) {
-                    throw new MeshException(source, "", "usd-core did not read it within " + limit.toSeconds() + " s");
-                }
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new CancellationException("interrupted while usd-core read the stage");
+        if (code != 0 || !Files.exists(folder.resolve("stage.json"))) {
+            throw new MeshException(source, "", "the converter of USD files ended with code " + code + " (" + lastLine(messages) + ")");
         }
     }
 

@@ -52,7 +52,7 @@ public interface FilePrompt {
     /** Returns a prompt that uses the system's file dialogs. */
     static FilePrompt ofSystem(Window owner) {
         var scenes = filter("Scenes", JenFile.EXTENSION);
-        var files = new FileChooser.ExtensionFilter(Messages.tr("Scenes, glTF, USD, OBJ, PLY, NFF"),
+        var files = new FileChooser.ExtensionFilter(Messages.tr("Scenes and files of other programs"),
                 Stream.concat(Stream.of(JenFile.EXTENSION), SceneImporter.extensions().stream()).map(ending -> "*" + ending).toList());
         var tables = filter("LUTs", CubeLutReader.EXTENSION);
         return new FilePrompt() {

@@ -59,7 +59,7 @@ public final class WelcomePane extends BorderPane {
         setId("welcome");
         getStyleClass().add("welcome");
         open.getStyleClass().add("accent");
-        open.setTooltip(new Tooltip(Messages.tr("Open a scene, or import a glTF, OBJ, PLY or NFF file")));
+        open.setTooltip(new Tooltip(Messages.tr("Open a scene, or import a glTF, USD, OBJ, PLY, NFF, FBX or other file")));
         open.setOnAction(_ -> commands.run(Command.LOAD_FILE));
         Button studio = action("welcome-new", Messages.tr("New Studio"), Command.NEW_SCENE.icon());
         studio.setTooltip(new Tooltip(Command.NEW_SCENE.help()));

@@ -1,0 +1,71 @@
+package lightning.base.process;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.stream.Stream;
+import lightning.base.work.Progress;
+
+/** Program that converts a file in a process of its own, which ends with this one, whatever happens. */
+public final class ConverterProcess {
+    private static final int POLL_MILLISECONDS = 50;
+    private static final int END_SECONDS = 10;
+
+    private ConverterProcess() {}
+
+    /**
+     * Runs a program to its end; returns its exit code. Its input stays open: when this process ends in any way, the system closes it, and the
+     * program should end.
+     *
+     * @throws TimeoutException if it takes longer than a limit
+     * @throws CancellationException if {@code progress} requested cancellation
+     * @throws IOException if it cannot be started
+     */
+    public static int run(ProcessBuilder program, Duration limit, Progress progress) throws IOException, TimeoutException {
+        Process process = program.start();
+        try {
+            await(process, limit, progress);
+            return process.exitValue();
+        } finally {
+            end(process);
+        }
+    }
+
+    private static void await(Process process, Duration limit, Progress progress) throws TimeoutException {
+        long end = System.nanoTime() + limit.toNanos();
+        try {
+            while (!process.waitFor(POLL_MILLISECONDS, TimeUnit.MILLISECONDS)) {
+                if (progress.isCanceled()) {
+                    throw new CancellationException("canceled while another program converted the file");
+                }
+                if (System.nanoTime() - end > 0) {
+                    throw new TimeoutException();
+                }
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new CancellationException("interrupted while another program converted the file");
+        }
+    }
+
+    /** Ends a process and those it started; waits until they no longer write into the folder, which is removed next. */
+    private static void end(Process process) throws IOException {
+        List<ProcessHandle> all = Stream.concat(process.descendants(), Stream.of(process.toHandle())).toList();
+        all.forEach(ProcessHandle::destroyForcibly);
+        process.getOutputStream().close();
+        for (ProcessHandle handle : all) {
+            try {
+                handle.onExit().get(END_SECONDS, TimeUnit.SECONDS);
+            } catch (ExecutionException | TimeoutException e) {
+                // The system ends it later.
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+                return;
+            }
+        }
+    }
+}

@@ -1,0 +1,117 @@
+package lightning.format.assimp;
+
+import static java.util.Objects.requireNonNull;
+
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.lwjgl.assimp.AIPropertyStore;
+import org.lwjgl.assimp.AIScene;
+import org.lwjgl.assimp.Assimp;
+
+/** Conversion of a file to glTF by Assimp, in a process of its own: native code may end it at any time. */
+public final class AssimpProcess {
+    /** Smooth normals where the file has none, meters, and triangles only; lines and points become meshes of their own. */
+    private static final int STEPS = Assimp.aiProcess_Triangulate | Assimp.aiProcess_JoinIdenticalVertices | Assimp.aiProcess_GlobalScale
+            | Assimp.aiProcess_SortByPType | Assimp.aiProcess_GenSmoothNormals | Assimp.aiProcess_RemoveComponent;
+    private static final int POLL_MILLISECONDS = 100;
+    /** Angle between faces above which an edge of a mesh without normals is sharp, as other programs do. */
+    private static final float MAX_SMOOTH_DEGREES = 30;
+    static final int FAILED = 3;
+    static final int OUT_OF_MEMORY = 4;
+
+    private AssimpProcess() {}
+
+    /**
+     * Runs the command {@link AssimpConverter#COMMAND}; returns its exit code. A failure is a line of the error stream.
+     *
+     * @param words file, new file, memory in bytes, and whether animations are kept
+     */
+    public static int run(List<String> words) {
+        try {
+            // Tangents follow from the coordinates, and the writer gives them a type that glTF does not have.
+            int removed = Assimp.aiComponent_TANGENTS_AND_BITANGENTS;
+            convert(Path.of(words.get(0)), Path.of(words.get(1)), Long.parseLong(words.get(2)),
+                    Boolean.parseBoolean(words.get(3)) ? removed : removed | Assimp.aiComponent_ANIMATIONS);
+            System.out.flush();
+            // The library may crash while it is unloaded.
+            Runtime.getRuntime().halt(0);
+            return 0;
+        } catch (IOException | RuntimeException e) {
+            System.err.println(e.getMessage());
+            return FAILED;
+        }
+    }
+
+    /**
+     * Converts a file, and ends this process if its caller ends or the conversion takes too much memory.
+     *
+     * @param output  new file, glTF in one file
+     * @param memory  bytes that the conversion may take
+     * @param removed parts of the scene to leave out, as Assimp's components
+     * @throws IOException if Assimp cannot read the file or write the other one; the message says why
+     */
+    private static void convert(Path file, Path output, long memory, int removed) throws IOException {
+        endWithCaller();
+        limitMemory(memory);
+        AIScene scene = read(file, removed);
+        if (Assimp.aiExportScene(scene, "glb2", output.toString(), 0) != Assimp.aiReturn_SUCCESS) {
+            throw new IOException("it cannot be converted " + Assimp.aiGetErrorString());
+        }
+        // The scene is not released: this process ends.
+        GlbLights.add(output, scene, file);
+    }
+
+    /** @param removed parts of the scene to leave out, as Assimp's components */
+    private static AIScene read(Path file, int removed) throws IOException {
+        AIPropertyStore settings = requireNonNull(Assimp.aiCreatePropertyStore());
+        try {
+            // Pivots would become nodes of their own.
+            Assimp.aiSetImportPropertyInteger(settings, Assimp.AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 0);
+            Assimp.aiSetImportPropertyInteger(settings, Assimp.AI_CONFIG_PP_RVC_FLAGS, removed);
+            Assimp.aiSetImportPropertyFloat(settings, Assimp.AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, MAX_SMOOTH_DEGREES);
+            @Nullable
+            AIScene scene =
+                    Assimp.aiImportFileExWithProperties(file.toString(), STEPS,
+                            null, settings);
+            if (scene == null) {
+                throw new IOException(String.valueOf(Assimp.aiGetErrorString()));
+            }
+            return scene;
+        } finally {
+            Assimp.aiReleasePropertyStore(settings);
+        }
+    }
+
+    /** Ends this process when its input ends. */
+    private static void endWithCaller() {
+        Thread.ofPlatform().daemon().name("caller").start(() -> {
+            try {
+                while (System.in.read() >= 0) {
+                    // The caller sends nothing.
+                }
+            } catch (IOException e) {
+                // It has ended as well.
+            }
+            Runtime.getRuntime().halt(1);
+        });
+    }
+
+    private static void limitMemory(long bytes) {
+        var system = (com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+        long start = system.getCommittedVirtualMemorySize();
+        Thread.ofPlatform().daemon().name("memory").start(() -> {
+            while (system.getCommittedVirtualMemorySize() - start < bytes) {
+                try {
+                    Thread.sleep(Duration.ofMillis(POLL_MILLISECONDS));
+                } catch (InterruptedException e) {
+                    return;
+                }
+            }
+            Runtime.getRuntime().halt(OUT_OF_MEMORY);
+        });
+    }
+}
