@@ -43,7 +43,7 @@ final class ImportCommand implements Callable<Integer> {
     private final Console console;
 
     @Parameters(index = "0", paramLabel = "FILE",
-            description = "A .glb, .gltf, .obj, .ply, .nff, .usd, .usda, .usdc or .usdz file. USD files "
+            description = "A .glb, .gltf, .obj, .ply, .nff, .fbx, .dae, .stl, .usd, .usda, .usdc or .usdz file, or one of docs/command-line.md. USD files "
                     + "need Python with the package usd-core; LIGHTNING_PYTHON names its interpreter, LIGHTNING_USD_FOLDERS "
                     + "folders besides the file's own that it may refer to.")
     private Path file;
