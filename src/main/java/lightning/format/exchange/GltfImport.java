@@ -67,6 +67,7 @@ final class GltfImport {
     /** Names in the scene of the file's nodes; the first node of a name represents all. */
     private final Map<String, String> nodeNames = new HashMap<>();
     private final SceneExtras extras;
+    private final GltfCameras cameras;
     private final String meshFile;
     private final PosedMeshes posed;
     /** File of the posed meshes; empty if there are none. */
@@ -76,13 +77,13 @@ final class GltfImport {
     /** Node of the scene's camera; empty if it is not of the file. */
     private Optional<GltfNode> cameraNode = Optional.empty();
 
-    private GltfImport(Path source, Path sceneFile, LightUnits units, String variant, Progress progress) throws IOException, MeshException {
-        this.units = units;
+    private GltfImport(Path source, Path sceneFile, ImportOptions options, Progress progress) throws IOException, MeshException {
+        units = options.units();
         assembler = new SceneAssembler(source, sceneFile);
         GltfFile gltf = GltfFile.read(source, progress);
         file = new GltfScene(gltf, assembler.notes);
         nodes = file.nodes(SceneLimits.MAX_SHAPES);
-        var variants = new MaterialVariants(gltf, variant);
+        var variants = new MaterialVariants(gltf, options.variants().isEmpty() ? "" : options.variants().getFirst());
         variants.noteNames(assembler.notes);
         for (GltfPart part : GltfMeshReader.readAll(gltf, assembler.notes)) {
             parts.computeIfAbsent(part.mesh(), _ -> new ArrayList<>()).add(variants.part(part, assembler.notes));
@@ -90,6 +91,7 @@ final class GltfImport {
         posed = PosedMeshes.of(gltf, nodes, parts);
         lights = file.lights();
         extras = new SceneExtras(file.settings());
+        cameras = new GltfCameras(gltf, nodes, options.camera(), extras.camera());
         if (parts.isEmpty() && lights.isEmpty() && gltf.cameraCount() == 0) {
             throw new MeshException(source, "meshes", "must have triangles, lights or cameras");
         }
@@ -103,9 +105,8 @@ final class GltfImport {
         }
     }
 
-    static ImportedScene read(Path source, Path sceneFile, LightUnits units, String variant, Progress progress)
-            throws IOException, MeshException {
-        return new GltfImport(source, sceneFile, units, variant, progress).assemble();
+    static ImportedScene read(Path source, Path sceneFile, ImportOptions options, Progress progress) throws IOException, MeshException {
+        return new GltfImport(source, sceneFile, options, progress).assemble();
     }
 
     private Optional<GltfShot> shot(GltfFile gltf, Progress progress) throws IOException, MeshException {
@@ -160,7 +161,7 @@ final class GltfImport {
         Optional<Transform> later = shot.flatMap(s -> s.laterTransform(node));
         Transform local = later.orElse(node.local());
         Transform world = parentTransform.times(local);
-        if (node.camera() >= 0 && (extras.camera().isEmpty() || extras.camera().equals(node.name()))) {
+        if (assembler.camera.isEmpty() && cameras.isCandidate(node)) {
             importCamera(node, world);
         }
         if (node.light() >= 0) {
@@ -243,16 +244,13 @@ final class GltfImport {
 
     private void importCamera(GltfNode node, Transform world) throws MeshException {
         GltfCamera gltfCamera = file.camera(node.camera(), assembler.notes);
-        if (assembler.camera.isPresent()) {
-            assembler.notes.add("additional cameras");
-            return;
-        }
         if (gltfCamera.fieldOfView().isEmpty()) {
             assembler.notes.add("orthographic cameras, imported as perspective");
         }
         try {
             assembler.camera = Optional.of(camera(world, fieldOfView(gltfCamera)));
             cameraNode = Optional.of(node);
+            cameras.noteOthers(node, assembler.notes);
             gltfCamera.aspectRatio().ifPresent(assembler::setAspectRatio);
         } catch (IllegalArgumentException | ArithmeticException e) {
             assembler.notes.add("cameras that cannot be placed");
