@@ -209,7 +209,8 @@ class UsdChoiceTest {
 
     @Test
     void variantSetsWithoutAChoice_areNoted() throws Exception {
-        assertThat(imported("", VARIANTS, PLAIN).notes()).containsEntry("variants, imported as the stage selects them: look (green, red)", 1);
+        assertThat(imported("", VARIANTS, PLAIN).notes()).containsEntry("variants, imported as the stage selects them: look (green, red)",
+                1);
         assertThat(imported("", VARIANTS, PLAIN.withVariants(List.of("look=red"))).notes().keySet())
                 .noneMatch(note -> note.contains("variant"));
     }

@@ -45,6 +45,11 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
         };
     }
 
+    /** Returns whether a prim of a type can have a cone and a profile. */
+    public static boolean isShaped(String type) {
+        return type.equals("SphereLight") || type.equals("DiskLight");
+    }
+
     /** Returns the values of all attributes that a type has. */
     public Map<String, String> values(boolean isOn) {
         Map<String, String> result = new LinkedHashMap<>();
