@@ -23,8 +23,12 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
     public static final String MATRIX = "matrix4d xformOp:transform:lightning";
     static final String INTENSITY = "float inputs:intensity";
     static final String NORMALIZE = "bool inputs:normalize";
+    static final String ANGLE = "float inputs:shaping:cone:angle";
+    static final String FOCUS = "float inputs:shaping:focus";
     static final String SOFTNESS = "float inputs:shaping:cone:softness";
     static final String POINT = "bool treatAsPoint";
+    /** Values of a cone that holds nothing back. */
+    static final Map<String, String> OPEN_CONE = Map.of(ANGLE, "180", SOFTNESS, "0", FOCUS, "0");
     static final Vec3 DOWN = new Vec3(0, -1, 0);
     private static final double SPHERE_FACTOR = 4;
     private static final double FULL_ANGLE = 180;
@@ -105,9 +109,9 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
                 if (type.equals("SphereLight")) {
                     result.put(POINT, light.area().radius() == 0 ? "1" : "0");
                 }
-                result.put("float inputs:shaping:cone:angle", UsdLayer.number(isSpot ? light.angle() : FULL_ANGLE));
+                result.put(ANGLE, UsdLayer.number(isSpot ? light.angle() : FULL_ANGLE));
                 result.put(SOFTNESS, UsdLayer.number(isSpot ? SoftCones.softness(light).orElse(0) : 0));
-                result.put("float inputs:shaping:focus",
+                result.put(FOCUS,
                         UsdLayer.number(!isSpot ? 0 : type.equals("DiskLight") ? light.dropoff() - 1 : light.dropoff()));
             }
         }

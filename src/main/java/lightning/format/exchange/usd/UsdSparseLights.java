@@ -24,6 +24,7 @@ import lightning.scene.shot.Shot;
  */
 public record UsdSparseLights(UsdLayer layer, UsdPrimWriter writer, ConversionNotes notes) {
     private static final String SHARED = "edited lights of point instancers, which a layer cannot change one by one";
+    private static final String SHAPING = "ShapingAPI";
     private static final String RIG_ORDER = "[\"xformOp:transform:lightning\"]";
 
     /**
@@ -49,9 +50,14 @@ public record UsdSparseLights(UsdLayer layer, UsdPrimWriter writer, ConversionNo
         UsdLayer.Prim over = editable(prim, original);
         if (changes.isRetyped()) {
             over.define(type);
+            if (!UsdLightValues.isShaped(type) && original.hasSchema(SHAPING)) {
+                openCone(over);
+            }
         }
         addSchemas(over, original, values.keySet(), files.keySet());
         values.forEach((declaration, samples) -> UsdPrimWriter.set(over, declaration, samples));
+        notes.add("edited values that the stage animates, written for all frames since one frame was imported",
+                (int) values.keySet().stream().filter(original::isAnimated).count());
         if (values.containsKey(UsdLightValues.MATRIX)) {
             over.set(UsdPrimWriter.ORDER, changes.leavesRig() || original.resetsTransform() ? UsdPrimWriter.RESET_ORDER : RIG_ORDER);
         }
@@ -80,6 +86,12 @@ public record UsdSparseLights(UsdLayer layer, UsdPrimWriter writer, ConversionNo
         return layer.prim(prim.path());
     }
 
+    /** Opens the cone that the stage has, which a light of this type has not. */
+    private static void openCone(UsdLayer.Prim prim) {
+        UsdLightValues.OPEN_CONE.forEach(prim::set);
+        prim.set(UsdPrimWriter.PROFILE, "@@");
+    }
+
     private Map<String, String> files(Light light, String type, UsdLightChanges changes) throws IOException {
         Map<String, String> files = new LinkedHashMap<>();
         if (UsdLightValues.isShaped(type) && !writer.profile(light).equals(writer.profile(changes.before()))) {
@@ -94,9 +106,9 @@ public record UsdSparseLights(UsdLayer layer, UsdPrimWriter writer, ConversionNo
     /** Applies the schemas of attributes that are written, where the stage does not. */
     private static void addSchemas(UsdLayer.Prim prim, UsdOriginal original, Set<String> values, Set<String> files) {
         List<String> missing = new ArrayList<>();
-        if (!original.hasSchema("ShapingAPI")
+        if (!original.hasSchema(SHAPING)
                 && (files.contains(UsdPrimWriter.PROFILE) || values.stream().anyMatch(s -> s.contains("inputs:shaping:")))) {
-            missing.add("ShapingAPI");
+            missing.add(SHAPING);
         }
         if (!original.hasSchema("ShadowAPI") && values.stream().anyMatch(s -> s.contains("inputs:shadow:"))) {
             missing.add("ShadowAPI");
