@@ -19,7 +19,7 @@ FAILED = 2
 FOLDERS = "LIGHTNING_USD_FOLDERS"
 
 
-def main(parent: int, source: str, folder: str, max_triangles: int, choice: Choice) -> int:
+def main(parent: int, source: str, folder: str, max_triangles: int, choice: Choice = Choice()) -> int:
     """Returns the exit code: 0, FAILED, or NO_USD without usd-core."""
     end_with(parent)
     try:

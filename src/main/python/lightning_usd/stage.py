@@ -9,7 +9,7 @@ import mtlx
 import skeletons
 from cameras import camera, chosen_camera, resolution
 from choice import Choice
-from layers import open_layers
+from layers import note_missing, open_layers
 from lights import is_light, light, linked_nodes, rig, unknown_light
 from materials import Materials
 from meshes import Meshes, SOLIDS, solid
@@ -82,7 +82,7 @@ class Walk:
             "meshes": self.meshes.all,
             "materials": self.materials.all,
         }
-        self.out.note("references that cannot be loaded", len(self.stage.GetCompositionErrors()))
+        note_missing(self.stage, self.out)
         self.out.write(document)
 
     def walk(self, root: Usd.Prim, parent: int, is_prototype: bool) -> int:
@@ -172,7 +172,10 @@ class Walk:
         purpose = UsdGeom.Imageable(prim).ComputePurpose()
         if purpose in (UsdGeom.Tokens.guide, UsdGeom.Tokens.proxy):
             self.out.note(f"objects of purpose {purpose}")
-        elif prim.IsA(UsdGeom.Mesh):
+            return
+        if purpose == UsdGeom.Tokens.render and self.hides_render(prim):
+            node["hidden"] = True
+        if prim.IsA(UsdGeom.Mesh):
             material = self.materials.of(prim)
             mesh = self.meshes.of(UsdGeom.Mesh(prim), self.materials, material)
             if mesh >= 0:
@@ -189,6 +192,10 @@ class Walk:
             node["material"] = material if material >= 0 else self.materials.display(prim)
         else:
             self.out.note(LEFT_OUT.get(kind, f"objects of type {kind}"))
+
+    def hides_render(self, prim: Usd.Prim) -> bool:
+        """Returns whether a prim of purpose render is hidden because of its purpose."""
+        return UsdGeom.Imageable(prim).ComputeEffectiveVisibility(UsdGeom.Tokens.render, self.time) == UsdGeom.Tokens.invisible
 
     def add_instances(self, node: dict[str, Any], prim: Usd.Prim) -> None:
         """Adds the instances of a point instancer."""
@@ -287,14 +294,16 @@ class Walk:
             self.out.note(f"frames outside of the stage's {start:.10g} to {end:.10g}")
 
     def is_moving(self, prim: Usd.Prim) -> bool:
-        """Returns whether an attribute of a prim, or the transform of one above it, has time samples. Collects their times."""
+        """Returns whether an attribute of a prim, or the transform or visibility of one above it, has time samples. Collects their times."""
         samples: set[float] = set()
         for attribute in prim.GetAuthoredAttributes():
             samples.update(attribute.GetTimeSamples())
         while prim and not prim.IsPseudoRoot():
-            xform = UsdGeom.Xformable(prim)
+            xform, imageable = UsdGeom.Xformable(prim), UsdGeom.Imageable(prim)
             if xform:
                 samples.update(xform.GetTimeSamples())
+            if imageable:
+                samples.update(imageable.GetVisibilityAttr().GetTimeSamples())
             prim = prim.GetParent()
         self.times.update(samples)
         return len(samples) > 1
