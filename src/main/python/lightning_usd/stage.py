@@ -9,6 +9,7 @@ import mtlx
 import skeletons
 from cameras import camera, chosen_camera, resolution
 from choice import Choice
+from hidden import HiddenParents
 from layers import note_missing, open_layers
 from lights import is_light, light, linked_nodes, rig, unknown_light
 from materials import Materials
@@ -51,6 +52,7 @@ class Walk:
         self.time = Usd.TimeCode(start) if self.has_time else Usd.TimeCode.EarliestTime()
         if choice.frame is None:
             out.shown_frame = f"as at the first frame ({start:.10g})" if self.has_range else "as at the first frame"
+        self.hidden = HiddenParents(self.time)
         self.materials = Materials(out, self.time)
         self.meshes = Meshes(out, self.time)
         # Lights; those that a point instancer places with their transform to the world and whether they are hidden.
@@ -81,6 +83,7 @@ class Walk:
             "nodes": self.nodes,
             "meshes": self.meshes.all,
             "materials": self.materials.all,
+            "hidden": list(self.hidden.all.values()),
         }
         note_missing(self.stage, self.out)
         self.out.write(document)
@@ -341,7 +344,7 @@ class Walk:
     def describe_light(self, prim: Usd.Prim, place: tuple[Gf.Matrix4d, bool] | None, frames: tuple[int, int, int] | None) -> dict[str, Any]:
         """Returns a light with its links; in an instance of a point instancer as it is at the first frame."""
         result = self.over_time(prim, light, frames if place is None else None)
-        result["rig"] = rig(prim, self.time)
+        result["rig"] = {**rig(prim, self.time), **(self.hidden.of(prim) if place is None else {})}
         if self.choice.frame is not None:
             result["rig"]["animated"] = [attribute.GetName() for attribute in prim.GetAuthoredAttributes() if attribute.ValueMightBeTimeVarying()]
         if place is not None:

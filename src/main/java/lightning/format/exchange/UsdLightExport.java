@@ -80,6 +80,7 @@ public final class UsdLightExport {
         for (Light light : scene.lights()) {
             addLight(light);
         }
+        sparse.finish();
         new UsdDomeExport(layer, writer, notes).add(scene.world(), () -> prim("environment", Optional.empty(), "DomeLight"));
         for (Map.Entry<String, UsdPaths.Prim> light : paths.lights().entrySet()) {
             if (scene.light(light.getKey()).isEmpty()) {

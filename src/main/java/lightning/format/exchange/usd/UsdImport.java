@@ -91,6 +91,9 @@ public final class UsdImport {
         }
         ImportedScene built = assembler.build();
         List<String> comments = new ArrayList<>();
+        for (int i = 0; i < root.get("hidden").size(); i++) {
+            comments.add(UsdHiddenParent.comment(root.get("hidden").element(i)));
+        }
         for (Light light : built.scene().lights()) {
             Optional.ofNullable(originals.get(light.name())).ifPresent(o -> comments.add(UsdOriginal.comment(light, built.shot(), o)));
         }

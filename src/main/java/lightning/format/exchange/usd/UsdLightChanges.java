@@ -40,7 +40,7 @@ public final class UsdLightChanges {
             Map.entry(UsdLightValues.ANGLE, Set.of("angle", "profile", "type")),
             Map.entry(UsdLightValues.SOFTNESS, Set.of("angle", "profile", "type")),
             Map.entry(UsdLightValues.FOCUS, Set.of("dropoff", "type")),
-            Map.entry("token visibility", Set.of("on")),
+            Map.entry(UsdLightValues.VISIBILITY, Set.of("on")),
             Map.entry(UsdLightValues.MATRIX, PLACE));
     /** Attributes that an animated size leaves as they are. */
     private static final Set<String> NOT_ANIMATED = Set.of(UsdLightValues.NORMALIZE, UsdLightValues.POINT);

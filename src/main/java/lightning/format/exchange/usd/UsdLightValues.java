@@ -26,6 +26,9 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
     static final String ANGLE = "float inputs:shaping:cone:angle";
     static final String FOCUS = "float inputs:shaping:focus";
     static final String SOFTNESS = "float inputs:shaping:cone:softness";
+    static final String VISIBILITY = "token visibility";
+    static final String VISIBLE = "\"inherited\"";
+    static final String INVISIBLE = "\"invisible\"";
     static final String POINT = "bool treatAsPoint";
     /** Values of a cone that holds nothing back. */
     static final Map<String, String> OPEN_CONE = Map.of(ANGLE, "180", SOFTNESS, "0", FOCUS, "0");
@@ -71,7 +74,7 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
         result.put("float inputs:specular", UsdLayer.number(light.contribution().specular()));
         result.put("bool inputs:shadow:enable", light.contribution().castsShadows() ? "1" : "0");
         addSize(result);
-        result.put("token visibility", isOn ? "\"inherited\"" : "\"invisible\"");
+        result.put(VISIBILITY, isOn ? VISIBLE : INVISIBLE);
         result.put(MATRIX, matrix());
         return result;
     }

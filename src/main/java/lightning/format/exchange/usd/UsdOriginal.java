@@ -51,7 +51,7 @@ public record UsdOriginal(Light light, Map<String, String> tracks, JsonNode stag
                 out.put(flag, true);
             }
         }
-        for (String flag : List.of("moves", "resets", "shared")) {
+        for (String flag : List.of("moves", "resets", "shared", "switched")) {
             if (rig.get(flag).bool(false)) {
                 out.put(flag, true);
             }
@@ -61,7 +61,7 @@ public record UsdOriginal(Light light, Map<String, String> tracks, JsonNode stag
         put(out, "softness", in.get("shaping").isPresent() ? in.get("shaping").get("softness").number(0) : 0);
         matrix(out, "matrix", in.get("matrix"));
         matrix(out, "inverse", rig.get("inverse"));
-        for (String list : List.of("apis", "instances", "animated")) {
+        for (String list : List.of("apis", "instances", "animated", "hiders")) {
             JsonNode values = rig.get(list).node();
             if (!values.isEmpty()) {
                 out.set(list, values);
@@ -208,6 +208,16 @@ public record UsdOriginal(Light light, Map<String, String> tracks, JsonNode stag
         boolean isTransform = declaration.equals(UsdLightValues.MATRIX);
         return stage.path("animated").valueStream().map(v -> v.asString(""))
                 .anyMatch(v -> isTransform ? v.startsWith("xformOp:") : v.equals(name));
+    }
+
+    /** Returns the paths of prims above that are invisible or below such a prim, the outermost first; empty if none hides the light. */
+    List<String> hiders() {
+        return stage.path("hiders").valueStream().map(v -> v.asString("")).toList();
+    }
+
+    /** Returns whether prims above hide the light at some times only. */
+    boolean isSwitched() {
+        return stage.path("switched").asBoolean(false);
     }
 
     /** Returns the paths of the instances in which the prim is, the outermost first. */

@@ -15,17 +15,30 @@ import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.shot.Shot;
 
-/**
- * Writer of what has been edited of imported lights.
- *
- * @param layer receives the edits
- * @param writer writer of single attributes
- * @param notes receives what cannot be written
- */
-public record UsdSparseLights(UsdLayer layer, UsdPrimWriter writer, ConversionNotes notes) {
+/** Writer of what has been edited of imported lights. */
+public final class UsdSparseLights {
     private static final String SHARED = "edited lights of point instancers, which a layer cannot change one by one";
     private static final String SHAPING = "ShapingAPI";
     private static final String RIG_ORDER = "[\"xformOp:transform:lightning\"]";
+
+    private final UsdLayer layer;
+    private final UsdPrimWriter writer;
+    private final ConversionNotes notes;
+    private final UsdVisibility visibility;
+
+    /**
+     * Creates a writer.
+     *
+     * @param layer receives the edits
+     * @param writer writer of single attributes
+     * @param notes receives what cannot be written
+     */
+    public UsdSparseLights(UsdLayer layer, UsdPrimWriter writer, ConversionNotes notes) {
+        this.layer = layer;
+        this.writer = writer;
+        this.notes = notes;
+        visibility = new UsdVisibility(layer, writer.paths(), notes);
+    }
 
     /**
      * Writes what has been edited of a light.
@@ -56,6 +69,10 @@ public record UsdSparseLights(UsdLayer layer, UsdPrimWriter writer, ConversionNo
         }
         addSchemas(over, original, values.keySet(), files.keySet());
         values.forEach((declaration, samples) -> UsdPrimWriter.set(over, declaration, samples));
+        if (values.getOrDefault(UsdLightValues.VISIBILITY, new TreeMap<>()).containsValue(UsdLightValues.VISIBLE)
+                && (original.isSwitched() || !original.hiders().isEmpty())) {
+            visibility.show(prim, original);
+        }
         notes.add("edited values that the stage animates, written for all frames since one frame was imported",
                 (int) values.keySet().stream().filter(original::isAnimated).count());
         if (values.containsKey(UsdLightValues.MATRIX)) {
@@ -69,6 +86,11 @@ public record UsdSparseLights(UsdLayer layer, UsdPrimWriter writer, ConversionNo
         if (changes.has(LightAttribute.SHADOWED_BY)) {
             writer.setLinks(over, "shadowLink", light.shadowedBy());
         }
+    }
+
+    /** Shows the added lights that objects above them hide in the stage. */
+    public void finish() {
+        visibility.write();
     }
 
     /** Removes a light from the stage. */
