@@ -135,7 +135,10 @@ class Output:
             self.note(f"{kind}, {self.shown_frame}: {listed(paths)}", len(paths))
         document["notes"] = self.notes
         with open(self.folder / "stage.json", "w", encoding="utf-8") as out:
-            json.dump(finite(document), out, allow_nan=False, separators=(",", ":"))
+            # As texts of parts: writing number by number is slow, and a single text would need the memory of the file.
+            for i, (key, value) in enumerate(document.items()):
+                out.write(("," if i else "{") + json.dumps(key) + ":" + json.dumps(finite(value), allow_nan=False, separators=(",", ":")))
+            out.write("}")
 
 
 def shown(value: Any) -> str:
@@ -165,5 +168,11 @@ def world_matrix(value: Any) -> list[float]:
 
 def numbers(value: Any) -> list[float]:
     """Returns the numbers of a vector or a matrix of usd-core, row by row."""
+    try:
+        found = memoryview(value).tolist()
+        return [number for row in found for number in row] if found and isinstance(found[0], list) else [float(number) for number in found]
+    except (TypeError, NotImplementedError):
+        # Values of Python, and numbers of half precision.
+        pass
     rows = [list(row) if hasattr(row, "__len__") else [row] for row in value]
     return [float(number) for row in rows for number in row]

@@ -16,6 +16,7 @@ from materials import Materials
 from meshes import Meshes, SOLIDS, solid
 from output import MAX_FRAMES, MAX_NODES, Output, PrimError, StageError, numbers, world_matrix
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux, UsdShade, Vt
+from values import Values
 from variants import Variants
 
 LEFT_OUT = {"BasisCurves": "curves", "NurbsCurves": "curves", "HermiteCurves": "curves", "NurbsPatch": "NURBS patches",
@@ -77,7 +78,7 @@ class Walk:
             "frames": None if not frames else [frames[0] - first_shift, frames[1] - first_shift, self.rate()],
             "shift": first_shift,
             "resolution": resolution(self.stage),
-            "cameras": self.described(cameras, lambda prim: self.over_time(prim, camera, frames)),
+            "cameras": self.described(cameras, lambda prim: self.over_time(prim, prim, camera, frames)),
             "lights": [found for prim, place in self.lights
                        if (found := self.attempt(prim, lambda: self.describe_light(prim, place, frames))) is not None],
             "nodes": self.nodes,
@@ -343,7 +344,7 @@ class Walk:
 
     def describe_light(self, prim: Usd.Prim, place: tuple[Gf.Matrix4d, bool] | None, frames: tuple[int, int, int] | None) -> dict[str, Any]:
         """Returns a light with its links; in an instance of a point instancer as it is at the first frame."""
-        result = self.over_time(prim, light, frames if place is None else None)
+        result = self.over_time(prim, Values(prim), light, frames if place is None else None)
         result["rig"] = {**rig(prim, self.time), **(self.hidden.of(prim) if place is None else {})}
         if self.choice.frame is not None:
             result["rig"]["animated"] = [attribute.GetName() for attribute in prim.GetAuthoredAttributes() if attribute.ValueMightBeTimeVarying()]
@@ -354,9 +355,9 @@ class Walk:
         result["links"] = linked_nodes(prim, self.nodes, self.out)
         return result
 
-    def over_time(self, prim: Usd.Prim, function: Any, frames: tuple[int, int, int] | None) -> dict[str, Any]:
+    def over_time(self, prim: Usd.Prim, subject: Any, function: Any, frames: tuple[int, int, int] | None) -> dict[str, Any]:
         """Returns what a function says of a prim, with all frames if it moves."""
-        result = function(prim, self.time, self.out)
+        result = function(subject, self.time, self.out)
         result["name"] = prim.GetName()
         result["path"] = str(prim.GetPath())
         result["proxy"] = prim.IsInstanceProxy()
@@ -364,5 +365,5 @@ class Walk:
             silent = Output.__new__(Output)
             silent.notes, silent.files, silent.folder, silent.roots = {}, self.out.files, self.out.folder, self.out.roots
             silent.moving, silent.shown_frame = {}, ""
-            result["frames"] = [function(prim, Usd.TimeCode(time), silent) for time in range(frames[0], frames[1] + 1)]
+            result["frames"] = [function(subject, Usd.TimeCode(time), silent) for time in range(frames[0], frames[1] + 1)]
         return result
