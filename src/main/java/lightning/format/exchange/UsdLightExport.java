@@ -96,6 +96,7 @@ public final class UsdLightExport {
             return original.get().type().equals(type) ? prim : prim.define(type);
         }
         layer.prim(NEW_LIGHTS).define("Scope");
+        layer.metadata("defaultPrim", UsdLayer.quoted(NEW_LIGHTS.substring(1)));
         String identifier = name.replaceAll("[^A-Za-z0-9_]", "_").replaceFirst("^(?=[0-9])", "_");
         String path = NEW_LIGHTS + "/" + identifier;
         for (int i = 2; layer.contains(path); i++) {
@@ -118,7 +119,7 @@ public final class UsdLightExport {
         UsdLayer.Prim prim = prim(light.name(), stagePrim, type);
         boolean isShaped = UsdLightValues.isShaped(type);
         prim.metadata("prepend apiSchemas", isShaped ? "[\"ShapingAPI\", \"ShadowAPI\"]" : "[\"ShadowAPI\"]");
-        values(light, type).forEach((declaration, samples) -> UsdPrimWriter.set(prim, declaration, samples));
+        values(light, type).forEach((declaration, samples) -> writer.set(prim, declaration, samples));
         prim.set(UsdPrimWriter.ORDER, UsdPrimWriter.RESET_ORDER);
         if (isShaped) {
             prim.set(UsdPrimWriter.PROFILE, writer.profile(light));

@@ -28,7 +28,8 @@ public record UsdPrimWriter(UsdPaths paths, Path sceneFolder, Path outputFolder,
     public static final String RESET_ORDER = "[\"!resetXformStack!\", \"xformOp:transform:lightning\"]";
 
     /** Sets the values of an attribute at several times; a single value if they are equal. */
-    public static void set(UsdLayer.Prim prim, String declaration, TreeMap<Integer, String> samples) {
+    public void set(UsdLayer.Prim prim, String declaration, TreeMap<Integer, String> samples) {
+        notes.add("values that no float can have, limited", samples.containsValue(UsdLayer.LARGEST) ? 1 : 0);
         if (samples.values().stream().distinct().count() == 1) {
             prim.set(declaration, samples.firstEntry().getValue());
         } else {

@@ -68,7 +68,7 @@ public final class UsdSparseLights {
             }
         }
         addSchemas(over, original, values.keySet(), files.keySet());
-        values.forEach((declaration, samples) -> UsdPrimWriter.set(over, declaration, samples));
+        values.forEach((declaration, samples) -> writer.set(over, declaration, samples));
         if (values.getOrDefault(UsdLightValues.VISIBILITY, new TreeMap<>()).containsValue(UsdLightValues.VISIBLE)
                 && (original.isSwitched() || !original.hiders().isEmpty())) {
             visibility.show(prim, original);
