@@ -45,6 +45,9 @@ def open(
     light_units: Optional[str] = None,
     lighting: Optional[str] = None,
     subdivision: Optional[int] = None,
+    variant: Union[str, Sequence[str], None] = None,
+    camera: Optional[str] = None,
+    frame: Optional[float] = None,
     socket: Optional[_File] = None,
     client: Optional[Client] = None,
 ) -> "Scene":
@@ -59,6 +62,9 @@ def open(
         light_units: for a glTF file, ``"candela"``, ``"unitless"`` or ``"watts"``
         lighting: for a file to import, ``"file"``, ``"studio"`` or ``"sky"``
         subdivision: for a USD file, refinements of subdivision surfaces, 0 to 4
+        variant: for a glTF file, the variant of its materials; for a USD file, one or several such as ``"look=red"``
+        camera: for a glTF or USD file, the name of the camera
+        frame: for a USD file, the time code at which all of it is read, without animation
         socket: socket of a running ``lightning serve --socket``
         client: connection to share with other scenes (default: a new one, or a server of the scene's own)
 
@@ -82,6 +88,9 @@ def open(
             light_units=light_units,
             lighting=lighting,
             subdivision=subdivision,
+            variant=variant if variant is None or isinstance(variant, str) else list(variant),
+            camera=camera,
+            frame=frame,
         )
     except BaseException:
         if own:
@@ -146,6 +155,9 @@ class Scene:
         light_units: Optional[str] = None,
         lighting: Optional[str] = None,
         subdivision: Optional[int] = None,
+        variant: Union[str, Sequence[str], None] = None,
+        camera: Optional[str] = None,
+        frame: Optional[float] = None,
     ) -> List[str]:
         """Opens another scene in this one's place. The next picture recomputes only what differs. The history starts again.
 
@@ -167,6 +179,9 @@ class Scene:
             light_units=light_units,
             lighting=lighting,
             subdivision=subdivision,
+            variant=variant if variant is None or isinstance(variant, str) else list(variant),
+            camera=camera,
+            frame=frame,
         )
         self.notes = self._content["notes"]
         return self.notes

@@ -1,6 +1,7 @@
-"""Describes a USD stage for Lightning: `python lightning_usd shot.usda folder [memory triangles]`.
+"""Describes a USD stage for Lightning: `python lightning_usd shot.usda folder [memory triangles] [options]`.
 
-Writes `stage.json` and `arrays.bin` into the folder, or `error.txt` with one sentence. Needs the package usd-core.
+Writes `stage.json` and `arrays.bin` into the folder, or `error.txt` with one sentence. Needs the package usd-core. The options `--camera=NAME`,
+`--frame=TIME` and `--variant=SET=NAME` choose what is read.
 
 This process only watches another one that reads the stage, because code of usd-core cannot be interrupted. It ends it if the standard input
 ends, as it does when Lightning ends in any way, and if it needs too much memory.
@@ -23,7 +24,7 @@ SCRATCH = "lightning-scratch-"
 def main(arguments: list[str]) -> int:
     """Returns the exit code of the reader, or FAILED if it was ended."""
     folder = Path(arguments[1])
-    memory = int(arguments[2]) if len(arguments) > 2 else 0
+    memory = int(arguments[2]) if len(arguments) > 2 and arguments[2].isdigit() else 0
     reader = subprocess.Popen([sys.executable, "-B", str(Path(__file__).with_name("reader.py")), str(os.getpid()), *arguments],
                               stdin=subprocess.DEVNULL, start_new_session=True)
     has_ended = threading.Event()

@@ -5,15 +5,28 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from output import Output, world_matrix
+from choice import listed
+from output import Output, StageError, world_matrix
 from pxr import Usd, UsdGeom, UsdRender
 
 
-def chosen_camera(stage: Usd.Stage, cameras: list[Usd.Prim]) -> Usd.Prim:
-    """Returns the camera of the render settings, or the first."""
-    settings = UsdRender.Settings.GetStageRenderSettings(stage)
-    targets = settings.GetCameraRel().GetForwardedTargets() if settings else []
-    return next((prim for prim in cameras if prim.GetPath() in targets), cameras[0])
+def chosen_camera(stage: Usd.Stage, cameras: list[Usd.Prim], name: str, out: Output) -> list[Usd.Prim]:
+    """Returns the camera of a name or path; without one that of the render settings, or the first; none if there are none."""
+    paths = [str(prim.GetPath()) for prim in cameras]
+    if name:
+        found = [prim for prim in cameras if name in (prim.GetName(), str(prim.GetPath()))]
+        if len(found) != 1:
+            amount = "the" if not found else "only one"
+            raise StageError(f"must have {amount} camera '{name}', has {listed([str(prim.GetPath()) for prim in found] or paths) or 'none'}")
+    else:
+        settings = UsdRender.Settings.GetStageRenderSettings(stage)
+        targets = settings.GetCameraRel().GetForwardedTargets() if settings else []
+        found = [prim for prim in cameras if prim.GetPath() in targets] or cameras
+        if targets and targets[0] not in [prim.GetPath() for prim in found]:
+            out.note(f"cameras of render settings that the stage does not have: {targets[0]}")
+    others = [path for path in paths if path != str(found[0].GetPath())] if found else []
+    out.note(f"additional cameras: {listed(others)}", len(others))
+    return found[:1]
 
 
 def resolution(stage: Usd.Stage) -> list[int] | None:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+import re
 from typing import Any
 
+from choice import listed
 from output import MAX_NODES, Output, StageError
-from pxr import Ar, Sdf, Tf, UsdUtils
+from pxr import Ar, Sdf, Tf, Usd, UsdUtils
 
 # Prims that are counted, in about half a second. Larger stages are limited by memory and time only.
 MAX_COUNTED = 20_000
@@ -154,6 +156,15 @@ class PrimCount:
         """Returns the prim that a reference without a path means."""
         name = self.layers[layer].defaultPrim
         return Sdf.Path.absoluteRootPath.AppendPath(name) if name else Sdf.Path.absoluteRootPath
+
+
+def note_missing(stage: Usd.Stage, out: Output) -> None:
+    """Notes references, payloads and sublayers that cannot be loaded, by their file and prim."""
+    errors = stage.GetCompositionErrors()
+    # usd-core gives the file in its message only, as @file@<prim>.
+    found = [re.search(r"@([^@]*)@(<[^>]*>)?", str(error)) for error in errors]
+    names = [os.path.basename(match.group(1)) + (match.group(2) or "") if match else "unknown" for match in found]
+    out.note(f"references that cannot be loaded: {listed(list(dict.fromkeys(names)))}", len(errors))
 
 
 def open_layers(source: str, out: Output) -> list[Any]:

@@ -7,6 +7,7 @@ from typing import Any
 
 from output import Output, numbers, world_matrix
 from pxr import Gf, Usd, UsdGeom, UsdLux
+from values import Values
 
 KINDS = {"DistantLight", "SphereLight", "DiskLight", "RectLight", "CylinderLight", "DomeLight", "DomeLight_1"}
 INPUTS = {"intensity": 1.0, "exposure": 0.0, "normalize": False, "diffuse": 1.0, "specular": 1.0, "angle": 0.53, "radius": 0.5,
@@ -25,64 +26,54 @@ def unknown_light(prim: Usd.Prim) -> bool:
     return str(prim.GetTypeName()).endswith("Light") or prim.HasAPI(UsdLux.LightAPI)
 
 
-def value(prim: Usd.Prim, name: str, time: Usd.TimeCode, fallback: Any) -> Any:
-    """Returns the value of an attribute, also by its name without `inputs:` in old files."""
-    for candidate in (name, name.removeprefix("inputs:")):
-        attribute = prim.GetAttribute(candidate)
-        if attribute and attribute.HasAuthoredValue():
-            found = attribute.Get(time)
-            return fallback if found is None else found
-    attribute = prim.GetAttribute(name)
-    found = attribute.Get(time) if attribute else None
-    return fallback if found is None else found
-
-
-def number(prim: Usd.Prim, name: str, time: Usd.TimeCode, fallback: float, out: Output) -> float:
+def number(values: Values, name: str, time: Usd.TimeCode, fallback: float, out: Output) -> float:
     """Returns the number of an attribute."""
-    return out.number(prim, name, value(prim, name, time, fallback), fallback)
+    return out.number(values.prim, name, values.get(name, time, fallback), fallback)
 
 
-def light(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
+def light(values: Values, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
     """Returns a light at a time."""
+    prim = values.prim
     kind = prim.GetTypeName()
     result: dict[str, Any] = {"type": str(kind), "matrix": world_matrix(UsdGeom.XformCache(time).GetLocalToWorldTransform(prim))}
     for name, fallback in INPUTS.items():
-        found = value(prim, "inputs:" + name, time, fallback)
+        found = values.get("inputs:" + name, time, fallback)
         result[name] = bool(found) if isinstance(fallback, bool) else out.number(prim, "inputs:" + name, found, fallback)
-    result["color"] = out.vector(prim, "inputs:color", value(prim, "inputs:color", time, (1, 1, 1)), [1.0] * 3)
-    if value(prim, "inputs:enableColorTemperature", time, False):
-        result["temperature"] = number(prim, "inputs:colorTemperature", time, 6500.0, out)
-    result["treatAsPoint"] = bool(value(prim, "treatAsPoint", time, False))
-    result["treatAsLine"] = bool(value(prim, "treatAsLine", time, False))
+    result["color"] = out.vector(prim, "inputs:color", values.get("inputs:color", time, (1, 1, 1)), [1.0] * 3)
+    if values.get("inputs:enableColorTemperature", time, False):
+        result["temperature"] = number(values, "inputs:colorTemperature", time, 6500.0, out)
+    result["treatAsPoint"] = bool(values.get("treatAsPoint", time, False))
+    result["treatAsLine"] = bool(values.get("treatAsLine", time, False))
     result["hidden"] = UsdGeom.Imageable(prim).ComputeVisibility(time) == UsdGeom.Tokens.invisible
-    result["shadows"] = bool(value(prim, "inputs:shadow:enable", time, True))
-    result["pole"] = str(value(prim, "poleAxis", time, "scene")) if kind == "DomeLight_1" else "Y"
-    texture = value(prim, "inputs:texture:file", time, None)
+    result["shadows"] = bool(values.get("inputs:shadow:enable", time, True))
+    result["pole"] = str(values.get("poleAxis", time, "scene")) if kind == "DomeLight_1" else "Y"
+    texture = values.get("inputs:texture:file", time, None)
     if texture and getattr(texture, "path", ""):
         result["texture"] = out.file(texture)
-        result["format"] = str(value(prim, "inputs:texture:format", time, "automatic"))
+        result["format"] = str(values.get("inputs:texture:format", time, "automatic"))
     if prim.HasAPI(UsdLux.ShapingAPI) or prim.GetAttribute("inputs:shaping:cone:angle").HasAuthoredValue():
-        result["shaping"] = shaping(prim, time, out)
+        result["shaping"] = shaping(values, time, out)
     if prim.GetRelationship("light:filters").GetTargets():
         out.note("light filters")
     return result
 
 
-def shaping(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
+def shaping(values: Values, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
     """Returns the cone and the profile of a light."""
+    prim = values.prim
     result: dict[str, Any] = {
-        "angle": number(prim, "inputs:shaping:cone:angle", time, 90.0, out),
-        "softness": number(prim, "inputs:shaping:cone:softness", time, 0.0, out),
-        "focus": number(prim, "inputs:shaping:focus", time, 0.0, out),
+        "angle": number(values, "inputs:shaping:cone:angle", time, 90.0, out),
+        "softness": number(values, "inputs:shaping:cone:softness", time, 0.0, out),
+        "focus": number(values, "inputs:shaping:focus", time, 0.0, out),
     }
     # Over time, a soft cone would need a profile for each frame.
     result["moves"] = any(attribute.ValueMightBeTimeVarying() for name in ("angle", "softness")
                           if (attribute := prim.GetAttribute("inputs:shaping:cone:" + name)))
-    profile = value(prim, "inputs:shaping:ies:file", time, None)
+    profile = values.get("inputs:shaping:ies:file", time, None)
     if profile and getattr(profile, "path", ""):
         result["profile"] = out.file(profile)
-        result["angleScale"] = number(prim, "inputs:shaping:ies:angleScale", time, 0.0, out)
-    if any(out.vector(prim, "inputs:shaping:focusTint", value(prim, "inputs:shaping:focusTint", time, (0, 0, 0)), [0.0] * 3)):
+        result["angleScale"] = number(values, "inputs:shaping:ies:angleScale", time, 0.0, out)
+    if any(out.vector(prim, "inputs:shaping:focusTint", values.get("inputs:shaping:focusTint", time, (0, 0, 0)), [0.0] * 3)):
         out.note("focus tints of lights")
     return result
 

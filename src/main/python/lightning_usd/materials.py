@@ -142,7 +142,7 @@ class Materials:
             check = self.out.vector if isinstance(fallback, list) else self.out.number
             result[target] = check(shader.GetPrim(), f"inputs:{name}", value, fallback)
         if attribute.ValueMightBeTimeVarying():
-            self.out.note("animated inputs of materials, at the first frame")
+            self.out.note_moving("animated inputs of materials", str(attribute.GetPath()))
 
     def texture(self, shader: UsdShade.Shader, channel: str, result: dict[str, Any]) -> dict[str, Any] | None:
         """Returns a texture, followed through MaterialX nodes that pass one image on; None for other shaders."""

@@ -21,10 +21,14 @@ def identity(prim: Usd.Prim) -> Sdf.Path:
 def solid(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
     """Returns a simple solid, with sizes in its own space."""
     result: dict[str, Any] = {"type": str(prim.GetTypeName()).removesuffix("_1")}
+    is_moving = False
     for name, fallback in SIZES.items():
         attribute = prim.GetAttribute(name)
         if attribute:
             result[name] = out.number(prim, name, attribute.Get(time), fallback)
+            is_moving |= attribute.ValueMightBeTimeVarying()
+    if is_moving:
+        out.note_moving("objects whose size changes", str(prim.GetPath()))
     if prim.GetAttribute("axis"):
         result["axis"] = str(prim.GetAttribute("axis").Get())
     return result
@@ -58,6 +62,8 @@ class Meshes:
 
     def cube(self, prim: Usd.Prim) -> int:
         """Returns the index of a cube."""
+        if prim.GetAttribute("size").ValueMightBeTimeVarying():
+            self.out.note_moving("objects whose size changes", str(prim.GetPath()))
         half = self.out.number(prim, "size", prim.GetAttribute("size").Get(self.time), 2.0) / 2
         key = ("cube", half)
         if key not in self.known:
@@ -105,8 +111,7 @@ class Meshes:
         holes = mesh.GetHoleIndicesAttr().Get(self.time)
         if holes:
             result["holes"] = out.array(holes)
-        if mesh.GetPointsAttr().ValueMightBeTimeVarying():
-            out.note("deforming meshes, at the first frame")
+        self.note_motion(mesh)
         api = UsdGeom.PrimvarsAPI(prim)
         uv = self.texture_coordinates(api, coordinates)
         if uv:
@@ -116,6 +121,14 @@ class Meshes:
             self.attach(result, "colors", color.Get(self.time), color.GetIndices(self.time), str(color.GetInterpolation()), Vt.Vec3fArray)
         self.all.append(result)
         return len(self.all) - 1
+
+    def note_motion(self, mesh: UsdGeom.Mesh) -> None:
+        """Notes a mesh whose shape or colors change over time."""
+        path = str(mesh.GetPath())
+        if any(attribute.ValueMightBeTimeVarying() for attribute in (mesh.GetPointsAttr(), mesh.GetFaceVertexIndicesAttr())):
+            self.out.note_moving("deforming meshes", path)
+        elif any(primvar.ValueMightBeTimeVarying() for primvar in UsdGeom.PrimvarsAPI(mesh).GetPrimvarsWithAuthoredValues()):
+            self.out.note_moving("meshes whose colors, normals or texture coordinates change", path)
 
     def attach_normals(self, mesh: UsdGeom.Mesh, result: dict[str, Any]) -> bool:
         """Adds the normals of a mesh; returns whether it has any."""

@@ -8,6 +8,8 @@ import os
 from pathlib import Path
 from typing import Any
 
+from choice import listed
+
 MAX_BYTES = 2**31 - 65536
 MAX_NODES = 1_000_000
 MAX_FRAMES = 10_000
@@ -39,6 +41,9 @@ class Output:
         self.arrays = open(folder / "arrays.bin", "wb")
         self.size = 0
         self.notes: dict[str, int] = {}
+        # Which frame is shown of what cannot be animated, for a note; empty if none is needed.
+        self.shown_frame = ""
+        self.moving: dict[str, list[str]] = {}
         self.files: dict[str, dict[str, str]] = {}
 
     def note(self, kind: str, count: int = 1) -> None:
@@ -47,6 +52,11 @@ class Output:
             if kind not in self.notes and len(self.notes) >= MAX_NOTES:
                 kind = "others"
             self.notes[kind] = self.notes.get(kind, 0) + count
+
+    def note_moving(self, kind: str, path: str) -> None:
+        """Notes a prim of which only one of several frames is shown, unless that frame has been chosen."""
+        if self.shown_frame:
+            self.moving.setdefault(kind, []).append(path)
 
     def note_prim(self, prim: Any, text: str) -> None:
         """Says what is left out or approximated of one prim."""
@@ -121,9 +131,14 @@ class Output:
     def write(self, document: dict[str, Any]) -> None:
         """Ends the description."""
         self.arrays.close()
+        for kind, paths in self.moving.items():
+            self.note(f"{kind}, {self.shown_frame}: {listed(paths)}", len(paths))
         document["notes"] = self.notes
         with open(self.folder / "stage.json", "w", encoding="utf-8") as out:
-            json.dump(finite(document), out, allow_nan=False, separators=(",", ":"))
+            # As texts of parts: writing number by number is slow, and a single text would need the memory of the file.
+            for i, (key, value) in enumerate(document.items()):
+                out.write(("," if i else "{") + json.dumps(key) + ":" + json.dumps(finite(value), allow_nan=False, separators=(",", ":")))
+            out.write("}")
 
 
 def shown(value: Any) -> str:
@@ -153,5 +168,11 @@ def world_matrix(value: Any) -> list[float]:
 
 def numbers(value: Any) -> list[float]:
     """Returns the numbers of a vector or a matrix of usd-core, row by row."""
+    try:
+        found = memoryview(value).tolist()
+        return [number for row in found for number in row] if found and isinstance(found[0], list) else [float(number) for number in found]
+    except (TypeError, NotImplementedError):
+        # Values of Python, and numbers of half precision.
+        pass
     rows = [list(row) if hasattr(row, "__len__") else [row] for row in value]
     return [float(number) for row in rows for number in row]

@@ -1,22 +1,25 @@
-"""Reads a stage: `python reader.py PARENT shot.usda folder [memory triangles]`; ends with its parent.
+"""Reads a stage: `python reader.py PARENT shot.usda folder [memory triangles] [options]`; ends with its parent.
 
 Files that the stage names must be in its folder, or in one of LIGHTNING_USD_FOLDERS.
 """
 
 from __future__ import annotations
 
+import argparse
 import errno
 import os
 import re
 import sys
 from pathlib import Path
 
+from choice import Choice
+
 NO_USD = 3
 FAILED = 2
 FOLDERS = "LIGHTNING_USD_FOLDERS"
 
 
-def main(parent: int, source: str, folder: str, max_triangles: int) -> int:
+def main(parent: int, source: str, folder: str, max_triangles: int, choice: Choice = Choice()) -> int:
     """Returns the exit code: 0, FAILED, or NO_USD without usd-core."""
     end_with(parent)
     try:
@@ -28,7 +31,7 @@ def main(parent: int, source: str, folder: str, max_triangles: int) -> int:
 
     roots = [str(Path(source).parent), *filter(None, os.environ.get(FOLDERS, "").split(os.pathsep))]
     try:
-        describe(source, Output(Path(folder), roots, max_triangles))
+        describe(source, choice, Output(Path(folder), roots, max_triangles))
         return 0
     except StageError as error:
         message = str(error)
@@ -68,5 +71,20 @@ def reason(error: Exception) -> str:
     return lines[0] if lines else "it has values that Lightning does not expect"
 
 
+def parsed(words: list[str]) -> argparse.Namespace:
+    """Returns the arguments."""
+    parser = argparse.ArgumentParser(allow_abbrev=False)
+    parser.add_argument("parent", type=int)
+    parser.add_argument("source")
+    parser.add_argument("folder")
+    parser.add_argument("memory", nargs="?")
+    parser.add_argument("triangles", nargs="?", type=int, default=0)
+    parser.add_argument("--camera", default="")
+    parser.add_argument("--frame", type=float)
+    parser.add_argument("--variant", action="append", default=[])
+    return parser.parse_args(words)
+
+
 if __name__ == "__main__":
-    sys.exit(main(int(sys.argv[1]), sys.argv[2], sys.argv[3], int(sys.argv[5]) if len(sys.argv) > 5 else 0))
+    given = parsed(sys.argv[1:])
+    sys.exit(main(given.parent, given.source, given.folder, given.triangles, Choice(given.camera, given.frame, tuple(given.variant))))

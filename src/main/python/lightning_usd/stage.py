@@ -6,30 +6,23 @@ import math
 from typing import Any
 
 import mtlx
-from layers import open_layers
+import skeletons
 from cameras import camera, chosen_camera, resolution
+from choice import Choice
+from hidden import HiddenParents
+from layers import note_missing, open_layers
 from lights import is_light, light, linked_nodes, rig, unknown_light
 from materials import Materials
 from meshes import Meshes, SOLIDS, solid
 from output import MAX_FRAMES, MAX_NODES, Output, PrimError, StageError, numbers, world_matrix
-from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux, UsdShade, UsdSkel, Vt
+from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux, UsdShade, Vt
+from values import Values
+from variants import Variants
 
 LEFT_OUT = {"BasisCurves": "curves", "NurbsCurves": "curves", "HermiteCurves": "curves", "NurbsPatch": "NURBS patches",
             "Points": "point clouds", "Volume": "volumes", "TetMesh": "tetrahedral meshes"}
 
-MAX_INSTANCE_DEPTH = 32
-
-
-def outermost_instance(prim: Usd.Prim) -> Usd.Prim | None:
-    """Returns the instance that a prim is or is inside of; None without one."""
-    found = None
-    while prim and not prim.IsPseudoRoot():
-        found = prim if prim.IsInstance() else found
-        prim = prim.GetParent()
-    return found
-
-
-def describe(source: str, out: Output) -> None:
+def describe(source: str, choice: Choice, out: Output) -> None:
     """Writes the description of a stage."""
     kept_layers = open_layers(source, out)  # noqa: F841  layers without an owner vanish
     layer = Sdf.Layer.FindOrOpen(source)
@@ -39,20 +32,28 @@ def describe(source: str, out: Output) -> None:
     stage = Usd.Stage.Open(source)
     if not stage:
         raise StageError("cannot be read by usd-core")
-    Walk(stage, out).run()
+    kept_files = mtlx.replace_references(stage, out)  # noqa: F841  layers without an owner vanish
+    Variants(stage, choice.variants, out).select()
+    Walk(stage, choice, out).run()
 
 
 class Walk:
     """One pass over a stage."""
 
-    def __init__(self, stage: Usd.Stage, out: Output) -> None:
+    def __init__(self, stage: Usd.Stage, choice: Choice, out: Output) -> None:
         self.stage = stage
+        self.choice = choice
         self.out = out
         self.nodes: list[dict[str, Any]] = []
         self.moving: list[tuple[dict[str, Any], Usd.Prim]] = []
         self.times: set[float] = set()
         self.has_range = stage.HasAuthoredTimeCodeRange() and stage.GetEndTimeCode() >= stage.GetStartTimeCode()
-        self.time = Usd.TimeCode(stage.GetStartTimeCode()) if self.has_range else Usd.TimeCode.EarliestTime()
+        self.has_time = self.has_range or choice.frame is not None
+        start = stage.GetStartTimeCode() if choice.frame is None else choice.frame
+        self.time = Usd.TimeCode(start) if self.has_time else Usd.TimeCode.EarliestTime()
+        if choice.frame is None:
+            out.shown_frame = f"as at the first frame ({start:.10g})" if self.has_range else "as at the first frame"
+        self.hidden = HiddenParents(self.time)
         self.materials = Materials(out, self.time)
         self.meshes = Meshes(out, self.time)
         # Lights; those that a point instancer places with their transform to the world and whether they are hidden.
@@ -63,11 +64,9 @@ class Walk:
 
     def run(self) -> None:
         """Writes the description."""
-        kept_layers = mtlx.replace_references(self.stage, self.out)  # noqa: F841  layers without an owner vanish
-        self.bake_skinning()
+        skeletons.bake(self.stage, self.time.GetValue() if self.has_time else 0.0, self.out)
         self.walk(self.stage.GetPseudoRoot(), -1, False)
-        cameras = [chosen_camera(self.stage, self.cameras)] if self.cameras else []
-        self.out.note("additional cameras", len(self.cameras) - len(cameras))
+        cameras = chosen_camera(self.stage, self.cameras, self.choice.camera, self.out)
         frames = self.frames(cameras)
         first_shift = frames[2] if frames else 0
         for node, prim in self.moving if frames else []:
@@ -79,56 +78,16 @@ class Walk:
             "frames": None if not frames else [frames[0] - first_shift, frames[1] - first_shift, self.rate()],
             "shift": first_shift,
             "resolution": resolution(self.stage),
-            "cameras": self.described(cameras, lambda prim: self.over_time(prim, camera, frames)),
+            "cameras": self.described(cameras, lambda prim: self.over_time(prim, prim, camera, frames)),
             "lights": [found for prim, place in self.lights
                        if (found := self.attempt(prim, lambda: self.describe_light(prim, place, frames))) is not None],
             "nodes": self.nodes,
             "meshes": self.meshes.all,
             "materials": self.materials.all,
+            "hidden": list(self.hidden.all.values()),
         }
-        self.out.note("references that cannot be loaded", len(self.stage.GetCompositionErrors()))
+        note_missing(self.stage, self.out)
         self.out.write(document)
-
-    def bake_skinning(self) -> None:
-        """Puts skinned meshes into their pose at the first frame."""
-        roots = self.skeleton_roots()
-        if not roots:
-            return
-        start = self.stage.GetStartTimeCode() if self.has_range else 0.0
-        for root in roots:
-            if not root:
-                # Posed already, with a root that this one references.
-                continue
-            try:
-                self.out.note("moving skeletons, with meshes posed as at the first frame", self.is_animated(root))
-                if not UsdSkel.BakeSkinning(root, Gf.Interval(start, start)):
-                    self.out.note("skeletons that cannot be evaluated")
-            except Exception:
-                self.out.note("skeletons that cannot be evaluated")
-
-    def skeleton_roots(self) -> list[UsdSkel.Root]:
-        """Returns all roots of skeletons; instances with one are dissolved, since each may have its own pose."""
-        self.stage.SetEditTarget(self.stage.GetSessionLayer())
-        for _ in range(MAX_INSTANCE_DEPTH):
-            everything = Usd.PrimRange.Stage(self.stage, Usd.TraverseInstanceProxies(Usd.PrimDefaultPredicate))
-            roots = [prim for prim in everything if prim.IsA(UsdSkel.Root)]
-            instances = {instance.GetPath() for root in roots for instance in [outermost_instance(root)] if instance}
-            for path in instances:
-                self.stage.GetPrimAtPath(path).SetInstanceable(False)
-            if not instances:
-                break
-        return [UsdSkel.Root(prim) for prim in roots if not prim.IsInstanceProxy()]
-
-    @staticmethod
-    def is_animated(root: UsdSkel.Root) -> bool:
-        """Returns whether a skeleton or the shape of a mesh moves over time."""
-        cache = UsdSkel.Cache()
-        cache.Populate(root, Usd.PrimDefaultPredicate)
-        for binding in cache.ComputeSkelBindings(root, Usd.PrimDefaultPredicate):
-            query = cache.GetSkelQuery(binding.GetSkeleton()).GetAnimQuery()
-            if query and (query.JointTransformsMightBeTimeVarying() or query.BlendShapeWeightsMightBeTimeVarying()):
-                return True
-        return False
 
     def walk(self, root: Usd.Prim, parent: int, is_prototype: bool) -> int:
         """Adds the nodes of a prim and all below; returns the index of the first, -1 if there are none."""
@@ -217,7 +176,10 @@ class Walk:
         purpose = UsdGeom.Imageable(prim).ComputePurpose()
         if purpose in (UsdGeom.Tokens.guide, UsdGeom.Tokens.proxy):
             self.out.note(f"objects of purpose {purpose}")
-        elif prim.IsA(UsdGeom.Mesh):
+            return
+        if purpose == UsdGeom.Tokens.render and self.hides_render(prim):
+            node["hidden"] = True
+        if prim.IsA(UsdGeom.Mesh):
             material = self.materials.of(prim)
             mesh = self.meshes.of(UsdGeom.Mesh(prim), self.materials, material)
             if mesh >= 0:
@@ -234,6 +196,10 @@ class Walk:
             node["material"] = material if material >= 0 else self.materials.display(prim)
         else:
             self.out.note(LEFT_OUT.get(kind, f"objects of type {kind}"))
+
+    def hides_render(self, prim: Usd.Prim) -> bool:
+        """Returns whether a prim of purpose render is hidden because of its purpose."""
+        return UsdGeom.Imageable(prim).ComputeEffectiveVisibility(UsdGeom.Tokens.render, self.time) == UsdGeom.Tokens.invisible
 
     def add_instances(self, node: dict[str, Any], prim: Usd.Prim) -> None:
         """Adds the instances of a point instancer."""
@@ -255,8 +221,10 @@ class Walk:
             matrices = Vt.Matrix4dArray([matrices[i] for i in kept])
         if len(indices) > MAX_NODES:
             raise StageError(f"has a point instancer of {len(indices)} instances, more than {MAX_NODES}")
-        if instancer.GetPositionsAttr().ValueMightBeTimeVarying():
-            self.out.note("moving points of instancers, at the first frame")
+        if any(attribute.ValueMightBeTimeVarying() for attribute in (
+                instancer.GetPositionsAttr(), instancer.GetOrientationsAttr(), instancer.GetScalesAttr(), instancer.GetProtoIndicesAttr(),
+                instancer.GetInvisibleIdsAttr())):
+            self.out.note_moving("moving points of instancers", str(prim.GetPath()))
         roots = []
         for target in targets:
             if target not in self.prototypes:
@@ -303,7 +271,10 @@ class Walk:
                 self.lights.append((prim, (local * matrix * world, hidden or is_hidden)))
 
     def frames(self, cameras: list[Usd.Prim]) -> tuple[int, int, int] | None:
-        """Returns the first and last time of all that moves, and what is taken off for the number of a frame."""
+        """Returns the first and last time of all that moves, and what is taken off for the number of a frame; None for one frame."""
+        if self.choice.frame is not None:
+            self.note_range(self.choice.frame)
+            return None
         moves = bool(self.times)
         for prim in cameras + [prim for prim, _ in self.lights]:
             moves |= self.is_moving(prim)
@@ -320,15 +291,23 @@ class Walk:
         self.out.note("frames before 0, all moved", 1 if first < 0 else 0)
         return first, min(last, first + MAX_FRAMES - 1), min(first, 0)
 
+    def note_range(self, frame: float) -> None:
+        """Notes a frame that the stage does not have."""
+        start, end = self.stage.GetStartTimeCode(), self.stage.GetEndTimeCode()
+        if self.has_range and not start <= frame <= end:
+            self.out.note(f"frames outside of the stage's {start:.10g} to {end:.10g}")
+
     def is_moving(self, prim: Usd.Prim) -> bool:
-        """Returns whether an attribute of a prim, or the transform of one above it, has time samples. Collects their times."""
+        """Returns whether an attribute of a prim, or the transform or visibility of one above it, has time samples. Collects their times."""
         samples: set[float] = set()
         for attribute in prim.GetAuthoredAttributes():
             samples.update(attribute.GetTimeSamples())
         while prim and not prim.IsPseudoRoot():
-            xform = UsdGeom.Xformable(prim)
+            xform, imageable = UsdGeom.Xformable(prim), UsdGeom.Imageable(prim)
             if xform:
                 samples.update(xform.GetTimeSamples())
+            if imageable:
+                samples.update(imageable.GetVisibilityAttr().GetTimeSamples())
             prim = prim.GetParent()
         self.times.update(samples)
         return len(samples) > 1
@@ -365,8 +344,10 @@ class Walk:
 
     def describe_light(self, prim: Usd.Prim, place: tuple[Gf.Matrix4d, bool] | None, frames: tuple[int, int, int] | None) -> dict[str, Any]:
         """Returns a light with its links; in an instance of a point instancer as it is at the first frame."""
-        result = self.over_time(prim, light, frames if place is None else None)
-        result["rig"] = rig(prim, self.time)
+        result = self.over_time(prim, Values(prim), light, frames if place is None else None)
+        result["rig"] = {**rig(prim, self.time), **(self.hidden.of(prim) if place is None else {})}
+        if self.choice.frame is not None:
+            result["rig"]["animated"] = [attribute.GetName() for attribute in prim.GetAuthoredAttributes() if attribute.ValueMightBeTimeVarying()]
         if place is not None:
             result["matrix"] = world_matrix(place[0])
             result["hidden"] = place[1]
@@ -374,14 +355,15 @@ class Walk:
         result["links"] = linked_nodes(prim, self.nodes, self.out)
         return result
 
-    def over_time(self, prim: Usd.Prim, function: Any, frames: tuple[int, int, int] | None) -> dict[str, Any]:
+    def over_time(self, prim: Usd.Prim, subject: Any, function: Any, frames: tuple[int, int, int] | None) -> dict[str, Any]:
         """Returns what a function says of a prim, with all frames if it moves."""
-        result = function(prim, self.time, self.out)
+        result = function(subject, self.time, self.out)
         result["name"] = prim.GetName()
         result["path"] = str(prim.GetPath())
         result["proxy"] = prim.IsInstanceProxy()
         if frames and self.is_moving(prim):
             silent = Output.__new__(Output)
             silent.notes, silent.files, silent.folder, silent.roots = {}, self.out.files, self.out.folder, self.out.roots
-            result["frames"] = [function(prim, Usd.TimeCode(time), silent) for time in range(frames[0], frames[1] + 1)]
+            silent.moving, silent.shown_frame = {}, ""
+            result["frames"] = [function(subject, Usd.TimeCode(time), silent) for time in range(frames[0], frames[1] + 1)]
         return result

@@ -2,8 +2,10 @@ package lightning.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import lightning.base.text.Quote;
 import lightning.base.work.WorkerPool;
@@ -14,6 +16,7 @@ import lightning.cli.output.PictureOutput;
 import lightning.cli.output.ProgressBar;
 import lightning.cli.report.ConversionReport;
 import lightning.format.exchange.ImportLighting;
+import lightning.format.exchange.ImportOptions;
 import lightning.format.exchange.IndirectChoice;
 import lightning.format.exchange.LightUnitPreviews;
 import lightning.format.exchange.SceneImporter;
@@ -35,7 +38,8 @@ import picocli.CommandLine.Parameters;
         footer = {
             "Examples:",
             "  lightning import house.glb -o house.jen --light-units candela",
-            "  lightning import shot.usda -o shot.jen"})
+            "  lightning import shot.usda -o shot.jen",
+            "  lightning import shot.usda --camera side --frame 1050 -o still.jen"})
 final class ImportCommand implements Callable<Integer> {
     /** Longer side of a preview image, in pixels. */
     private static final int PICTURE_SIZE = 320;
@@ -69,8 +73,18 @@ final class ImportCommand implements Callable<Integer> {
     private int levels = SceneImporter.DEFAULT_LEVELS;
 
     @Option(names = "--variant", paramLabel = "NAME",
-            description = "Variant of a glTF file's materials (default: the materials that the file has without variants).")
-    private String variant = "";
+            description = "Variant of a glTF file's materials (default: the materials that the file has without variants), or SET=NAME for "
+                    + "a variant of a USD file (default: as the stage selects). PATH:SET=NAME selects it on one prim only. Repeat for more.")
+    private List<String> variants = new ArrayList<>();
+
+    @Option(names = "--camera", paramLabel = "NAME",
+            description = "Camera of a glTF or USD file; in USD its name or its path (default: that of the render settings, or the first).")
+    private String camera = "";
+
+    @Option(names = "--frame", paramLabel = "F",
+            description = "Time code of a USD file at which all of it is read, without animation (default: animation, and what cannot be "
+                    + "animated as at the first frame).")
+    private @Nullable Double frame;
 
     @Option(names = "--indirect", paramLabel = "WHEN",
             description = "Indirect light: on, off, or auto, which is on if the camera is in a closed room (default: auto).")
@@ -95,10 +109,15 @@ final class ImportCommand implements Callable<Integer> {
         if (levels < 0 || levels > SceneImporter.MAX_LEVELS) {
             throw new BadInputException("--subdivision must be from 0 to " + SceneImporter.MAX_LEVELS + ", was " + levels);
         }
+        if (frame != null && !(Math.abs(frame) <= ImportOptions.MAX_FRAME)) {
+            throw new BadInputException("--frame must be from -100000000 to 100000000, was " + frame);
+        }
         PictureOutput.checkFile(output);
         ImportedScene imported;
         try (var bar = new ProgressBar(console, "reading")) {
-            imported = SceneImporter.read(file, output, units == null ? LightUnits.CANDELA : units, levels, variant, bar);
+            imported =
+                    SceneImporter.read(file, output, new ImportOptions(units == null ? LightUnits.CANDELA : units, levels, variants, camera,
+                            frame == null ? OptionalDouble.empty() : OptionalDouble.of(frame)), bar);
         }
         boolean saysIndirect = imported.hasIndirect();
         imported = lighting.apply(indirect.apply(imported));

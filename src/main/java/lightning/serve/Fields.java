@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeSet;
 import lightning.base.text.Quote;
@@ -87,6 +88,18 @@ record Fields(ObjectNode message) {
             throw bad(place, "expected a whole number from " + min + " to " + max + ", found " + describe(node));
         }
         return node.intValue();
+    }
+
+    /** Returns a number of a range; empty if there is none. */
+    OptionalDouble number(String name, double min, double max) {
+        JsonNode node = message.get(name);
+        if (node == null) {
+            return OptionalDouble.empty();
+        }
+        if (!node.isNumber() || !(node.doubleValue() >= min && node.doubleValue() <= max)) {
+            throw bad(name, "expected a number from " + (long) min + " to " + (long) max + ", found " + describe(node));
+        }
+        return OptionalDouble.of(node.doubleValue());
     }
 
     /** Returns an array of whole numbers of a given length. */

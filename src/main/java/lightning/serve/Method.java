@@ -10,8 +10,9 @@ import lightning.format.jen.asset.NameSuggestion;
 
 /** Methods of the protocol with the fields that each allows. */
 enum Method {
-    OPEN("file", "text", "folder", "output", "indirect", "light_units", "lighting", "subdivision", "keep"),
-    REPLACE("scene", "file", "text", "folder", "output", "indirect", "light_units", "lighting", "subdivision"),
+    OPEN("file", "text", "folder", "output", "indirect", "light_units", "lighting", "subdivision", "variant", "camera", "frame", "keep"),
+    REPLACE("scene", "file", "text", "folder", "output", "indirect", "light_units", "lighting", "subdivision", "variant", "camera",
+            "frame"),
     DESCRIBE("scene"),
     SET("scene", "edits", "gesture"),
     ADD("scene", "light"),

@@ -13,6 +13,7 @@ import lightning.base.text.Quote;
 import lightning.base.work.Progress;
 import lightning.editor.document.OpenDocument;
 import lightning.format.exchange.ImportLighting;
+import lightning.format.exchange.ImportOptions;
 import lightning.format.exchange.IndirectChoice;
 import lightning.format.exchange.SceneImporter;
 import lightning.format.exchange.assembly.ImportedScene;
@@ -25,6 +26,9 @@ import org.jspecify.annotations.Nullable;
 
 /** Reads the scene of an {@code open} or {@code replace} request: a scene file, a text, or another program's file. */
 final class SceneSource {
+    private static final List<String> IMPORT_FIELDS =
+            List.of("output", "indirect", "light_units", "lighting", "subdivision", "variant", "camera", "frame");
+
     /** Reader of the last import's folder, with the files that it decoded; null before. */
     private @Nullable CachingJenReader importReader;
     private List<String> notes = List.of();
@@ -48,7 +52,7 @@ final class SceneSource {
         if (file.isPresent() && SceneImporter.isImportName(file.get())) {
             return read(Path.of(file.get()), output(fields), fields, progress);
         }
-        for (String field : List.of("output", "indirect", "light_units", "lighting", "subdivision")) {
+        for (String field : IMPORT_FIELDS) {
             if (fields.has(field)) {
                 throw Fields.bad(field, "only files that are imported have this field");
             }
@@ -81,10 +85,12 @@ final class SceneSource {
     private OpenDocument read(Path file, Path output, Fields fields, Progress progress) throws IOException, JenException {
         IndirectChoice indirect = choice(fields, "indirect", IndirectChoice.AUTO);
         ImportLighting lighting = choice(fields, "lighting", ImportLighting.FILE);
-        LightUnits units = choice(fields, "light_units", LightUnits.CANDELA);
-        int levels = fields.integer("subdivision", 0, SceneImporter.MAX_LEVELS, SceneImporter.DEFAULT_LEVELS);
+        var options = new ImportOptions(choice(fields, "light_units", LightUnits.CANDELA),
+                fields.integer("subdivision", 0, SceneImporter.MAX_LEVELS, SceneImporter.DEFAULT_LEVELS),
+                fields.has("variant") ? fields.strings("variant") : List.of(), fields.optionalString("camera").orElse(""),
+                fields.number("frame", -ImportOptions.MAX_FRAME, ImportOptions.MAX_FRAME));
         try {
-            ImportedScene imported = lighting.apply(indirect.apply(SceneImporter.read(file, output, units, levels, "", progress)));
+            ImportedScene imported = lighting.apply(indirect.apply(SceneImporter.read(file, output, options, progress)));
             if (importReader == null || !importReader.folder().equals(ParentFolder.of(output))) {
                 importReader = new CachingJenReader(ParentFolder.of(output));
             }

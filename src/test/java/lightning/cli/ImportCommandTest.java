@@ -127,6 +127,10 @@ class ImportCommandTest {
         Path gltf = Files.write(folder.resolve("a.gltf"), GltfFixtures.text(GltfFixtures.SQUARE_JSON, GltfFixtures.SQUARE));
         CliResult.run("import", gltf, "-o", folder.resolve("a.jen"), "--variant", "night")
                 .assertRejected("must have the variant 'night' of its materials, has none");
+        CliResult.run("import", wrong, "-o", folder.resolve("a.jen"), "--camera", "top")
+                .assertRejected("to have the camera 'top'");
+        CliResult.run("import", wrong, "-o", folder.resolve("a.jen"), "--frame", "1e9")
+                .assertRejected("--frame must be from -100000000 to 100000000, was 1.0E9");
         assertThat(folder.resolve("a.jen")).doesNotExist();
     }
 }

@@ -75,6 +75,19 @@ class ReplaceTest {
     }
 
     @Test
+    void chosenCamera_isThatOfTheFile() throws Exception {
+        String cameras = MODEL.replace("\"nodes\": [0]", "\"nodes\": [0, 1, 2]").replace("\"translation\": [0, 0, -5]}",
+                "\"translation\": [0, 0, -5]}, {\"name\": \"near\", \"camera\": 0}, {\"name\": \"far\", \"camera\": 0,"
+                        + " \"translation\": [0, 0, 3]}")
+                .replace("\"materials\"", "\"cameras\": [{\"type\": \"perspective\", \"perspective\": {\"yfov\": 1,"
+                        + " \"znear\": 1}}], \"materials\"");
+        client.request("open", fields(cameras) + ",'camera':'far'");
+        assertThat(client.request("get", "'scene':1,'properties':'camera.from'").toString()).contains("0 0 3");
+        assertThat(client.refused("open", fields(cameras) + ",'camera':'no'").toString()).contains("has 'near', 'far'");
+        assertThat(client.refused("open", fields(cameras) + ",'frame':'x'").get("place").asString()).isEqualTo("frame");
+    }
+
+    @Test
     void replacedScene_recomputesWhatChanged_andEqualsAFullTrace() throws Exception {
         client.request("open", fields(MODEL));
         client.picture(1, "");

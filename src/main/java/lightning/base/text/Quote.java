@@ -2,6 +2,8 @@ package lightning.base.text;
 
 import java.nio.file.Path;
 import java.util.Collection;
+import java.util.List;
+import java.util.stream.Collectors;
 
 /**
  * Quoting of user and file input in messages. Printable text stays as it is, in single quotes; other text is escaped as Git escapes file
@@ -11,6 +13,8 @@ public final class Quote {
     /** Maximum code points shown; every valid scene name is shown in full. */
     private static final int MAX_LENGTH = 100;
     private static final String ELLIPSIS = "…";
+    /** Maximum texts of a list that are shown. */
+    private static final int MAX_LISTED = 20;
     /** Maximum characters of a file name; longer than any single folder or file name. */
     private static final int MAX_PATH_LENGTH = 500;
     private static final int PATH_HEAD_LENGTH = 150;
@@ -21,6 +25,11 @@ public final class Quote {
     public static String of(String text) {
         String shown = shorten(text);
         return PrintableText.isPrintable(shown) ? "'" + shown + "'" : escape(shown);
+    }
+
+    /** Returns texts in quotes, separated by commas; of more than 20 the first. */
+    public static String list(List<String> texts) {
+        return texts.stream().limit(MAX_LISTED).map(Quote::of).collect(Collectors.joining(", ")) + (texts.size() > MAX_LISTED ? " …" : "");
     }
 
     /**

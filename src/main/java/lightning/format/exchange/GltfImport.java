@@ -67,6 +67,7 @@ final class GltfImport {
     /** Names in the scene of the file's nodes; the first node of a name represents all. */
     private final Map<String, String> nodeNames = new HashMap<>();
     private final SceneExtras extras;
+    private final GltfCameras cameras;
     private final String meshFile;
     private final PosedMeshes posed;
     /** File of the posed meshes; empty if there are none. */
@@ -77,14 +78,14 @@ final class GltfImport {
     private Optional<GltfNode> cameraNode = Optional.empty();
 
     /** @param content file with the glTF; the source itself, or what it was converted to */
-    private GltfImport(Path source, Path content, Path sceneFile, LightUnits units, String variant, Progress progress)
+    private GltfImport(Path source, Path content, Path sceneFile, ImportOptions options, Progress progress)
             throws IOException, MeshException {
-        this.units = units;
+        units = options.units();
         assembler = new SceneAssembler(source, sceneFile);
         GltfFile gltf = GltfFile.read(content, progress);
         file = new GltfScene(gltf, assembler.notes);
         nodes = file.nodes(SceneLimits.MAX_SHAPES);
-        var variants = new MaterialVariants(gltf, variant);
+        var variants = new MaterialVariants(gltf, options.variants().isEmpty() ? "" : options.variants().getFirst());
         variants.noteNames(assembler.notes);
         for (GltfPart part : GltfMeshReader.readAll(gltf, assembler.notes)) {
             parts.computeIfAbsent(part.mesh(), _ -> new ArrayList<>()).add(variants.part(part, assembler.notes));
@@ -92,6 +93,7 @@ final class GltfImport {
         posed = PosedMeshes.of(gltf, nodes, parts);
         lights = file.lights();
         extras = new SceneExtras(file.settings());
+        cameras = new GltfCameras(gltf, nodes, options.camera(), extras.camera());
         if (parts.isEmpty() && lights.isEmpty() && gltf.cameraCount() == 0) {
             throw new MeshException(source, "meshes", "must have triangles, lights or cameras");
         }
@@ -106,9 +108,8 @@ final class GltfImport {
         }
     }
 
-    static ImportedScene read(Path source, Path sceneFile, LightUnits units, String variant, Progress progress)
-            throws IOException, MeshException {
-        return new GltfImport(source, source, sceneFile, units, variant, progress).assemble();
+    static ImportedScene read(Path source, Path sceneFile, ImportOptions options, Progress progress) throws IOException, MeshException {
+        return new GltfImport(source, source, sceneFile, options, progress).assemble();
     }
 
     /**
@@ -117,9 +118,9 @@ final class GltfImport {
      * @param content the converted file, which may be deleted afterwards
      * @param losses number of things of each kind that it lacks
      */
-    static ImportedScene readConverted(Path source, Path content, Map<String, Integer> losses, Path sceneFile, LightUnits units,
+    static ImportedScene readConverted(Path source, Path content, Map<String, Integer> losses, Path sceneFile, ImportOptions options,
             Progress progress) throws IOException, MeshException {
-        var converted = new GltfImport(source, content, sceneFile, units, "", progress);
+        var converted = new GltfImport(source, content, sceneFile, options, progress);
         losses.forEach(converted.assembler.notes::add);
         return converted.assemble();
     }
@@ -174,7 +175,7 @@ final class GltfImport {
         Optional<Transform> later = shot.flatMap(s -> s.laterTransform(node));
         Transform local = later.orElse(node.local());
         Transform world = parentTransform.times(local);
-        if (node.camera() >= 0 && (extras.camera().isEmpty() || extras.camera().equals(node.name()))) {
+        if (assembler.camera.isEmpty() && cameras.isCandidate(node)) {
             importCamera(node, world);
         }
         if (node.light() >= 0) {
@@ -257,16 +258,13 @@ final class GltfImport {
 
     private void importCamera(GltfNode node, Transform world) throws MeshException {
         GltfCamera gltfCamera = file.camera(node.camera(), assembler.notes);
-        if (assembler.camera.isPresent()) {
-            assembler.notes.add("additional cameras");
-            return;
-        }
         if (gltfCamera.fieldOfView().isEmpty()) {
             assembler.notes.add("orthographic cameras, imported as perspective");
         }
         try {
             assembler.camera = Optional.of(camera(world, fieldOfView(gltfCamera)));
             cameraNode = Optional.of(node);
+            cameras.noteOthers(node, assembler.notes);
             gltfCamera.aspectRatio().ifPresent(assembler::setAspectRatio);
         } catch (IllegalArgumentException | ArithmeticException e) {
             assembler.notes.add("cameras that cannot be placed");

@@ -36,7 +36,6 @@ import lightning.scene.value.SceneLimits;
 final class GltfShot {
     /** Maximum number of frames of all moving objects together: a few bytes can let thousands of objects move for thousands of frames. */
     private static final long MAX_STATES = 4_000_000;
-    private static final int BLOCK = 256;
     private static final List<LightAttribute<?>> LIGHT_ATTRIBUTES = List.of(LightAttribute.POSITION, LightAttribute.DIRECTION,
             LightAttribute.COLOR, LightAttribute.INTENSITY);
 
@@ -156,7 +155,7 @@ final class GltfShot {
     }
 
     private FrameTracks tracks() {
-        return new FrameTracks(animation.first(), BLOCK);
+        return new FrameTracks(animation.first());
     }
 
     private <T> List<T> states(IntFunction<T> stateAt) {

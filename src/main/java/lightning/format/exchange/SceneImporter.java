@@ -3,6 +3,7 @@ package lightning.format.exchange;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Stream;
 import lightning.base.file.RegularFile;
@@ -48,41 +49,54 @@ public final class SceneImporter {
      * @throws CancellationException if {@code progress} requested cancellation
      */
     public static ImportedScene read(Path file, Path sceneFile, LightUnits units, Progress progress) throws IOException, MeshException {
-        return read(file, sceneFile, units, DEFAULT_LEVELS, "", progress);
+        return read(file, sceneFile, ImportOptions.DEFAULT.withUnits(units), progress);
     }
 
     /**
      * Reads a file and the files it references; writes nothing.
      *
      * @param sceneFile path of the future scene; assets are placed next to it
-     * @param units units of the file's lights, if it has any
-     * @param levels refinements of a stage's subdivision surfaces, from 0 to {@link #MAX_LEVELS}
-     * @param variant name of the variant of a glTF file's materials; empty for its own materials
      * @param progress receives the number of KiB read
-     * @throws MeshException if the content is invalid, or it has no such variant
+     * @throws MeshException if the content is invalid, it lacks a camera or a variant of the options, or its format has none
      * @throws IOException if it cannot be read
      * @throws CancellationException if {@code progress} requested cancellation
      */
-    public static ImportedScene read(Path file, Path sceneFile, LightUnits units, int levels, String variant, Progress progress)
+    public static ImportedScene read(Path file, Path sceneFile, ImportOptions options, Progress progress)
             throws IOException, MeshException {
-        boolean isStage = UsdStage.isStageName(file.toString());
-        boolean isModel = AssimpFormat.isModelName(file.toString());
-        if (!variant.isEmpty() && (isStage || isModel || MeshFormat.detect(file) != MeshFormat.GLTF)) {
-            throw new MeshException(file, "", "must be a glTF file to have the variant " + Quote.of(variant) + " of its materials");
-        }
-        if (isStage) {
+        if (UsdStage.isStageName(file.toString())) {
             RegularFile.open(file, "a USD file").close();
-            return UsdImport.read(file, sceneFile, levels, progress);
+            return UsdImport.read(file, sceneFile, options.levels(), options.stage(), progress);
         }
-        if (isModel) {
+        boolean isModel = AssimpFormat.isModelName(file.toString());
+        Optional<MeshFormat> format = isModel ? Optional.empty() : Optional.of(MeshFormat.detect(file));
+        boolean isGltf = format.equals(Optional.of(MeshFormat.GLTF));
+        checkOptions(file, options, isGltf, isGltf || isModel);
+        if (format.isEmpty()) {
             return AssimpConverter.convert(file, progress,
-                    (glb, losses) -> GltfImport.readConverted(file, glb, losses, sceneFile, units, progress));
+                    (glb, losses) -> GltfImport.readConverted(file, glb, losses, sceneFile, options, progress));
         }
-        return switch (MeshFormat.detect(file)) {
+        return switch (format.get()) {
             case PLY -> ObjImport.importPly(file, sceneFile, progress);
             case NFF -> NffImport.read(file, sceneFile, progress);
             case OBJ -> ObjImport.importObj(file, sceneFile, progress);
-            case GLTF -> GltfImport.read(file, sceneFile, units, variant, progress);
+            case GLTF -> GltfImport.read(file, sceneFile, options, progress);
         };
+    }
+
+    private static void checkOptions(Path file, ImportOptions options, boolean isGltf, boolean hasCameras) throws MeshException {
+        if (!options.variants().isEmpty() && !isGltf) {
+            throw new MeshException(file, "", "must be a glTF or USD file to have the variant " + Quote.of(options.variants().getFirst()));
+        }
+        if (options.variants().size() > 1) {
+            throw new MeshException(file, "",
+                    "must be a USD file to have several variants at a time, found " + Quote.list(options.variants()));
+        }
+        if (!options.camera().isEmpty() && !hasCameras) {
+            throw new MeshException(file, "",
+                    "must be a glTF, USD or FBX file, or another of the kind, to have the camera " + Quote.of(options.camera()));
+        }
+        if (options.frame().isPresent()) {
+            throw new MeshException(file, "", "must be a USD file to be read at one frame");
+        }
     }
 }

@@ -214,6 +214,11 @@ public final class GltfFile {
         return array("cameras").size();
     }
 
+    /** Returns the name of a camera; empty if it has none. */
+    public String cameraName(int camera) throws MeshException {
+        return array("cameras").element(camera).get("name").text().orElse("");
+    }
+
     Progress progress() {
         return progress;
     }

@@ -2,7 +2,6 @@ package lightning.format.gltf;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Collectors;
 import lightning.base.text.Quote;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
@@ -11,7 +10,6 @@ import lightning.format.mesh.MeshException;
 public final class MaterialVariants {
     private static final String EXTENSION = "KHR_materials_variants";
     /** Maximum number of names in messages. */
-    private static final int MAX_NAMES = 20;
 
     private final GltfFile file;
     private final List<String> names;
@@ -30,7 +28,7 @@ public final class MaterialVariants {
         chosen = variant.isEmpty() ? -1 : names.indexOf(variant);
         if (!variant.isEmpty() && chosen < 0) {
             throw new MeshException(file.path(), "", "must have the variant " + Quote.of(variant) + " of its materials, has "
-                    + (names.isEmpty() ? "none" : list()));
+                    + (names.isEmpty() ? "none" : Quote.list(names)));
         }
     }
 
@@ -43,13 +41,9 @@ public final class MaterialVariants {
         return List.copyOf(names);
     }
 
-    private String list() {
-        return names.stream().limit(MAX_NAMES).map(Quote::of).collect(Collectors.joining(", ")) + (names.size() > MAX_NAMES ? " …" : "");
-    }
-
     /** Notes the names of the variants if there are any and none is chosen. */
     public void noteNames(ConversionNotes notes) {
-        notes.add("variants of materials, imported with the file's own materials: " + list(), chosen < 0 ? names.size() : 0);
+        notes.add("variants of materials, imported with the file's own materials: " + Quote.list(names), chosen < 0 ? names.size() : 0);
     }
 
     /**

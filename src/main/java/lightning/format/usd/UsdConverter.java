@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeoutException;
 import lightning.base.file.RegularFile;
@@ -67,11 +68,11 @@ record UsdConverter(Path python, Path script, Duration limit, long memory, long 
      * @throws MeshException if usd-core cannot read it, or the time limit is exceeded
      * @throws IOException if the interpreter cannot run, or lacks usd-core
      */
-    <T> T convert(Path source, Progress progress, Use<T> use) throws IOException, MeshException {
+    <T> T convert(Path source, StageChoice choice, Progress progress, Use<T> use) throws IOException, MeshException {
         try (var scratch = ScratchFolder.createIn(Path.of(System.getProperty("java.io.tmpdir")))) {
             Path folder = Files.createDirectory(scratch.file("stage"));
             try {
-                run(source, folder, scratch.file("messages"), progress);
+                run(source, choice, folder, scratch.file("messages"), progress);
                 return use.read(folder);
             } finally {
                 TemporaryFolder.delete(folder);
@@ -80,9 +81,11 @@ record UsdConverter(Path python, Path script, Duration limit, long memory, long 
         }
     }
 
-    private void run(Path source, Path folder, Path messages, Progress progress) throws IOException, MeshException {
-        var builder = new ProcessBuilder(python.toString(), "-B", script.toString(), source.toAbsolutePath().toString(), folder.toString(),
-                Long.toString(memory), Long.toString(triangles));
+    private void run(Path source, StageChoice choice, Path folder, Path messages, Progress progress) throws IOException, MeshException {
+        List<String> command = new ArrayList<>(List.of(python.toString(), "-B", script.toString(), source.toAbsolutePath().toString(),
+                folder.toString(), Long.toString(memory), Long.toString(triangles)));
+        command.addAll(choice.arguments());
+        var builder = new ProcessBuilder(command);
         builder.environment().put("PYTHONIOENCODING", "utf-8");
         int code;
         try {

@@ -12,6 +12,9 @@ import java.util.stream.Collectors;
 public final class UsdLayer {
     private static final String INDENT = "    ";
 
+    /** Text of the largest number. */
+    public static final String LARGEST = number(Float.MAX_VALUE);
+
     private final Map<String, String> metadata = new LinkedHashMap<>();
     private final Prim root = new Prim("");
 
@@ -98,9 +101,9 @@ public final class UsdLayer {
         return out.toString();
     }
 
-    /** Returns a number as a float, which all lights have. */
+    /** Returns a number as a float, which all lights have; the largest one in place of a larger number. */
     public static String number(double v) {
-        String text = Float.toString((float) v);
+        String text = Float.toString((float) Math.clamp(v, -Float.MAX_VALUE, Float.MAX_VALUE));
         return text.endsWith(".0") ? text.substring(0, text.length() - 2) : text;
     }
 

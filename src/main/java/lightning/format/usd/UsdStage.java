@@ -54,11 +54,11 @@ public final class UsdStage {
     /**
      * Reads a stage with the converter in Python.
      *
-     * @throws MeshException if usd-core cannot read it, or what it says is invalid
+     * @throws MeshException if usd-core cannot read it, it does not have what is chosen, or what it says is invalid
      * @throws IOException if the file cannot be read, or there is no Python with usd-core
      */
-    public static <T> T read(Path source, Progress progress, Use<T> use) throws IOException, MeshException {
-        return UsdConverter.installed().convert(source, progress, folder -> open(source, folder, use));
+    public static <T> T read(Path source, StageChoice choice, Progress progress, Use<T> use) throws IOException, MeshException {
+        return UsdConverter.installed().convert(source, choice, progress, folder -> open(source, folder, use));
     }
 
     /**

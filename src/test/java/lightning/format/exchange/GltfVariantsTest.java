@@ -9,7 +9,6 @@ import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.ImportedScene;
-import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.gltf.GltfFixtures;
 import lightning.format.jen.JenReader;
 import lightning.format.mesh.MeshException;
@@ -36,7 +35,8 @@ class GltfVariantsTest {
 
     private ImportedScene read(String json, String variant) throws Exception {
         return SceneImporter.read(Files.write(folder.resolve("a.glb"), GltfFixtures.binary(json, GltfFixtures.SQUARE)),
-                folder.resolve("a.jen"), LightUnits.UNITLESS, 0, variant, Progress.NONE);
+                folder.resolve("a.jen"), ImportOptions.DEFAULT.withVariants(variant.isEmpty() ? List.of() : List.of(variant)),
+                Progress.NONE);
     }
 
     private static List<String> materials(ImportedScene imported) {
@@ -87,7 +87,8 @@ class GltfVariantsTest {
         assertThatThrownBy(() -> read(GltfFixtures.SQUARE_JSON, "snow")).isInstanceOf(MeshException.class)
                 .hasMessageEndingWith("must have the variant 'snow' of its materials, has none");
         Path obj = Files.writeString(folder.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-        assertThatThrownBy(() -> SceneImporter.read(obj, folder.resolve("a.jen"), LightUnits.CANDELA, 0, "day", Progress.NONE))
-                .isInstanceOf(MeshException.class).hasMessageEndingWith("must be a glTF file to have the variant 'day' of its materials");
+        assertThatThrownBy(
+                () -> SceneImporter.read(obj, folder.resolve("a.jen"), ImportOptions.DEFAULT.withVariants(List.of("day")), Progress.NONE))
+                .isInstanceOf(MeshException.class).hasMessageEndingWith("must be a glTF or USD file to have the variant 'day'");
     }
 }

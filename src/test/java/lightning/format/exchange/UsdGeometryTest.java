@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
@@ -43,7 +44,7 @@ class UsdGeometryTest {
 
     private ImportedScene imported(String prims, int levels) throws Exception {
         Path file = Files.writeString(folder.resolve("a.usda"), HEADER + prims);
-        return SceneImporter.read(file, folder.resolve("a.jen"), LightUnits.CANDELA, levels, "", Progress.NONE);
+        return SceneImporter.read(file, folder.resolve("a.jen"), ImportOptions.DEFAULT.withLevels(levels), Progress.NONE);
     }
 
     private static String mesh(String content) {
@@ -264,6 +265,26 @@ class UsdGeometryTest {
             }
             """;
 
+    /** Halfway, the upper bone leans by 45 degrees. */
+    @Test
+    void skinnedMesh_hasPoseOfChosenFrame() throws Exception {
+        Path file = Files.writeString(folder.resolve("a.usda"), HEADER + ARM);
+        ImportedScene scene =
+                SceneImporter.read(file, folder.resolve("a.jen"), ImportOptions.DEFAULT.withFrame(OptionalDouble.of(5)), Progress.NONE);
+        assertThat(most(meshes(scene).getFirst().positions(), 0)).isCloseTo((float) Math.sqrt(0.5), offset(1e-3f));
+        assertThat(most(meshes(scene).getFirst().positions(), 1)).isCloseTo(1 + (float) Math.sqrt(0.5), offset(1e-3f));
+        assertThat(scene.notes().keySet()).noneMatch(note -> note.contains("skeleton"));
+    }
+
+    /** Before its first sample, an attribute has the value of that. */
+    @Test
+    void skinnedMeshBeforeItsFirstSample_hasThatPose() throws Exception {
+        Path file = Files.writeString(folder.resolve("a.usda"),
+                HEADER.replace(")\n", "    startTimeCode = 0\n    endTimeCode = 9\n)\n") + ARM);
+        ImportedScene scene = SceneImporter.read(file, folder.resolve("a.jen"), LightUnits.CANDELA, Progress.NONE);
+        assertThat(most(meshes(scene).getFirst().positions(), 0)).isCloseTo(1, offset(1e-6f));
+    }
+
     @Test
     void skinnedMesh_hasPoseOfFirstFrame() throws Exception {
         String range = HEADER.replace(")\n", "    startTimeCode = 1\n    endTimeCode = 9\n)\n");
@@ -277,7 +298,9 @@ class UsdGeometryTest {
                 assertThat(most(mesh.positions(), 0)).isCloseTo(1, offset(1e-6f));
                 assertThat(most(mesh.positions(), 1)).isCloseTo(1, offset(1e-6f));
             }
-            assertThat(scene.notes()).containsEntry("moving skeletons, with meshes posed as at the first frame", 1)
+            String root = prims.equals(ARM) ? "/arm" : "/copy/arm";
+            assertThat(scene.notes())
+                    .containsEntry("moving skeletons, with meshes posed, as at the first frame (1): '" + root + "'", 1)
                     .doesNotContainKey("skeletons that cannot be evaluated");
         }
     }

@@ -200,7 +200,7 @@ class UsdMaterialXTest {
         assertThat(gold.texture().orElseThrow().file()).isEqualTo("a.png");
         assertThat(gold.metalness()).isEqualTo(1);
         assertThat(gold.roughness()).isEqualTo(0.5);
-        assertThat(imported.notes()).doesNotContainKey("references that cannot be loaded");
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.startsWith("references that cannot be loaded"));
     }
 
     @Test

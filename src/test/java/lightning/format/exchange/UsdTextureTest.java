@@ -158,6 +158,13 @@ class UsdTextureTest {
         assertThat(material(COLOR, "c.<UDIM>.png").texture()).isEmpty();
     }
 
+    /** As in files of other formats: the last rows and columns stay. */
+    @Test
+    void largeTextureOfOddSize_isReducedUpward() throws Exception {
+        writePng("odd.png", 4201, 4201, i -> 0xFF0000);
+        assertThat(material(COLOR, "odd.png").texture().orElseThrow().image().width()).isEqualTo(2101);
+    }
+
     @Test
     void largeTexture_isReduced() throws Exception {
         writePng("large.png", 4200, 4200, i -> i % 4200 < 2100 ? 0xFF0000 : 0x00FF00);

@@ -9,6 +9,6 @@ final class StageHolder {
 
     public static void main(String... args) throws Exception {
         System.out.println("reading");
-        UsdStage.read(Path.of(args[0]), Progress.NONE, _ -> "");
+        UsdStage.read(Path.of(args[0]), StageChoice.DEFAULT, Progress.NONE, _ -> "");
     }
 }

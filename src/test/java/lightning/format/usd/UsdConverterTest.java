@@ -33,7 +33,7 @@ class UsdConverterTest {
 
     private String convert(String commands, Duration limit, Progress progress) throws IOException, MeshException {
         Path source = folder.resolve("shot.usda");
-        return new UsdConverter(program(commands), folder, limit, 1L << 30, 0).convert(source, progress,
+        return new UsdConverter(program(commands), folder, limit, 1L << 30, 0).convert(source, StageChoice.DEFAULT, progress,
                 written -> Files.readString(written.resolve("stage.json")));
     }
 

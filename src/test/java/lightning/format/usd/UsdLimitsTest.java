@@ -38,6 +38,7 @@ class UsdLimitsTest {
 
     private void convert(Path stage, long memory) throws IOException, MeshException {
         new UsdConverter(Path.of(PythonPrograms.require("pxr")), SCRIPT, Duration.ofMinutes(2), memory, 999_999).convert(stage,
+                StageChoice.DEFAULT,
                 Progress.NONE, _ -> "");
     }
 

@@ -19,17 +19,13 @@ import lightning.scene.shot.TrackTarget;
  * Keyframes of attributes whose values are known at every frame. Frames on a straight line between two others get none.
  *
  * @param first number of the first frame
- * @param block number of keys that are reduced at a time: the time for a straight line grows with its square
  */
-public record FrameTracks(int first, int block) {
+public record FrameTracks(int first) {
+    /** Number of keys that are reduced at a time: the time for a straight line grows with its square. */
+    private static final int BLOCK = 256;
     private static final KeyframeReduction REDUCTION = new KeyframeReduction(0);
     /** Values below it have its tolerance: that of numbers of about nine digits. */
     private static final double ROUNDING_UNIT = 1e-3;
-
-    /** Creates tracks whose keys are reduced at once. */
-    public FrameTracks(int first) {
-        this(first, Integer.MAX_VALUE);
-    }
 
     /**
      * Returns the tracks of all attributes that change.
@@ -93,13 +89,13 @@ public record FrameTracks(int first, int block) {
     }
 
     private List<Keyframe> reduced(List<Keyframe> keys, boolean isLinear) {
-        if (keys.size() <= block) {
+        if (keys.size() <= BLOCK) {
             return REDUCTION.reduce(keys, isLinear);
         }
         List<Keyframe> kept = new ArrayList<>();
         // Each block starts with the last key of the block before.
-        for (int start = 0; start < keys.size() - 1; start += block) {
-            List<Keyframe> part = REDUCTION.reduce(keys.subList(start, Math.min(start + block + 1, keys.size())), isLinear);
+        for (int start = 0; start < keys.size() - 1; start += BLOCK) {
+            List<Keyframe> part = REDUCTION.reduce(keys.subList(start, Math.min(start + BLOCK + 1, keys.size())), isLinear);
             boolean isRepeated = !kept.isEmpty() && kept.getLast().frame() == part.getFirst().frame();
             kept.addAll(isRepeated ? part.subList(1, part.size()) : part);
         }

@@ -78,20 +78,16 @@ final class UsdImages {
         if (width < 1 || height < 1 || (long) width * height > MAX_EXR_PIXELS) {
             throw new IOException("has " + width + "×" + height + " pixels");
         }
-        int step = 1;
-        while ((long) (width / step) * (height / step) > JenLimits.TEXTURE_PIXELS) {
-            step++;
-        }
-        int size = step;
-        int columns = width / size;
-        int rows = height / size;
+        int step = TextureDecoder.step(width, height, JenLimits.TEXTURE_PIXELS);
+        int columns = Math.ceilDiv(width, step);
+        int rows = Math.ceilDiv(height, step);
         float[] rgb = new float[3 * columns * rows];
         List<String> channels = channels(exr.header().channels().stream().map(ExrChannel::name).toList(), usage);
         ExrReader.PixelConsumer sink = (x, y, values) -> {
-            if (x % size == 0 && y % size == 0 && x / size < columns && y / size < rows) {
+            if (x % step == 0 && y % step == 0) {
                 for (int c = 0; c < 3; c++) {
                     float v = values[Math.min(c, values.length - 1)];
-                    rgb[3 * (y / size * columns + x / size) + c] = Float.isNaN(v) ? 0 : Math.clamp(v, -MAX_VALUE, MAX_VALUE);
+                    rgb[3 * (y / step * columns + x / step) + c] = Float.isNaN(v) ? 0 : Math.clamp(v, -MAX_VALUE, MAX_VALUE);
                 }
             }
         };

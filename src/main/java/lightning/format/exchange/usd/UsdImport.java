@@ -19,6 +19,7 @@ import lightning.format.exchange.json.SceneExtras;
 import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
+import lightning.format.usd.StageChoice;
 import lightning.format.usd.UsdStage;
 import lightning.scene.Camera;
 import lightning.scene.ViewSettings;
@@ -63,8 +64,9 @@ public final class UsdImport {
     }
 
     /** @param levels refinements of subdivision surfaces */
-    public static ImportedScene read(Path source, Path sceneFile, int levels, Progress progress) throws IOException, MeshException {
-        return UsdStage.read(source, progress, stage -> new UsdImport(stage, source, sceneFile, levels, progress).assemble());
+    public static ImportedScene read(Path source, Path sceneFile, int levels, StageChoice choice, Progress progress)
+            throws IOException, MeshException {
+        return UsdStage.read(source, choice, progress, stage -> new UsdImport(stage, source, sceneFile, levels, progress).assemble());
     }
 
     private boolean hasShot() throws MeshException {
@@ -89,6 +91,9 @@ public final class UsdImport {
         }
         ImportedScene built = assembler.build();
         List<String> comments = new ArrayList<>();
+        for (int i = 0; i < root.get("hidden").size(); i++) {
+            comments.add(UsdHiddenParent.comment(root.get("hidden").element(i)));
+        }
         for (Light light : built.scene().lights()) {
             Optional.ofNullable(originals.get(light.name())).ifPresent(o -> comments.add(UsdOriginal.comment(light, built.shot(), o)));
         }

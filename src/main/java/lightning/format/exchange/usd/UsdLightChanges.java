@@ -37,10 +37,10 @@ public final class UsdLightChanges {
             Map.entry("float inputs:diffuse", Set.of("diffuse")),
             Map.entry("float inputs:specular", Set.of("specular")),
             Map.entry("bool inputs:shadow:enable", Set.of("casts_shadows")),
-            Map.entry("float inputs:shaping:cone:angle", Set.of("angle", "profile", "type")),
+            Map.entry(UsdLightValues.ANGLE, Set.of("angle", "profile", "type")),
             Map.entry(UsdLightValues.SOFTNESS, Set.of("angle", "profile", "type")),
-            Map.entry("float inputs:shaping:focus", Set.of("dropoff", "type")),
-            Map.entry("token visibility", Set.of("on")),
+            Map.entry(UsdLightValues.FOCUS, Set.of("dropoff", "type")),
+            Map.entry(UsdLightValues.VISIBILITY, Set.of("on")),
             Map.entry(UsdLightValues.MATRIX, PLACE));
     /** Attributes that an animated size leaves as they are. */
     private static final Set<String> NOT_ANIMATED = Set.of(UsdLightValues.NORMALIZE, UsdLightValues.POINT);

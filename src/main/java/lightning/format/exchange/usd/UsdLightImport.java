@@ -68,6 +68,7 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
     }
 
     private Light distant(Light light, JsonValue in) throws MeshException {
+        notes.add("cones and profiles of distant lights", isShapedFlat(in.get("shaping")) ? 1 : 0);
         double spread = Math.clamp(UsdNumbers.tidy(in.get("angle").number(0)) / 2, 0, SceneLimits.MAX_SPREAD);
         return placed(light, in).withType(LightType.DIRECTIONAL).withPosition(Vec3.ZERO).withFalloff(Falloff.CUSTOM)
                 .withArea(AreaShape.DEFAULT.withSpread(spread))
@@ -94,7 +95,7 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
                 .withArea(AreaShape.DEFAULT.withRadius(size(UsdNumbers.tidy(in.get("radius").number(0)) * LightScales.disk(scale))));
         disc = isNormalized(in) ? candela(disc, meters * meters) : nit(disc);
         // A spot has no cosine of its own.
-        return isShaped(in.get("shaping")) ? cone(disc, in.get("shaping"), 1) : disc;
+        return isShapedFlat(in.get("shaping")) ? cone(disc, in.get("shaping"), 1) : disc;
     }
 
     private Light rect(Light light, JsonValue in) throws IOException, MeshException {
@@ -103,7 +104,7 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
         Light rect = placed(light, in).withType(LightType.RECT).withArea(AreaShape.DEFAULT.withUp(UsdNumbers.rounded(up))
                 .withWidth(size(UsdNumbers.tidy(in.get("width").number(0)) * scale.x()))
                 .withHeight(size(UsdNumbers.tidy(in.get("height").number(0)) * scale.y())));
-        notes.add("cones and profiles of rect lights", isShaped(in.get("shaping")) ? 1 : 0);
+        notes.add("cones and profiles of rect lights", isShapedFlat(in.get("shaping")) ? 1 : 0);
         return (isNormalized(in) ? candela(rect, meters * meters) : nit(rect)).withTexture(texture(in.get("texture")));
     }
 
@@ -227,6 +228,12 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
     private static boolean isShaped(JsonValue shaping) throws MeshException {
         return shaping.isPresent()
                 && (shaping.get("angle").number(90) < 180 || shaping.get("focus").number(0) > 0 || shaping.get("profile").isPresent());
+    }
+
+    /** Returns whether a light is shaped that shines to one side only, where a hard cone of 90 degrees has no effect. */
+    private static boolean isShapedFlat(JsonValue shaping) throws MeshException {
+        return isShaped(shaping) && (shaping.get("angle").number(90) < 90 || shaping.get("softness").number(0) > 0
+                || shaping.get("focus").number(0) > 0 || shaping.get("profile").isPresent());
     }
 
     private Transform world(JsonValue in) throws MeshException {

@@ -23,8 +23,15 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
     public static final String MATRIX = "matrix4d xformOp:transform:lightning";
     static final String INTENSITY = "float inputs:intensity";
     static final String NORMALIZE = "bool inputs:normalize";
+    static final String ANGLE = "float inputs:shaping:cone:angle";
+    static final String FOCUS = "float inputs:shaping:focus";
     static final String SOFTNESS = "float inputs:shaping:cone:softness";
+    static final String VISIBILITY = "token visibility";
+    static final String VISIBLE = "\"inherited\"";
+    static final String INVISIBLE = "\"invisible\"";
     static final String POINT = "bool treatAsPoint";
+    /** Values of a cone that holds nothing back. */
+    static final Map<String, String> OPEN_CONE = Map.of(ANGLE, "180", SOFTNESS, "0", FOCUS, "0");
     static final Vec3 DOWN = new Vec3(0, -1, 0);
     private static final double SPHERE_FACTOR = 4;
     private static final double FULL_ANGLE = 180;
@@ -45,6 +52,11 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
         };
     }
 
+    /** Returns whether a prim of a type can have a cone and a profile. */
+    public static boolean isShaped(String type) {
+        return type.equals("SphereLight") || type.equals("DiskLight");
+    }
+
     /** Returns the values of all attributes that a type has. */
     public Map<String, String> values(boolean isOn) {
         Map<String, String> result = new LinkedHashMap<>();
@@ -62,7 +74,7 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
         result.put("float inputs:specular", UsdLayer.number(light.contribution().specular()));
         result.put("bool inputs:shadow:enable", light.contribution().castsShadows() ? "1" : "0");
         addSize(result);
-        result.put("token visibility", isOn ? "\"inherited\"" : "\"invisible\"");
+        result.put(VISIBILITY, isOn ? VISIBLE : INVISIBLE);
         result.put(MATRIX, matrix());
         return result;
     }
@@ -100,9 +112,9 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
                 if (type.equals("SphereLight")) {
                     result.put(POINT, light.area().radius() == 0 ? "1" : "0");
                 }
-                result.put("float inputs:shaping:cone:angle", UsdLayer.number(isSpot ? light.angle() : FULL_ANGLE));
+                result.put(ANGLE, UsdLayer.number(isSpot ? light.angle() : FULL_ANGLE));
                 result.put(SOFTNESS, UsdLayer.number(isSpot ? SoftCones.softness(light).orElse(0) : 0));
-                result.put("float inputs:shaping:focus",
+                result.put(FOCUS,
                         UsdLayer.number(!isSpot ? 0 : type.equals("DiskLight") ? light.dropoff() - 1 : light.dropoff()));
             }
         }

@@ -51,7 +51,7 @@ public record UsdOriginal(Light light, Map<String, String> tracks, JsonNode stag
                 out.put(flag, true);
             }
         }
-        for (String flag : List.of("moves", "resets", "shared")) {
+        for (String flag : List.of("moves", "resets", "shared", "switched")) {
             if (rig.get(flag).bool(false)) {
                 out.put(flag, true);
             }
@@ -61,7 +61,7 @@ public record UsdOriginal(Light light, Map<String, String> tracks, JsonNode stag
         put(out, "softness", in.get("shaping").isPresent() ? in.get("shaping").get("softness").number(0) : 0);
         matrix(out, "matrix", in.get("matrix"));
         matrix(out, "inverse", rig.get("inverse"));
-        for (String list : List.of("apis", "instances")) {
+        for (String list : List.of("apis", "instances", "animated", "hiders")) {
             JsonNode values = rig.get(list).node();
             if (!values.isEmpty()) {
                 out.set(list, values);
@@ -200,6 +200,24 @@ public record UsdOriginal(Light light, Map<String, String> tracks, JsonNode stag
     /** Returns whether the prim has a schema such as ShadowAPI. */
     public boolean hasSchema(String name) {
         return stage.path("apis").valueStream().anyMatch(v -> v.asString("").equals(name));
+    }
+
+    /** Returns whether the stage animates an attribute of which the scene has only one frame. */
+    boolean isAnimated(String declaration) {
+        String name = declaration.substring(declaration.indexOf(' ') + 1);
+        boolean isTransform = declaration.equals(UsdLightValues.MATRIX);
+        return stage.path("animated").valueStream().map(v -> v.asString(""))
+                .anyMatch(v -> isTransform ? v.startsWith("xformOp:") : v.equals(name));
+    }
+
+    /** Returns the paths of prims above that are invisible or below such a prim, the outermost first; empty if none hides the light. */
+    List<String> hiders() {
+        return stage.path("hiders").valueStream().map(v -> v.asString("")).toList();
+    }
+
+    /** Returns whether prims above hide the light at some times only. */
+    boolean isSwitched() {
+        return stage.path("switched").asBoolean(false);
     }
 
     /** Returns the paths of the instances in which the prim is, the outermost first. */

@@ -22,10 +22,11 @@ import lightning.format.mesh.MeshException;
  * @param dome    the dome light that the environment stands for
  * @param objects path of each shape and group, by its name
  * @param originals each light as it was imported, by its name; none of scenes that were imported by versions without them
+ * @param hidden  prims above hidden lights, by their path
  * @param renamed name of each file in the stage, by its other name in the scene
  */
 public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Optional<Dome> dome, Map<String, String> objects,
-        Map<String, UsdOriginal> originals, Map<String, String> renamed) {
+        Map<String, UsdOriginal> originals, Map<String, String> renamed, Map<String, UsdHiddenParent> hidden) {
     private static final String UP = "usd up: ";
     private static final String SHIFT = "usd time of frame 0: ";
     private static final Pattern LIGHT = Pattern.compile("# usd light: (\\w+) (/\\S*) (.+)");
@@ -102,6 +103,7 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
         Map<String, String> objects = new HashMap<>();
         Map<String, UsdOriginal> originals = new HashMap<>();
         Map<String, String> renamed = new HashMap<>();
+        Map<String, UsdHiddenParent> hidden = new HashMap<>();
         OptionalDouble intensity = OptionalDouble.empty();
         Optional<Dome> dome = Optional.empty();
         boolean hasZUp = false;
@@ -123,6 +125,8 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
                         number(environment.group(4)), environment.group(5), OptionalDouble.empty()));
             } else if (line.startsWith("# " + UsdOriginal.COMMENT)) {
                 UsdOriginal.parse(line.substring(2)).ifPresent(original -> originals.put(original.light().name(), original));
+            } else if (line.startsWith("# " + UsdHiddenParent.COMMENT)) {
+                UsdHiddenParent.parse(line.substring(2)).ifPresent(parent -> hidden.put(parent.path(), parent));
             } else if (strength.matches()) {
                 intensity = DecimalNumber.parse(strength.group(1));
             } else if (file.matches()) {
@@ -131,7 +135,7 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
         }
         OptionalDouble found = intensity;
         return new UsdPaths(hasZUp, shift, lights, dome.map(d -> new Dome(d.prim(), d.factor(), d.rotation(), d.file(), found)), objects,
-                originals, renamed);
+                originals, renamed, hidden);
     }
 
     /** Returns whether a file of the scene is that of the import, which may have got another name since. */

@@ -11,6 +11,7 @@ import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.assembly.TextureMeans;
 import lightning.format.gltf.JsonValue;
 import lightning.format.jen.asset.JenLimits;
+import lightning.format.jen.asset.TextureDecoder;
 import lightning.format.jen.asset.UnusableFileException;
 import lightning.format.mesh.MeshException;
 import lightning.scene.asset.Texture;
@@ -113,9 +114,9 @@ final class UsdTextures {
 
     private byte[] converted(UsdTiles tiles, TextureUsage usage) throws IOException, UnusableFileException {
         Texture first = UsdImages.read(tiles.tiles().getFirst().place(), usage);
-        int step = 1;
-        while ((long) (first.width() / step) * (first.height() / step) * tiles.columns() * tiles.rows() > maxPixels
-                || Math.max(first.width() / step * tiles.columns(), first.height() / step * tiles.rows()) > JenLimits.TEXTURE_SIDE) {
+        int step = TextureDecoder.step(first.width(), first.height(), Math.max(1, maxPixels / ((long) tiles.columns() * tiles.rows())));
+        while (Math.max(Math.ceilDiv(first.width(), step) * tiles.columns(),
+                Math.ceilDiv(first.height(), step) * tiles.rows()) > JenLimits.TEXTURE_SIDE) {
             step++;
         }
         assembler.notes.add("textures reduced to fit into a scene",
@@ -127,7 +128,7 @@ final class UsdTextures {
 
     private byte[] atlas(UsdTiles tiles, TextureUsage usage, Texture first, int step, boolean isDeep)
             throws IOException, UnusableFileException {
-        var atlas = new TextureAtlas(tiles.columns(), tiles.rows(), Math.max(1, first.width() / step), Math.max(1, first.height() / step),
+        var atlas = new TextureAtlas(tiles.columns(), tiles.rows(), Math.ceilDiv(first.width(), step), Math.ceilDiv(first.height(), step),
                 usage, isDeep);
         for (UsdTiles.Tile tile : tiles.tiles()) {
             boolean isFirst = tile == tiles.tiles().getFirst();
