@@ -201,10 +201,17 @@ class Materials:
             value = self.value(shader, name, None)
             if value is not None:
                 texture[name] = self.out.vector(shader.GetPrim(), f"inputs:{name}", value, [1.0 if name == "scale" else 0.0] * 4)
-        if any(self.value(shader, "wrap" + axis, "repeat") not in ("repeat", "useMetadata") for axis in "ST"):
-            self.out.note("textures that do not repeat, imported as repeating")
+        texture["wrap"] = [self.edge(shader, "wrapS", "uaddressmode"), self.edge(shader, "wrapT", "vaddressmode")]
         self.placement(shader, texture, result)
         return texture
+
+    def edge(self, shader: UsdShade.Shader, *names: str) -> str:
+        """Returns what follows the edges of a texture along an axis."""
+        modes = [str(mode) for mode in (self.value(shader, name, None) for name in names) if mode]
+        mode = modes[0] if modes else "repeat"
+        if mode in ("black", "constant"):
+            self.out.note("textures that are black beyond their edges, whose edge pixels go on")
+        return {"black": "clamp", "constant": "clamp", "clamp": "clamp", "mirror": "mirror"}.get(mode, "repeat")
 
     def tiles(self, source: UsdShade.Input, path: Sdf.AssetPath) -> list[dict[str, Any]]:
         """Returns the existing files of a texture of several tiles."""

@@ -20,6 +20,7 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.sample.PythonPrograms;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TextureWrap;
 import lightning.scene.material.Material;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -84,6 +85,23 @@ class UsdTextureTest {
 
     private void writeExr(String name, float... rgb) throws IOException {
         ImageFile.write(folder.resolve(name), Film.ofScanlines(rgb.length / 3, 1, rgb), ViewTransform.DEFAULT);
+    }
+
+    @Test
+    void wrap_followsTheShader() throws Exception {
+        writePng("a.png", 2, 2, i -> i);
+        TextureMap map =
+                material(COLOR, "a.png@\n token inputs:wrapS = \"clamp\"\n token inputs:wrapT = \"mirror\"\n asset inputs:other = @a.png")
+                        .texture().orElseThrow();
+        assertThat(map.wrap()).isEqualTo(new TextureWrap(TextureWrap.Edge.CLAMP, TextureWrap.Edge.MIRROR));
+    }
+
+    @Test
+    void blackEdges_areNoted() throws Exception {
+        writePng("a.png", 2, 2, i -> i);
+        assertThat(material(COLOR, "a.png@\n token inputs:wrapS = \"black\"\n asset inputs:other = @a.png").texture().orElseThrow().wrap())
+                .isEqualTo(new TextureWrap(TextureWrap.Edge.CLAMP, TextureWrap.Edge.REPEAT));
+        assertThat(imported.notes()).containsEntry("textures that are black beyond their edges, whose edge pixels go on", 1);
     }
 
     @Test

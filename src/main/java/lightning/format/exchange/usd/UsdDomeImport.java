@@ -3,7 +3,6 @@ package lightning.format.exchange.usd;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.Optional;
 import lightning.base.file.RegularFile;
 import lightning.base.math.Rgb;
@@ -12,6 +11,7 @@ import lightning.base.math.Vec3;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.gltf.JsonValue;
 import lightning.format.image.ImageFile;
+import lightning.format.jen.asset.LinearTextureReader;
 import lightning.format.jen.asset.TextureDecoder;
 import lightning.format.jen.asset.UnusableFileException;
 import lightning.format.mesh.MeshException;
@@ -63,7 +63,7 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
 
     private Environment image(Path place, JsonValue texture, Rgb factor) throws IOException, MeshException {
         String name = texture.get("name").text().orElse("dome");
-        boolean isHdr = name.toLowerCase(Locale.ROOT).endsWith(".hdr");
+        boolean isUsable = LinearTextureReader.isLinear(name);
         Film film;
         try {
             film = SceneAssembler.isPngOrJpeg(place) ? decoded(place) : ImageFile.read(place);
@@ -76,7 +76,7 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
             size++;
         }
         assembler.notes.add("images of dome lights of more than 8 million pixels, reduced", size == 1 ? 0 : 1);
-        if (isHdr && size == 1 && factor.equals(Rgb.WHITE)) {
+        if (isUsable && size == 1 && factor.equals(Rgb.WHITE)) {
             return new Environment(assembler.addFile(place, name), map(film, 1, Rgb.WHITE));
         }
         assembler.notes.add("images of dome lights, written as Radiance HDR");

@@ -17,6 +17,7 @@ import lightning.format.mesh.MeshException;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureUsage;
+import lightning.scene.asset.TextureWrap;
 import lightning.scene.value.SceneLimits;
 
 /**
@@ -83,8 +84,22 @@ final class UsdTextures {
             names.put(key, name(image, all, usage));
         }
         double[] repeat = image.get("repeat").numbers(1, 1);
+        TextureWrap wrap = all.isSingle() ? wrap(image.get("wrap")) : TextureWrap.REPEAT;
         return names.get(key).map(file -> new TextureMap(file, repeat(repeat[0] / all.columns()), repeat(repeat[1] / all.rows()),
-                new Texture(1, 1, new float[3])));
+                new Texture(1, 1, new float[3]), wrap));
+    }
+
+    /** Returns what follows the edges of a texture; those of several tiles repeat together. */
+    private static TextureWrap wrap(JsonValue axes) throws MeshException {
+        return axes.isPresent() ? new TextureWrap(edge(axes.element(0)), edge(axes.element(1))) : TextureWrap.REPEAT;
+    }
+
+    private static TextureWrap.Edge edge(JsonValue axis) throws MeshException {
+        return switch (axis.text().orElse("")) {
+            case "clamp" -> TextureWrap.Edge.CLAMP;
+            case "mirror" -> TextureWrap.Edge.MIRROR;
+            default -> TextureWrap.Edge.REPEAT;
+        };
     }
 
     private static double repeat(double v) {
