@@ -58,9 +58,6 @@ public enum MeshFormat {
     /** Name of the single mesh in a file without mesh names. */
     public static final String SINGLE_PART_NAME = "mesh";
 
-    private static final byte[] UTF_16 = {(byte) 0xFE, (byte) 0xFF};
-    private static final byte[] UTF_16_SWAPPED = {(byte) 0xFF, (byte) 0xFE};
-
     private final String title;
     /** Tests the first bytes of a file; null if the format has no signature. */
     private final @Nullable SignatureTest signature;
@@ -104,7 +101,7 @@ public enum MeshFormat {
      * @throws IOException if it cannot be read, or is a folder, a pipe or a device
      */
     public static MeshFormat detect(Path file) throws IOException, MeshException {
-        try (ByteSource source = ByteSource.open(file, Progress.NONE)) {
+        try (ByteSource source = ByteSource.openText(file, Progress.NONE)) {
             return detect(file, source);
         }
     }
@@ -115,9 +112,6 @@ public enum MeshFormat {
             if (format.signature != null && format.signature.matches(source)) {
                 return format;
             }
-        }
-        if (source.startsWith(UTF_16) || source.startsWith(UTF_16_SWAPPED)) {
-            throw source.problem("", "is text in UTF-16; save it as UTF-8");
         }
         for (MeshFormat format : values()) {
             if (format.signature == null && format.matchesName(file.getFileName().toString())) {
@@ -137,7 +131,7 @@ public enum MeshFormat {
      * @throws CancellationException if {@code progress} requested cancellation
      */
     public static List<NamedMesh> meshes(Path file, Progress progress) throws IOException, MeshException {
-        try (ByteSource source = ByteSource.open(file, progress)) {
+        try (ByteSource source = ByteSource.openText(file, progress)) {
             return detect(file, source).meshes(source, progress);
         }
     }

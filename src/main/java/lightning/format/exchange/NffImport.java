@@ -34,6 +34,8 @@ import lightning.scene.value.SceneLimits;
  * meshes.
  */
 final class NffImport {
+    private static final byte[] SENSE8 = {'n', 'f', 'f'};
+
     private final SceneAssembler assembler;
     private final NffFile file;
     private final String meshFile;
@@ -41,10 +43,17 @@ final class NffImport {
 
     private NffImport(Path source, Path sceneFile, Progress progress) throws IOException, MeshException {
         assembler = new SceneAssembler(source, sceneFile);
-        try (ByteSource bytes = ByteSource.open(source, progress)) {
+        try (ByteSource bytes = ByteSource.openText(source, progress)) {
             file = NffReader.read(bytes, assembler.notes);
         }
         meshFile = file.meshes().isEmpty() ? "" : assembler.addFile(source);
+    }
+
+    /** Returns whether a file has the format of the same ending of WorldToolKit by Sense8, which Assimp reads. */
+    static boolean isOfSense8(Path file) throws IOException, MeshException {
+        try (ByteSource source = ByteSource.openText(file, Progress.NONE)) {
+            return source.startsWith(SENSE8);
+        }
     }
 
     static ImportedScene read(Path source, Path sceneFile, Progress progress) throws IOException, MeshException {

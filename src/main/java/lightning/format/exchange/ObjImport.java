@@ -64,7 +64,7 @@ final class ObjImport {
 
     static ImportedScene importPly(Path source, Path sceneFile, Progress progress) throws IOException, MeshException {
         var importer = new ObjImport(source, sceneFile, progress);
-        try (ByteSource bytes = ByteSource.open(source, progress)) {
+        try (ByteSource bytes = ByteSource.openText(source, progress)) {
             Mesh mesh = PlyReader.read(bytes, importer.assembler.notes);
             importer.addPart(importer.assembler.addFile(source), MeshFormat.SINGLE_PART_NAME, Material.DEFAULT.name(), mesh);
         }
@@ -77,7 +77,7 @@ final class ObjImport {
 
     private ImportedScene importObj() throws IOException, MeshException {
         ObjFile file;
-        try (ByteSource bytes = ByteSource.open(source, progress)) {
+        try (ByteSource bytes = ByteSource.openText(source, progress)) {
             file = ObjReader.read(bytes, assembler.notes);
         }
         for (String libraries : file.libraries()) {
@@ -151,7 +151,7 @@ final class ObjImport {
             assembler.notes.add("missing material files");
             return;
         }
-        try (ByteSource bytes = ByteSource.open(file.get(), progress)) {
+        try (ByteSource bytes = ByteSource.openText(file.get(), progress)) {
             MtlReader.read(bytes, assembler.notes).forEach(mtlMaterials::putIfAbsent);
         }
     }

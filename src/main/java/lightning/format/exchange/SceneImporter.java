@@ -15,6 +15,7 @@ import lightning.format.assimp.AssimpFormat;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.exchange.usd.UsdImport;
+import lightning.format.gltf.OldGltfException;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
 import lightning.format.usd.UsdSubdivision;
@@ -72,15 +73,35 @@ public final class SceneImporter {
         boolean isGltf = format.equals(Optional.of(MeshFormat.GLTF));
         checkOptions(file, options, isGltf, isGltf || isModel);
         if (format.isEmpty()) {
-            return AssimpConverter.convert(file, progress,
-                    (glb, losses) -> GltfImport.readConverted(file, glb, losses, sceneFile, options, progress));
+            return convert(file, sceneFile, options, progress);
         }
         return switch (format.get()) {
             case PLY -> ObjImport.importPly(file, sceneFile, progress);
-            case NFF -> NffImport.read(file, sceneFile, progress);
+            case NFF ->
+                    NffImport.isOfSense8(file) ? convert(file, sceneFile, options, progress) : NffImport.read(file, sceneFile, progress);
             case OBJ -> ObjImport.importObj(file, sceneFile, progress);
-            case GLTF -> GltfImport.read(file, sceneFile, options, progress);
+            case GLTF -> importGltf(file, sceneFile, options, progress);
         };
+    }
+
+    private static ImportedScene importGltf(Path file, Path sceneFile, ImportOptions options, Progress progress)
+            throws IOException, MeshException {
+        try {
+            return GltfImport.read(file, sceneFile, options, progress);
+        } catch (OldGltfException old) {
+            try {
+                return convert(file, sceneFile, options, progress);
+            } catch (MeshException e) {
+                // Assimp reads only some of these files, and the remedy is the same.
+                throw old;
+            }
+        }
+    }
+
+    private static ImportedScene convert(Path file, Path sceneFile, ImportOptions options, Progress progress)
+            throws IOException, MeshException {
+        return AssimpConverter.convert(file, progress,
+                (glb, losses) -> GltfImport.readConverted(file, glb, losses, sceneFile, options, progress));
     }
 
     private static void checkOptions(Path file, ImportOptions options, boolean isGltf, boolean hasCameras) throws MeshException {

@@ -75,7 +75,7 @@ public final class GltfFile {
      * @throws IOException if it cannot be read
      */
     public static GltfFile read(Path path, Progress progress) throws IOException, MeshException {
-        try (ByteSource source = ByteSource.open(path, progress)) {
+        try (ByteSource source = ByteSource.openText(path, progress)) {
             return read(source, progress);
         }
     }
@@ -183,7 +183,7 @@ public final class GltfFile {
     }
 
     private static MeshException versionOneProblem(Path path) {
-        return new MeshException(path, "", "is glTF 1.0; export it as glTF 2.0");
+        return new OldGltfException(path);
     }
 
     /** Notes the used extensions that are not supported. */

@@ -1,10 +1,12 @@
 package lightning.format.mesh;
 
+import java.io.ByteArrayInputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
@@ -17,6 +19,9 @@ import lightning.base.work.Progress;
  */
 public final class ByteSource implements AutoCloseable {
     private static final int BLOCK_BYTES = 1 << 16;
+    private static final byte[] UTF_16 = {(byte) 0xFE, (byte) 0xFF};
+    private static final byte[] UTF_16_SWAPPED = {(byte) 0xFF, (byte) 0xFE};
+    private static final int MAX_UTF_16_BYTES = 1 << 28;
 
     private final Path file;
     private final InputStream in;
@@ -51,6 +56,27 @@ public final class ByteSource implements AutoCloseable {
             throw new MeshException(file, "", "must have at most " + MeshLimits.FILE_BYTES + " bytes, has " + size);
         }
         return new ByteSource(file, in, size, progress);
+    }
+
+    /** Opens a file as {@link #open}; text in UTF-16, which a byte order mark says, is read as UTF-8. */
+    public static ByteSource openText(Path file, Progress progress) throws IOException, MeshException {
+        ByteSource source = open(file, progress);
+        if (source.startsWith(UTF_16) || source.startsWith(UTF_16_SWAPPED)) {
+            try (source) {
+                return ofUtf16(source);
+            }
+        }
+        return source;
+    }
+
+    private static ByteSource ofUtf16(ByteSource source) throws IOException, MeshException {
+        if (source.remaining() > MAX_UTF_16_BYTES) {
+            throw source.problem("", "must have at most " + MAX_UTF_16_BYTES + " bytes as text in UTF-16, has " + source.remaining());
+        }
+        byte[] text = source.bytes((int) source.remaining());
+        // The mark says which byte comes first, and is no part of the text.
+        byte[] bytes = new String(text, StandardCharsets.UTF_16).getBytes(StandardCharsets.UTF_8);
+        return new ByteSource(source.file, new ByteArrayInputStream(bytes), bytes.length, source.progress);
     }
 
     public Path file() {

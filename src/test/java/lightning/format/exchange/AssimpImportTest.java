@@ -114,6 +114,12 @@ class AssimpImportTest {
     }
 
     @Test
+    void nffOfSense8_isConverted() throws Exception {
+        Scene scene = scene(read("a.nff", "nff\nversion 2.0\na\n3\n0 0 0\n1 0 0\n0 1 0\n1\n3 0 1 2\n"));
+        assertThat(scene.placedShapes()).hasSize(1);
+    }
+
+    @Test
     void canceledImport_ends() throws Exception {
         Path file = Files.writeString(from.resolve("a.stl"), TRIANGLE);
         assertThatThrownBy(() -> SceneImporter.read(file, folder.resolve("a.jen"), LightUnits.CANDELA, Progress.cancellation(() -> true)))

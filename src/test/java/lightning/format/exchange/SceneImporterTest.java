@@ -267,11 +267,13 @@ class SceneImporterTest {
         assertThat(material.diffuse()).isEqualTo(new Rgb(0.5, 0.2, 0.1));
     }
 
-    @Test
-    void utf16Text_isReported() throws IOException {
-        Path file = Files.write(from.resolve("a.obj"), "\uFEFFv 0 0 0\nf 1 1 1\n".getBytes(StandardCharsets.UTF_16LE));
-        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file))
-                .withMessageEndingWith("is text in UTF-16; save it as UTF-8");
+    @ParameterizedTest
+    @ValueSource(strings = {"UTF-16LE", "UTF-16BE", "UTF-8"})
+    void textWithByteOrderMark_isRead(String charset) throws Exception {
+        Files.write(from.resolve("ä.mtl"), "\uFEFFnewmtl ä\nKd 0.5 0.25 0\n".getBytes(charset));
+        Path file = Files.write(from.resolve("a.obj"),
+                "\uFEFFmtllib ä.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl ä\nf 1 2 3\n".getBytes(charset));
+        assertThat(imported(file).materials().getFirst().diffuse()).isEqualTo(new Rgb(0.5, 0.25, 0));
     }
 
     @Test
