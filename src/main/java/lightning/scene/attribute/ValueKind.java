@@ -1,5 +1,6 @@
 package lightning.scene.attribute;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import lightning.base.text.Messages;
@@ -187,7 +188,10 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
     record TextureKind(String repeatName, TextureUsage usage) implements MaterialKind<Optional<TextureMap>> {
         /** What follows the edges of an image. */
         public static final ChoiceKind<TextureWrap> WRAP =
-                new ChoiceKind<>(TextureWrap.ALL, TextureWrap.ALL.stream().map(TextureWrap::word).toList());
+                new ChoiceKind<>(TextureWrap.ALL, TextureWrap.ALL.stream().map(TextureWrap::word).toList(),
+                        List.of(Messages.key("repeat"), Messages.key("clamp"), Messages.key("mirror"), Messages.key("repeat, clamp"),
+                                Messages.key("repeat, mirror"), Messages.key("clamp, repeat"), Messages.key("clamp, mirror"),
+                                Messages.key("mirror, repeat"), Messages.key("mirror, clamp")));
 
         /** Returns the keyword for what follows the edges of the image. */
         public String wrapName() {
