@@ -9,14 +9,17 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import lightning.base.text.PrintableText;
 import lightning.base.work.Await;
 import lightning.base.work.Progress;
 import lightning.format.MeshFormat;
+import lightning.format.assimp.AssimpFormat;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.mesh.MeshException;
+import lightning.sample.Nightly;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
@@ -37,10 +40,21 @@ class SampleFilesTest {
 
     @TestFactory
     Stream<DynamicTest> everySampleFile_opensOrReportsWhy() throws IOException {
+        return tests(MeshFormat::isMeshFileName);
+    }
+
+    /** Each starts a process. */
+    @Nightly
+    @TestFactory
+    Stream<DynamicTest> everySampleFileForAssimp_opensOrReportsWhy() throws IOException {
+        return tests(AssimpFormat::isModelName);
+    }
+
+    private Stream<DynamicTest> tests(Predicate<String> isTried) throws IOException {
         Assumptions.assumeTrue(Files.isDirectory(FOLDER) || System.getenv("LIGHTNING_NEEDS_SAMPLES") != null, "no samples in " + FOLDER);
         List<Path> files;
         try (Stream<Path> paths = Files.walk(FOLDER)) {
-            files = paths.filter(Files::isRegularFile).filter(f -> MeshFormat.isMeshFileName(f.getFileName().toString())).sorted().toList();
+            files = paths.filter(Files::isRegularFile).filter(f -> isTried.test(f.getFileName().toString())).sorted().toList();
         }
         assertThat(files).isNotEmpty();
         return files.stream().map(file -> dynamicTest(FOLDER.relativize(file).toString(), () -> opensOrReports(file)));
@@ -50,7 +64,8 @@ class SampleFilesTest {
         assertTimeoutPreemptively(MAX_DURATION, () -> {
             try {
                 ImportedScene imported = SceneImporter.read(file, folder.resolve("a.jen"), LightUnits.CANDELA, Progress.NONE);
-                assertThat(imported.scene().placedShapes()).isNotEmpty();
+                assertThat(!imported.scene().placedShapes().isEmpty()
+                        || !imported.scene().lights().isEmpty()).isTrue();
                 assertThat(imported.notes().keySet()).allMatch(PrintableText::isPrintable);
             } catch (MeshException e) {
                 assertThat(e.getMessage()).matches(PrintableText::isPrintable, "is visible").hasSizeLessThan(2000);
