@@ -15,7 +15,7 @@ from lights import is_light, light, linked_nodes, rig, unknown_light
 from materials import Materials
 from meshes import Meshes, SOLIDS, solid
 from output import MAX_FRAMES, MAX_NODES, Output, PrimError, StageError, numbers, world_matrix
-from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux, UsdShade, Vt
+from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdLux, UsdShade, Vt
 from values import Values
 from variants import Variants
 
@@ -123,7 +123,11 @@ class Walk:
         self.nodes.append(node)
         xform = UsdGeom.Xformable(prim)
         if xform and not is_prototype:
-            matrix = numbers(xform.GetLocalTransformation(self.time))
+            try:
+                matrix = numbers(xform.GetLocalTransformation(self.time))
+            except Tf.ErrorException:
+                self.out.note_prim(prim, "its transform has values of another type, imported without it")
+                matrix = numbers(Gf.Matrix4d(1))
             if all(map(math.isfinite, matrix)):
                 node["matrix"] = matrix
             else:

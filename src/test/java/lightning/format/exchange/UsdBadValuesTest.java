@@ -144,6 +144,12 @@ class UsdBadValuesTest {
     }
 
     @Test
+    void transformOfAnotherType_isLeftOut() throws Exception {
+        assertNoted("def Xform \"bad\" {\nstring xformOp:translate = \"x\"\nuniform token[] xformOpOrder = [\"xformOp:translate\"]\n}\n",
+                "/bad: its transform has values of another type, imported without it");
+    }
+
+    @Test
     void bytesThatAreNoText_areOneSentence() throws Exception {
         Path file = Files.write(folder.resolve("a.usda"), "#usda 1.0\ndef \u00ff\n".getBytes(StandardCharsets.ISO_8859_1));
         assertThatExceptionOfType(MeshException.class)
