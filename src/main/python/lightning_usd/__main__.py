@@ -32,7 +32,12 @@ def main(arguments: list[str]) -> int:
         threading.Thread(target=await_end, args=(has_ended,), daemon=True).start()
     while True:
         try:
-            return reader.wait(POLL_SECONDS)
+            code = reader.wait(POLL_SECONDS)
+            if code < 0:
+                # Damaged content can crash usd-core.
+                (folder / "error.txt").write_text(f"cannot be read by usd-core, which ended with signal {-code}", encoding="utf-8")
+                return FAILED
+            return code
         except subprocess.TimeoutExpired:
             pass
         if has_ended.is_set():

@@ -1,8 +1,8 @@
-"""What is chosen of a stage."""
+"""What is chosen of a stage, and texts of messages."""
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class Choice(NamedTuple):
@@ -17,6 +17,14 @@ class Choice(NamedTuple):
     camera: str = ""
     frame: float | None = None
     variants: tuple[str, ...] = ()
+
+
+def message(error: Any) -> str:
+    """Returns the message of an error of usd-core, also with bytes of a damaged file that are no text."""
+    try:
+        return str(error)
+    except UnicodeDecodeError as bytes_error:
+        return bytes_error.object.decode("utf-8", "replace")
 
 
 def listed(names: list[str], limit: int = 20) -> str:

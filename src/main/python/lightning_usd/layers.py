@@ -6,7 +6,7 @@ import os
 import re
 from typing import Any
 
-from choice import listed
+from choice import listed, message
 from output import MAX_NODES, Output, StageError
 from pxr import Ar, Sdf, Tf, Usd, UsdUtils
 
@@ -162,7 +162,7 @@ def note_missing(stage: Usd.Stage, out: Output) -> None:
     """Notes references, payloads and sublayers that cannot be loaded, by their file and prim."""
     errors = stage.GetCompositionErrors()
     # usd-core gives the file in its message only, as @file@<prim>.
-    found = [re.search(r"@([^@]*)@(<[^>]*>)?", str(error)) for error in errors]
+    found = [re.search(r"@([^@]*)@(<[^>]*>)?", message(error)) for error in errors]
     names = [os.path.basename(match.group(1)) + (match.group(2) or "") if match else "unknown" for match in found]
     out.note(f"references that cannot be loaded: {listed(list(dict.fromkeys(names)))}", len(errors))
 

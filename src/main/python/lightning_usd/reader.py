@@ -12,7 +12,7 @@ import re
 import sys
 from pathlib import Path
 
-from choice import Choice
+from choice import Choice, message
 
 NO_USD = 3
 FAILED = 2
@@ -65,7 +65,7 @@ def end_with(parent: int) -> None:
 
 def reason(error: Exception) -> str:
     """Returns the last sentence of an error of usd-core, without the place in its own sources; another one's kind says nothing to a user."""
-    last = str(error).split("Error in '")[-1]
+    last = message(error).split("Error in '")[-1]
     quoted = re.search(r" : '(.*)'\s*$", last, re.DOTALL)
     lines = (quoted.group(1) if quoted else "").strip().splitlines()
     return lines[0] if lines else "it has values that Lightning does not expect"

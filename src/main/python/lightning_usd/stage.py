@@ -1,4 +1,4 @@
-"""Walks over a stage: nodes, and the times at which they move."""
+"""Walks over a stage: nodes, cameras and lights."""
 
 from __future__ import annotations
 
@@ -14,8 +14,9 @@ from layers import note_missing, open_layers
 from lights import is_light, light, linked_nodes, rig, unknown_light
 from materials import Materials
 from meshes import Meshes, SOLIDS, solid
-from output import MAX_FRAMES, MAX_NODES, Output, PrimError, StageError, numbers, world_matrix
-from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux, UsdShade, Vt
+from output import MAX_NODES, Output, PrimError, StageError, numbers, world_matrix
+from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdLux, UsdShade, Vt
+from timeline import Timeline
 from values import Values
 from variants import Variants
 
@@ -46,13 +47,8 @@ class Walk:
         self.out = out
         self.nodes: list[dict[str, Any]] = []
         self.moving: list[tuple[dict[str, Any], Usd.Prim]] = []
-        self.times: set[float] = set()
-        self.has_range = stage.HasAuthoredTimeCodeRange() and stage.GetEndTimeCode() >= stage.GetStartTimeCode()
-        self.has_time = self.has_range or choice.frame is not None
-        start = stage.GetStartTimeCode() if choice.frame is None else choice.frame
-        self.time = Usd.TimeCode(start) if self.has_time else Usd.TimeCode.EarliestTime()
-        if choice.frame is None:
-            out.shown_frame = f"as at the first frame ({start:.10g})" if self.has_range else "as at the first frame"
+        self.timeline = Timeline(stage, choice.frame, out)
+        self.time = self.timeline.time
         self.hidden = HiddenParents(self.time)
         self.materials = Materials(out, self.time)
         self.meshes = Meshes(out, self.time)
@@ -64,21 +60,21 @@ class Walk:
 
     def run(self) -> None:
         """Writes the description."""
-        skeletons.bake(self.stage, self.time.GetValue() if self.has_time else 0.0, self.out)
+        skeletons.bake(self.stage, self.timeline.pose, self.out)
         self.walk(self.stage.GetPseudoRoot(), -1, False)
         cameras = chosen_camera(self.stage, self.cameras, self.choice.camera, self.out)
-        frames = self.frames(cameras)
+        frames = self.timeline.frames(cameras + [prim for prim, _ in self.lights])
         first_shift = frames[2] if frames else 0
         for node, prim in self.moving if frames else []:
-            self.attempt(prim, lambda: self.sample_node(node, prim, frames))
+            self.attempt(prim, lambda: self.timeline.sample_node(node, prim, frames))
         document = {
             "version": 1,
             "up": str(UsdGeom.GetStageUpAxis(self.stage)),
             "meters": self.meters(),
-            "frames": None if not frames else [frames[0] - first_shift, frames[1] - first_shift, self.rate()],
+            "frames": None if not frames else [frames[0] - first_shift, frames[1] - first_shift, self.timeline.rate()],
             "shift": first_shift,
             "resolution": resolution(self.stage),
-            "cameras": self.described(cameras, lambda prim: self.over_time(prim, prim, camera, frames)),
+            "cameras": self.described(cameras, lambda prim: self.timeline.over_time(prim, prim, camera, frames)),
             "lights": [found for prim, place in self.lights
                        if (found := self.attempt(prim, lambda: self.describe_light(prim, place, frames))) is not None],
             "nodes": self.nodes,
@@ -123,7 +119,11 @@ class Walk:
         self.nodes.append(node)
         xform = UsdGeom.Xformable(prim)
         if xform and not is_prototype:
-            matrix = numbers(xform.GetLocalTransformation(self.time))
+            try:
+                matrix = numbers(xform.GetLocalTransformation(self.time))
+            except Tf.ErrorException:
+                self.out.note_prim(prim, "its transform has values of another type, imported without it")
+                matrix = numbers(Gf.Matrix4d(1))
             if all(map(math.isfinite, matrix)):
                 node["matrix"] = matrix
             else:
@@ -132,13 +132,13 @@ class Walk:
                 node["parent"] = -1
             if xform.TransformMightBeTimeVarying():
                 self.moving.append((node, prim))
-                self.times.update(xform.GetTimeSamples())
+                self.timeline.times.update(xform.GetTimeSamples())
         imageable = UsdGeom.Imageable(prim)
         if imageable:
             visibility = imageable.GetVisibilityAttr()
             node["hidden"] = visibility.Get(self.time) == UsdGeom.Tokens.invisible
             if visibility.ValueMightBeTimeVarying():
-                self.times.update(visibility.GetTimeSamples())
+                self.timeline.times.update(visibility.GetTimeSamples())
                 self.moving.append((node, prim)) if not self.moving or self.moving[-1][0] is not node else None
         if is_light(prim):
             self.lights.append((prim, None))
@@ -270,48 +270,6 @@ class Walk:
                     raise StageError(f"has more than {MAX_NODES} lights")
                 self.lights.append((prim, (local * matrix * world, hidden or is_hidden)))
 
-    def frames(self, cameras: list[Usd.Prim]) -> tuple[int, int, int] | None:
-        """Returns the first and last time of all that moves, and what is taken off for the number of a frame; None for one frame."""
-        if self.choice.frame is not None:
-            self.note_range(self.choice.frame)
-            return None
-        moves = bool(self.times)
-        for prim in cameras + [prim for prim, _ in self.lights]:
-            moves |= self.is_moving(prim)
-        if not moves:
-            return None
-        start, end = min(self.times, default=0.0), max(self.times, default=0.0)
-        if self.has_range:
-            start, end = self.stage.GetStartTimeCode(), self.stage.GetEndTimeCode()
-        if not (abs(start) < 1e8 and abs(end) < 1e8):
-            self.out.note("animation beyond frame 100000000")
-            return None
-        first, last = math.floor(start), math.ceil(end)
-        self.out.note(f"frames after the first {MAX_FRAMES}", max(0, last - first + 1 - MAX_FRAMES))
-        self.out.note("frames before 0, all moved", 1 if first < 0 else 0)
-        return first, min(last, first + MAX_FRAMES - 1), min(first, 0)
-
-    def note_range(self, frame: float) -> None:
-        """Notes a frame that the stage does not have."""
-        start, end = self.stage.GetStartTimeCode(), self.stage.GetEndTimeCode()
-        if self.has_range and not start <= frame <= end:
-            self.out.note(f"frames outside of the stage's {start:.10g} to {end:.10g}")
-
-    def is_moving(self, prim: Usd.Prim) -> bool:
-        """Returns whether an attribute of a prim, or the transform or visibility of one above it, has time samples. Collects their times."""
-        samples: set[float] = set()
-        for attribute in prim.GetAuthoredAttributes():
-            samples.update(attribute.GetTimeSamples())
-        while prim and not prim.IsPseudoRoot():
-            xform, imageable = UsdGeom.Xformable(prim), UsdGeom.Imageable(prim)
-            if xform:
-                samples.update(xform.GetTimeSamples())
-            if imageable:
-                samples.update(imageable.GetVisibilityAttr().GetTimeSamples())
-            prim = prim.GetParent()
-        self.times.update(samples)
-        return len(samples) > 1
-
     def meters(self) -> float:
         """Returns the meters of a unit; some programs write a number of less precision, which usd-core does not take."""
         try:
@@ -320,31 +278,13 @@ class Walk:
             found = self.stage.GetPseudoRoot().GetMetadata("metersPerUnit")
             return self.out.number(self.stage.GetPseudoRoot(), "metersPerUnit", found, 0.01)
 
-    def rate(self) -> float:
-        """Returns the frames per second."""
-        return self.out.number(self.stage.GetPseudoRoot(), "timeCodesPerSecond", self.stage.GetTimeCodesPerSecond(), 24.0)
-
-    def sample_node(self, node: dict[str, Any], prim: Usd.Prim, frames: tuple[int, int, int]) -> None:
-        """Adds the transforms and the visibility at all frames."""
-        xform = UsdGeom.Xformable(prim)
-        times = range(frames[0], frames[1] + 1)
-        if xform and xform.TransformMightBeTimeVarying():
-            matrices = [xform.GetLocalTransformation(float(time)) for time in times]
-            if all(math.isfinite(number) for matrix in matrices for number in numbers(matrix)):
-                node["matrices"] = self.out.array(Vt.Matrix4dArray(matrices))
-            else:
-                self.out.note_prim(prim, "its animation has infinite or missing numbers, imported without it")
-        visibility = UsdGeom.Imageable(prim).GetVisibilityAttr()
-        if visibility.ValueMightBeTimeVarying():
-            node["hiddenAt"] = [visibility.Get(float(time)) == UsdGeom.Tokens.invisible for time in times]
-
     def described(self, prims: list[Usd.Prim], function: Any) -> list[dict[str, Any]]:
         """Returns what a function says of each prim that it can describe."""
         return [found for prim in prims if (found := self.attempt(prim, lambda: function(prim))) is not None]
 
     def describe_light(self, prim: Usd.Prim, place: tuple[Gf.Matrix4d, bool] | None, frames: tuple[int, int, int] | None) -> dict[str, Any]:
         """Returns a light with its links; in an instance of a point instancer as it is at the first frame."""
-        result = self.over_time(prim, Values(prim), light, frames if place is None else None)
+        result = self.timeline.over_time(prim, Values(prim), light, frames if place is None else None)
         result["rig"] = {**rig(prim, self.time), **(self.hidden.of(prim) if place is None else {})}
         if self.choice.frame is not None:
             result["rig"]["animated"] = [attribute.GetName() for attribute in prim.GetAuthoredAttributes() if attribute.ValueMightBeTimeVarying()]
@@ -353,17 +293,4 @@ class Walk:
             result["hidden"] = place[1]
             result["rig"]["shared"] = True
         result["links"] = linked_nodes(prim, self.nodes, self.out)
-        return result
-
-    def over_time(self, prim: Usd.Prim, subject: Any, function: Any, frames: tuple[int, int, int] | None) -> dict[str, Any]:
-        """Returns what a function says of a prim, with all frames if it moves."""
-        result = function(subject, self.time, self.out)
-        result["name"] = prim.GetName()
-        result["path"] = str(prim.GetPath())
-        result["proxy"] = prim.IsInstanceProxy()
-        if frames and self.is_moving(prim):
-            silent = Output.__new__(Output)
-            silent.notes, silent.files, silent.folder, silent.roots = {}, self.out.files, self.out.folder, self.out.roots
-            silent.moving, silent.shown_frame = {}, ""
-            result["frames"] = [function(subject, Usd.TimeCode(time), silent) for time in range(frames[0], frames[1] + 1)]
         return result

@@ -92,12 +92,11 @@ final class ObjImport {
         String movedFile = assembler.stem() + ".placed.glb";
         for (ObjFile.ObjPart part : file.parts()) {
             String material = materialName(part.material());
-            Optional<MtlImage> placed = Optional.ofNullable(mtlMaterials.get(part.material())).flatMap(ObjImport::placedImage)
-                    .filter(MtlImage::isMoved);
-            if (placed.isPresent() && part.mesh().coordinates() != null) {
-                Mesh mesh = moved(part.mesh(), placed.get());
-                moved.add(new NamedMesh(part.name(), mesh));
-                addPart(movedFile, part.name(), material, mesh);
+            Optional<Mesh> mesh = Optional.ofNullable(mtlMaterials.get(part.material())).flatMap(ObjImport::placedImage)
+                    .filter(MtlImage::isMoved).filter(_ -> part.mesh().coordinates() != null).flatMap(image -> moved(part.mesh(), image));
+            if (mesh.isPresent()) {
+                moved.add(new NamedMesh(part.name(), mesh.get()));
+                addPart(movedFile, part.name(), material, mesh.get());
             } else {
                 addPart(assembler.addFile(source), part.name(), material, part.mesh());
             }
@@ -131,14 +130,20 @@ final class ObjImport {
         return m.texture().or(m::bump).or(m::emissionMap).or(m::cutout);
     }
 
-    /** Returns a mesh whose coordinates have an image's offset, in units of its repetitions. */
-    private static Mesh moved(Mesh mesh, MtlImage image) {
+    /** Returns a mesh whose coordinates have an image's offset, in units of its repetitions; empty, with a note, if they would be too large. */
+    private Optional<Mesh> moved(Mesh mesh, MtlImage image) {
         float[] coordinates = requireNonNull(mesh.coordinates()).clone();
         for (int i = 0; i < coordinates.length; i += 2) {
             coordinates[i] += (float) (image.offsetU() / repeat(image.scaleU()));
             coordinates[i + 1] += (float) (image.offsetV() / repeat(image.scaleV()));
         }
-        return new Mesh(mesh.positions(), mesh.triangles(), mesh.normals(), coordinates, mesh.colors());
+        for (float v : coordinates) {
+            if (!(Math.abs(v) <= Mesh.MAX_TEXTURE_COORDINATE)) {
+                assembler.notes.add("offsets (-o) of textures that are too large, left out");
+                return Optional.empty();
+            }
+        }
+        return Optional.of(new Mesh(mesh.positions(), mesh.triangles(), mesh.normals(), coordinates, mesh.colors()));
     }
 
     private void addPart(String file, String part, String material, Mesh mesh) {

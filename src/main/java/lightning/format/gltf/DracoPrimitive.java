@@ -3,13 +3,16 @@ package lightning.format.gltf;
 import com.openize.drako.DataType;
 import com.openize.drako.Draco;
 import com.openize.drako.DracoMesh;
-import com.openize.drako.DrakoException;
 import com.openize.drako.PointAttribute;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.Map;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeoutException;
+import lightning.base.work.TimeLimit;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
 import tools.jackson.databind.JsonNode;
@@ -24,6 +27,9 @@ final class DracoPrimitive {
     private static final int EDGEBREAKER = 1;
     private static final int FLAGS = 9;
     private static final int METADATA_FLAG = 0x80;
+    /** Time limit: on a slow machine, a million faces take 3 s. */
+    private static final Duration TIME = Duration.ofSeconds(4);
+    private static final Duration TIME_PER_FACE = Duration.ofNanos(20_000);
 
     private final GltfFile file;
     private final AccessorReader accessors;
@@ -52,7 +58,7 @@ final class DracoPrimitive {
         view.get(data);
         checkCounts(compressed, data, corners / 3);
         new ExpansionLimit(file).checkBytes(4L * corners + 16L * vertices, compressed);
-        DracoMesh mesh = mesh(compressed, data);
+        DracoMesh mesh = mesh(compressed, data, corners / 3);
         if (mesh.getNumFaces() != corners / 3 || mesh.getNumPoints() != vertices) {
             throw compressed.problem("must have " + corners / 3 + " faces of " + vertices + " vertices as its accessors say, has "
                     + mesh.getNumFaces() + " of " + mesh.getNumPoints());
@@ -99,14 +105,17 @@ final class DracoPrimitive {
         return v;
     }
 
-    private static DracoMesh mesh(JsonValue json, byte[] data) throws MeshException {
+    private static DracoMesh mesh(JsonValue json, byte[] data, int faces) throws MeshException {
         try {
-            if (Draco.decode(data) instanceof DracoMesh mesh) {
+            // Some damaged data makes the decoder run forever.
+            if (TimeLimit.call("Draco", TIME.plus(TIME_PER_FACE.multipliedBy(faces)), () -> Draco.decode(data)) instanceof DracoMesh mesh) {
                 return mesh;
             }
-        } catch (DrakoException | RuntimeException e) {
-            // The decoder throws arbitrary runtime exceptions for damaged data.
-            throw json.problem("must be undamaged data of Draco: " + e);
+        } catch (ExecutionException e) {
+            // The decoder throws arbitrary runtime exceptions for damaged data, and asks for memory for any count.
+            throw json.problem("must be undamaged data of Draco: " + e.getCause());
+        } catch (TimeoutException e) {
+            throw json.problem("must be undamaged data of Draco: its decoder does not end");
         }
         throw json.problem("must be a mesh of Draco, is a point cloud");
     }

@@ -367,6 +367,15 @@ class SceneImporterTest {
         assertThat(actual.minus(expected).maxAbs()).as("%s, expected %s", actual, expected).isLessThan(1e-6);
     }
 
+    @Test
+    void hugeOffsetOfATexture_isLeftOutWithANote() throws Exception {
+        Files.write(folder.resolve("t.png"), Files.readAllBytes(Path.of("textures/checker.png")));
+        Files.writeString(folder.resolve("a.mtl"), "newmtl red\nmap_Kd -o 1e9 0 0 t.png\n");
+        ImportedScene scene = read(Files.writeString(folder.resolve("a.obj"),
+                "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl red\nf 1/1 2/1 3/1\n"));
+        assertThat(scene.notes()).containsEntry("offsets (-o) of textures that are too large, left out", 1);
+    }
+
     private ImportedScene read(Path file) throws IOException, MeshException {
         return SceneImporter.read(file, to, LightUnits.CANDELA, Progress.NONE);
     }

@@ -3,6 +3,7 @@ package lightning.format.exchange;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -140,6 +141,21 @@ class UsdBadValuesTest {
         }
         assertThatExceptionOfType(MeshException.class).isThrownBy(() -> imported(chain.append("def Xform \"p3000\" {}\n").toString()))
                 .withMessageEndingWith("has references to references, more than 500 one after another");
+    }
+
+    @Test
+    void transformOfAnotherType_isLeftOut() throws Exception {
+        assertNoted("def Xform \"bad\" {\nstring xformOp:translate = \"x\"\nuniform token[] xformOpOrder = [\"xformOp:translate\"]\n}\n",
+                "/bad: its transform has values of another type, imported without it");
+    }
+
+    @Test
+    void bytesThatAreNoText_areOneSentence() throws Exception {
+        Path file = Files.write(folder.resolve("a.usda"), "#usda 1.0\ndef \u00ff\n".getBytes(StandardCharsets.ISO_8859_1));
+        assertThatExceptionOfType(MeshException.class)
+                .isThrownBy(() -> SceneImporter.read(file, folder.resolve("a.jen"), LightUnits.CANDELA, Progress.NONE))
+                .withMessageContaining("a.usda: cannot be read by usd-core: ").withMessageContaining("a.usda:2")
+                .withMessageNotContaining("Unicode");
     }
 
     @Test

@@ -51,6 +51,17 @@ class UsdLimitsTest {
 
     @Test
     @EnabledOnOs(OS.LINUX)
+    void crashOfUsdCore_isOneSentence() throws Exception {
+        Files.copy(SCRIPT.resolve("__main__.py"), folder.resolve("__main__.py"));
+        Files.writeString(folder.resolve("reader.py"), "import os\nos.abort()\n");
+        Path stage = Files.writeString(folder.resolve("a.usda"), "#usda 1.0\n");
+        assertThatThrownBy(() -> new UsdConverter(Path.of(PythonPrograms.require("pxr")), folder, Duration.ofMinutes(2), 1L << 30, 0)
+                .convert(stage, StageChoice.DEFAULT, Progress.NONE, _ -> "")).isInstanceOf(MeshException.class)
+                .hasMessageEndingWith("a.usda: cannot be read by usd-core, which ended with signal 6");
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
     void memoryOfConverter_isLimited() throws Exception {
         Path stage = NestedStages.write(folder.resolve("large.usda"), 6);
         assertThatThrownBy(() -> convert(stage, 150L << 20)).isInstanceOf(MeshException.class)

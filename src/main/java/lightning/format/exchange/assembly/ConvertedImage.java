@@ -16,12 +16,13 @@ final class ConvertedImage {
     private ConvertedImage() {}
 
     /**
-     * Returns an image as PNG, with fewer pixels if it has more than a texture may have; empty if its format is unknown, or it is damaged or
-     * wider than a texture may be.
+     * Returns an image as PNG, with fewer pixels if it has more than a texture may have; empty if its format is unknown, or it is damaged,
+     * wider than a texture may be, or too large for the memory.
      */
     static Optional<byte[]> png(byte[] file) {
         try {
-            return Optional.of(TextureDecoder.read("image", file, FORMATS, in -> encoded(TextureDecoder.readReduced("image", in))));
+            return WebpSize.isWebp(file) && !WebpSize.isPlausible(file) ? Optional.empty()
+                    : Optional.of(TextureDecoder.read("image", file, FORMATS, in -> encoded(TextureDecoder.readReduced("image", in))));
         } catch (UnusableFileException e) {
             return Optional.empty();
         }
