@@ -183,8 +183,13 @@ cube.location.z, key.rotation_euler.y, copy.scale.y = 0.25, 0.3, 2
 shader("Base Color").default_value = (0.8, 0.3, 0.1, 1)
 scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.5
 check("object, light, material and world")
+copy.rotation_euler = (0, 0, 0)
 copy.parent = cube
 check("parent")
+copy.rotation_euler.x = 0.5
+check("sheared child", True)
+copy.rotation_euler.x = 0
+check("child that is not sheared", True)
 cube.location.y = -0.4
 check("object with a child")
 cube.data.vertices[0].co.x -= 0.5
@@ -221,6 +226,9 @@ check("drag")
 # A newer edit cancels the exact picture once a coarse one is shown.
 scene.render.resolution_x, scene.render.resolution_y = 960, 540
 live.view().refresh()
+follow()
+# The last exact picture of this kind took long.
+scene.camera.location.x += 0.01
 follow()
 count, shown = live.view().pictures, 0
 for i in range(5):

@@ -13,10 +13,11 @@ from pathlib import Path
 
 import bpy
 
-from . import gltf, lights, memory, picture, program, shot, transfer, words
+from . import gltf, lights, memory, model_export, picture, program, render_graph, shot, transfer, visibility, words
 from .lightning_relight import Client, RequestError
 from .model import Model
 from .pictures import Pictures
+from .snapshot import Snapshot
 
 # Objects that have no mesh in the file.
 BARE_TYPES = ("LIGHT", "CAMERA", "EMPTY")
@@ -80,7 +81,7 @@ class LiveView:
 
     def note(self, scene, depsgraph) -> None:
         """Notes what an update of Blender changed."""
-        if scene.name != self.scene_name:
+        if scene.name != self.scene_name or depsgraph.mode != "VIEWPORT" or render_graph.is_reading:
             return
         was_current = not (self._is_stale or self._is_world_stale or self._must_send)
         for update in depsgraph.updates:
@@ -152,10 +153,11 @@ class LiveView:
         target = self._target()
         target.parent.mkdir()
         self._copy_files(scene, target.parent)
-        root, rest = transfer.export_model(scene, target)
-        target.with_suffix(".glb").unlink()
-        model = Model(scene, root)
-        transfer.complete(bpy.context, target, root, [])
+        with visibility.evaluated(), Snapshot(scene) as snapshot:
+            root, rest = model_export.export(scene, snapshot, target.with_suffix(".glb"))
+            target.with_suffix(".glb").unlink()
+            model = Model(scene, root, snapshot.watched)
+            transfer.complete(scene, target, root, snapshot, [])
         gltf.write_binary(target.with_suffix(".bin"), rest)
         self._groups = memory.of_scene(scene).get("banks", {})
         self._lights = self._describe(scene)
@@ -214,7 +216,7 @@ class LiveView:
 
     def _describe_structure(self, scene) -> tuple:
         """Returns what only sending can change, as far as it is quick to compare."""
-        shown = [obj.name for obj in scene.objects if obj.type not in BARE_TYPES and lights.is_on(obj)]
+        shown = [obj.name for obj in scene.objects if obj.type not in BARE_TYPES and visibility.is_on(obj)]
         groups = {name: group for name, group in memory.of_scene(scene).get("banks", {}).items()
                   if any(group.get(key, neutral) != neutral for key, neutral in NEUTRAL.items())}
         return shot.size(scene), scene.lightning_indirect, shown, scene.camera and scene.camera.name, groups
