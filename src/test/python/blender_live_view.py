@@ -217,6 +217,37 @@ cube.location.x = -0.2
 check("object with a texture")
 tree.links.remove(tree.links[-1])
 check("no texture", True)
+# Instances of a collection, and lights in them; geometry nodes.
+inner = bpy.data.collections.new("inner")
+pot, bulb = bpy.data.objects.new("Pot", cube.data), bpy.data.objects.new("Bulb", bpy.data.lights.new("Bulb", "POINT"))
+pot.scale, bulb.location, bulb.data.energy = (0.3, 0.3, 0.3), (0, 0, 1), 300
+inner.objects.link(pot)
+pots = bpy.data.objects.new("Pots", None)
+pots.instance_type, pots.instance_collection, pots.location = "COLLECTION", inner, (-2, -2, 0)
+scene.collection.objects.link(pots)
+check("instance of a collection", True)
+pots.location.y = -2.5
+check("moved instance")
+inner.objects.link(bulb)
+check("light in an instance", True)
+bulb.data.energy = 600
+check("energy of a light in an instance")
+bulb.location.x = -0.5
+check("moved light in an instance", True)
+pots.rotation_euler.z = 0.5
+check("turned instance with a light", True)
+pot.location.z = 0.2
+check("moved object in an instance", True)
+pot.hide_render = True
+check("hidden object in an instance", True)
+pot.hide_render = False
+check("shown object in an instance", True)
+bulb.hide_render = True
+check("hidden light in an instance", True)
+cube.visible_camera = False
+check("hidden from the camera", True)
+cube.visible_camera = True
+check("seen by the camera", True)
 for i in range(20):
     # A drag: the last edit counts.
     bpy.data.objects["Square"].location.x = 3 - i / 10

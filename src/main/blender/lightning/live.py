@@ -13,7 +13,7 @@ from pathlib import Path
 
 import bpy
 
-from . import gltf, lights, memory, model_export, picture, program, render_graph, shot, transfer, visibility, words
+from . import gltf, instanced_lights, lights, memory, model_export, picture, program, render_graph, shot, transfer, visibility, words
 from .lightning_relight import Client, RequestError
 from .model import Model
 from .pictures import Pictures
@@ -49,6 +49,8 @@ class LiveView:
         self._number = None
         self._names: dict[str, str] = {}
         self._lights: dict[str, dict] = {}
+        # Lights in instances by their names in Lightning: the object's name, and the matrix.
+        self._instances: dict[str, tuple] = {}
         self._groups: dict = {}
         self._world: dict = {}
         self._structure: tuple = ()
@@ -158,6 +160,8 @@ class LiveView:
             target.with_suffix(".glb").unlink()
             model = Model(scene, root, snapshot.watched)
             transfer.complete(scene, target, root, snapshot, [])
+            names = instanced_lights.names(snapshot, [obj.name for obj in transfer.lamps(scene)])
+            self._instances = {name: (obj.name, matrix) for name, (obj, _, matrix) in zip(names, snapshot.lights)}
         gltf.write_binary(target.with_suffix(".bin"), rest)
         self._groups = memory.of_scene(scene).get("banks", {})
         self._lights = self._describe(scene)
@@ -211,12 +215,23 @@ class LiveView:
         if is_new:
             self._request_picture("export")
 
+    def _lamps(self, scene) -> list:
+        instances = [bpy.data.objects.get(name) for name, _ in self._instances.values()]
+        return list(dict.fromkeys([*transfer.lamps(scene), *(obj for obj in instances if obj is not None)]))
+
     def _describe(self, scene) -> dict[str, dict]:
-        return {obj.name: lights.send(obj, self._groups, []) for obj in transfer.lamps(scene)}
+        result = {obj.name: lights.send(obj, self._groups, []) for obj in transfer.lamps(scene)}
+        for name, (object_name, matrix) in self._instances.items():
+            obj = bpy.data.objects.get(object_name)
+            if obj is not None:
+                result[name] = lights.send_instance(obj, name, matrix, self._groups, [])
+        return result
 
     def _describe_structure(self, scene) -> tuple:
         """Returns what only sending can change, as far as it is quick to compare."""
-        shown = [obj.name for obj in scene.objects if obj.type not in BARE_TYPES and visibility.is_on(obj)]
+        shown = [(obj.name, obj.instance_type, obj.visible_camera) for obj in scene.objects
+                 if (obj.type not in BARE_TYPES or obj.instance_type != "NONE") and visibility.is_on(obj)]
+        shown += [(obj.name, obj.hide_render, obj.visible_camera) for obj in visibility.in_instances(scene)]
         groups = {name: group for name, group in memory.of_scene(scene).get("banks", {}).items()
                   if any(group.get(key, neutral) != neutral for key, neutral in NEUTRAL.items())}
         return shot.size(scene), scene.lightning_indirect, shown, scene.camera and scene.camera.name, groups
@@ -273,14 +288,14 @@ class LiveView:
         self._write_files(scene)
         self._lights = after
         settings = self._model.root["extras"][memory.PROPERTY]
-        groups = dict.fromkeys(obj.lightgroup for obj in transfer.lamps(scene) if obj.lightgroup)
+        groups = dict.fromkeys(obj.lightgroup for obj in self._lamps(scene) if obj.lightgroup)
         if scene.camera is not None:
             settings |= {"distance": shot.target_distance(scene.camera.data), "shift": shot.shift(scene)}
         settings |= {"world": self._world, "banks": transfer.light_groups(self._groups, groups), "lights": list(after.values())}
         self._replace(kind)
 
     def _write_files(self, scene) -> None:
-        for obj in transfer.lamps(scene):
+        for obj in self._lamps(scene):
             transfer.write_files(obj, self._target().parent, [])
 
     def _edit_world(self, scene) -> list[str]:

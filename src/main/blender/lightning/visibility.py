@@ -58,6 +58,18 @@ def _layers(layer):
             yield from _layers(child)
 
 
+def in_instances(scene) -> list:
+    """Returns the objects of the collections that a scene has instances of, also nested ones."""
+    found: dict = {}
+    waiting = [obj.instance_collection for obj in scene.objects if obj.instance_collection is not None]
+    while waiting:
+        collection = waiting.pop()
+        if collection not in found:
+            found[collection] = list(collection.all_objects)
+            waiting += [obj.instance_collection for obj in found[collection] if obj.instance_collection is not None]
+    return [obj for objects in found.values() for obj in objects]
+
+
 def is_seen_by_camera(obj, view_layer) -> bool:
     """Returns whether a camera sees an object without a mirror."""
     return obj.visible_camera and not obj.indirect_only_get(view_layer=view_layer)
