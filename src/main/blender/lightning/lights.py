@@ -92,6 +92,8 @@ def describe(obj, groups: dict, messages: list[str], matrix=None) -> dict:
     if light.type == "SPOT":
         result["angle"] = axes.degrees(light.spot_size / 2)
         result["dropoff"] = 0
+        if max(scale) - min(scale) > 1e-4 * max(scale):
+            messages.append(f"{obj.name}: the cone of a spot is not scaled")
     if light.type == "SUN":
         result["spread"] = axes.degrees(light.angle / 2)
     if light.type == "AREA":

@@ -112,14 +112,12 @@ class Snapshot:
             return
         if obj.type in BARE_TYPES | CONVERTED_TYPES:
             return
-        is_shown = visibility.is_seen_by_camera(obj, depsgraph.view_layer_eval)
-        if is_instance:
-            is_shown = is_shown and visibility.is_seen_by_camera(instance.parent, depsgraph.view_layer_eval)
-        if not is_shown:
-            self.left_out.add("hidden from the camera, so left out with reflections, shadows and indirect light", maker.name)
-            return
-        self.left_out.add_rays(obj, maker.name)
         owner = instance.instance_object if instance.is_instance else obj
+        for shown in (owner, instance.parent) if is_instance else (obj,):
+            if not visibility.is_seen_by_camera(shown, depsgraph.view_layer_eval):
+                self.left_out.add("hidden from the camera, so left out with reflections, shadows and indirect light", shown.original.name)
+                return
+        self.left_out.add_rays(owner, owner.original.name)
         shapes = [self._shape(obj, owner, depsgraph)] if instance.show_self else []
         if instance.show_particles:
             shapes += [self._hair(obj, i) for i in range(len(obj.particle_systems))]
@@ -173,11 +171,12 @@ class Snapshot:
                     bpy.data.meshes.remove(mesh)
                 return None
             if slot is None:
-                data = list(mesh.materials)
+                # A mesh of geometry nodes has materials that its object does not have. Tubes have none.
+                data = [material and material.original for material in (obj.data if obj.type == "CURVES" else mesh).materials]
                 count = max(len(data), len(own))
                 materials = [own[i] if i < len(own) and own[i] is not None else data[i] if i < len(data) else None for i in range(count)]
             else:
                 materials = [s.material and s.material.original for s in obj.material_slots][slot:slot + 1]
             self._indices[key] = len(self.shapes)
-            self.shapes.append(Shape(mesh, tuple(materials), obj.original.data.name, "surface" if slot is None else "hair"))
+            self.shapes.append(Shape(mesh, tuple(materials), (obj.original.data or obj.data).name, "surface" if slot is None else "hair"))
         return self._indices[key]

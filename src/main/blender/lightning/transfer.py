@@ -51,7 +51,8 @@ def send(context, target: Path, overwrite: bool = False) -> list[str]:
     model = command[1]
     messages += [line.removeprefix(f"{model}: ").split(OPTION)[0] for line in lines if not any(text in line for text in EXPECTED)]
     _remember(scene, target, lamps(scene), messages)
-    return messages
+    # Instances of a light have equal messages.
+    return list(dict.fromkeys(messages))
 
 
 def _check_unchanged(target: Path, remembered: dict, overwrite: bool) -> None:
