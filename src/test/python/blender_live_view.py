@@ -242,6 +242,21 @@ pot.hide_render = True
 check("hidden object in an instance", True)
 pot.hide_render = False
 check("shown object in an instance", True)
+tree = bpy.data.node_groups.new("nodes", "GeometryNodeTree")
+for in_out in ("INPUT", "OUTPUT"):
+    tree.interface.new_socket("Geometry", in_out=in_out, socket_type="NodeSocketGeometry")
+start, end, put, ball = (tree.nodes.new(kind) for kind in ("NodeGroupInput", "NodeGroupOutput", "GeometryNodeInstanceOnPoints",
+                                                           "GeometryNodeMeshIcoSphere"))
+ball.inputs["Radius"].default_value = 0.2
+for socket, to in ((start.outputs[0], put.inputs["Points"]), (ball.outputs["Mesh"], put.inputs["Instance"]), (put.outputs[0], end.inputs[0])):
+    tree.links.new(socket, to)
+scatter = bpy.data.objects.new("Scatter", cube.data.copy())
+scatter.location, scatter.scale = (2, -2, 0), (0.5, 0.5, 0.5)
+scene.collection.objects.link(scatter)
+scatter.modifiers.new("nodes", "NODES").node_group = tree
+check("geometry nodes", True)
+scatter.location.z = 0.5
+check("moved geometry nodes", True)
 bulb.hide_render = True
 check("hidden light in an instance", True)
 cube.visible_camera = False

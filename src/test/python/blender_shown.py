@@ -155,6 +155,10 @@ def camera() -> None:
     cube("unseen", (3, 0, 0)).visible_camera = False
     cube("indirect", (6, 0, 0)).visible_shadow = False
     cube("catcher", (9, 0, 0)).is_shadow_catcher = True
+    bounce = bpy.data.collections.new("bounce")
+    scene.collection.children.link(bounce)
+    cube("bounced", (12, 0, 0), bounce)
+    bpy.context.view_layer.layer_collection.children["bounce"].indirect_only = True
 
 
 def lamps() -> None:
@@ -194,8 +198,10 @@ def shaders() -> None:
         tree.links.new(tree.nodes.new(kind).outputs[0], tree.nodes["Material Output"].inputs["Surface"])
         return result
 
+    rough = bpy.data.materials.new("rough")
+    rough.node_tree.links.new(rough.node_tree.nodes.new("ShaderNodeDisplacement").outputs[0], rough.node_tree.nodes["Material Output"].inputs["Displacement"])
     for i, made in enumerate((material("paint", "ShaderNodeBsdfDiffuse"), material("crystal", "ShaderNodeBsdfGlass"),
-                              material("glow", "ShaderNodeEmission"), bpy.data.materials.new("plain"))):
+                              material("glow", "ShaderNodeEmission"), bpy.data.materials.new("plain"), rough)):
         cube(made.name, (i, 0, 0)).data.materials.append(made)
 
 
@@ -239,6 +245,17 @@ def get_back() -> None:
     assert not any("bulb" in m for m in transfer.get_lights(bpy.context, target))
 
 
+def move_back() -> None:
+    """Moves an object with instances in Lightning: it moves in Blender."""
+    target = sample.FOLDER / "scene.jen"
+    bpy.data.objects["joined"].rotation_euler = (0, 0, 0.5)
+    transfer.send(bpy.context, target)
+    sample.set_in_file(target, "joined.at=1 2 3")
+    assert not transfer.get_lights(bpy.context, target)
+    joined = bpy.data.objects["joined"]
+    assert all(abs(a - b) < 1e-5 for a, b in zip((*joined.location, joined.rotation_euler.z), (1, -3, 2, 0.5))), joined.matrix_world
+
+
 sample.start()
 scene = bpy.context.scene
 bpy.data.objects.remove(bpy.data.objects["Cube"])
@@ -256,4 +273,6 @@ assert before is None or before == state(), (before, state())
 (sample.FOLDER / "messages.txt").write_text("\n".join(messages), encoding="utf-8")
 if case == "lamps":
     get_back()
+if case == "instances":
+    move_back()
 print("sent")

@@ -147,7 +147,7 @@ class LiveView:
 
     def _send(self, scene) -> None:
         """Exports the scene and sends it."""
-        start = time.perf_counter()
+        start, edited_at = time.perf_counter(), self._edited_at
         self._clear_notes()
         self._pictures.cancel()
         self._model = None
@@ -173,6 +173,7 @@ class LiveView:
         # The export itself is no edit.
         bpy.context.view_layer.update()
         self._clear_notes()
+        self._edited_at = edited_at
         self._model = model
         self._replace("export")
         self._export_seconds = time.perf_counter() - start

@@ -49,13 +49,15 @@ def _set_materials(obj, materials: tuple) -> None:
 
 def _run(own, path: Path) -> None:
     """Runs the exporter, which takes the scene of the window."""
-    window = bpy.context.window
+    # A timer has no window.
+    window = bpy.context.window or bpy.context.window_manager.windows[0]
     before, layer = window.scene, window.view_layer
     try:
         window.scene = own
-        bpy.ops.export_scene.gltf(filepath=str(path), export_format="GLB", use_active_scene=True, export_current_frame=True,
-                                  export_cameras=True, export_lights=False, export_extras=False, export_animations=False, export_skins=False,
-                                  export_morph=False, export_tangents=False)
+        with bpy.context.temp_override(window=window):
+            bpy.ops.export_scene.gltf(filepath=str(path), export_format="GLB", use_active_scene=True, export_current_frame=True,
+                                      export_cameras=True, export_lights=False, export_extras=False, export_animations=False,
+                                      export_skins=False, export_morph=False, export_tangents=False)
     finally:
         window.scene, window.view_layer = before, layer
 

@@ -16,8 +16,8 @@ TOLERANCE = 1e-5
 
 
 def is_possible(objects: list) -> bool:
-    """Returns whether something can move without keys."""
-    return any(m.type in DEFORMING | {"NODES", "PARTICLE_SYSTEM"} for obj in objects for m in obj.modifiers)
+    """Returns whether something can move without keys. Simulations count as moving: to skip frames would harm them."""
+    return any(m.type == "NODES" for obj in objects for m in obj.modifiers)
 
 
 class Motion:
@@ -31,6 +31,8 @@ class Motion:
         for obj in objects:
             if any(m.type in DEFORMING for m in obj.modifiers):
                 self._add("deformation", obj.name)
+            if any(system.settings.type == "EMITTER" for system in obj.particle_systems):
+                self._add("instances", obj.name)
 
     def compare(self, depsgraph) -> None:
         """Compares the current frame with the first one that was compared."""

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Nodes of the glTF file: flat except for instances, which are below the object that makes them, so that they move with it."""
 
-
 import numpy
 from mathutils import Matrix, Quaternion, Vector
 
@@ -16,23 +15,26 @@ def of_snapshot(snapshot, meshes: dict[int, int], entries: list[dict]) -> tuple[
     """Returns the nodes of what a render shows, and the indices of those that are below no other.
 
     Args:
-        meshes: index in the file of each mesh of the snapshot
+        meshes: index in the file of each mesh of the snapshot that the file has
         entries: the first nodes
     """
     result = _Nodes(entries)
     # A name belongs to the first node that has it. So objects come before instances of them.
     for name, shown in sorted(snapshot.objects.items(), key=lambda item: bool(item[1].children)):
-        is_flat = abs(shown.matrix.determinant()) < FLAT
-        if len(shown.shapes) == 1 and not shown.children:
-            result.add_root(name, shown.matrix, {"mesh": meshes[shown.shapes[0]]})
-        else:
+        shapes = [shape for shape in shown.shapes if shape in meshes]
+        children = [child for child in shown.children if child[2] in meshes]
+        if len(shapes) == 1 and not children:
+            result.add_root(name, shown.matrix, {"mesh": meshes[shapes[0]]})
+        elif shapes or children:
+            is_flat = abs(shown.matrix.determinant()) < FLAT
             own, inverse = (shown.matrix, Matrix()) if is_flat else (Matrix(), shown.matrix.inverted())
-            parts = [(f"{name} {snapshot.shapes[shape].part}", own, shape) for shape in shown.shapes]
-            parts += [(instance_name(child, snapshot.objects), inverse @ matrix, shape) for child, matrix, shape in shown.children]
-            children = [result.add(part, matrix, {"mesh": meshes[shape]}) for part, matrix, shape in parts]
-            result.add_root(name, Matrix() if is_flat else shown.matrix, {"children": children})
+            parts = [(f"{name} {snapshot.shapes[shape].part}", own, shape) for shape in shapes]
+            parts += [(instance_name(child, snapshot.objects), inverse @ matrix, shape) for child, matrix, shape in children]
+            below = [result.add(part, matrix, {"mesh": meshes[shape]}) for part, matrix, shape in parts]
+            result.add_root(name, Matrix() if is_flat else shown.matrix, {"children": below})
     for name, matrix, shape in snapshot.loose:
-        result.add_root(instance_name(name, snapshot.objects), matrix, {"mesh": meshes[shape]})
+        if shape in meshes:
+            result.add_root(instance_name(name, snapshot.objects), matrix, {"mesh": meshes[shape]})
     return result.entries, result.roots
 
 

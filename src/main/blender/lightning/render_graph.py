@@ -64,7 +64,8 @@ def _bake(scene, function) -> None:
         bpy.utils.unregister_class(_Reader)
         bpy.data.objects.remove(obj)
         bpy.data.meshes.remove(triangle)
-    if _Reader.error is not None:
-        raise _Reader.error
+    error, _Reader.error = _Reader.error, None
+    if error is not None:
+        raise error
     if not is_read:
         raise RuntimeError("Blender did not evaluate the scene for a render")

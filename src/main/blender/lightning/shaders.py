@@ -11,14 +11,18 @@ SENT = {"ShaderNodeBsdfPrincipled", "ShaderNodeBsdfGlass", "ShaderNodeBsdfRefrac
 
 
 def notes(root: dict) -> list[str]:
-    """Returns a message that names the materials with other shaders, and the shaders; none if there are no such materials."""
+    """Returns messages that name the materials with other shaders, and the shaders, and those with displacement."""
     found = []
+    displaced = []
     for entry in root.get("materials", []):
         material = bpy.data.materials.get(entry.get("name", ""))
         shaders = _shaders(material) if material is not None and material.node_tree is not None else {}
         if shaders and not (len(shaders) == 1 and shaders.keys() <= SENT):
             found.append(f"{material.name} ({', '.join(dict.fromkeys(shaders.values()))})")
-    return [f"shaders other than Principled BSDF are not sent exactly: {listed(found)}"] if found else []
+        if material is not None and material.node_tree is not None and materials.linked(material, "Displacement") is not None:
+            displaced.append(material.name)
+    messages = [f"shaders other than Principled BSDF are not sent exactly: {listed(found)}"] if found else []
+    return messages + ([f"displacement is not sent: {listed(displaced)}"] if displaced else [])
 
 
 def _shaders(material) -> dict[str, str]:

@@ -13,6 +13,10 @@ from .left_out import LeftOut
 BARE_TYPES = {"ARMATURE", "CAMERA", "EMPTY", "LATTICE", "LIGHT", "LIGHT_PROBE", "SPEAKER"}
 # Objects whose surface Blender lists once more, as an instance of a mesh.
 CONVERTED_TYPES = {"CURVE", "FONT", "META", "SURFACE"}
+# Most instances. Lightning reads files with some more.
+MOST_INSTANCES = 200_000
+# Most lights of a scene of Lightning.
+MOST_LIGHTS = 1000
 
 
 def is_itself(instance) -> bool:
@@ -73,6 +77,8 @@ class Snapshot:
         self.camera = Matrix()
         self.left_out = LeftOut()
         self.shapes: list[Shape] = []
+        self._count = 0
+        self._room = max(MOST_LIGHTS - sum(obj.type == "LIGHT" for obj in scene.objects), 0)
         self._indices: dict[tuple, int | None] = {}
         try:
             render_graph.visit(scene, lambda depsgraph, reader: self._read(scene, depsgraph, reader))
@@ -108,6 +114,9 @@ class Snapshot:
         if obj.type == "LIGHT":
             if is_instance:
                 self.watched.add(maker.name)
+                if len(self.lights) == self._room:
+                    self.left_out.add(f"more than {MOST_LIGHTS} lights, so the rest of those in instances is left out", maker.name)
+                    return
                 self.lights.append((obj.original, maker, instance.matrix_world.copy()))
             return
         if obj.type in BARE_TYPES | CONVERTED_TYPES:
@@ -117,6 +126,10 @@ class Snapshot:
             if not visibility.is_seen_by_camera(shown, depsgraph.view_layer_eval):
                 self.left_out.add("hidden from the camera, so left out with reflections, shadows and indirect light", shown.original.name)
                 return
+        if is_instance and self._count == MOST_INSTANCES:
+            self.left_out.add(f"more than {MOST_INSTANCES} instances, so the rest is left out", maker.name)
+            return
+        self._count += is_instance
         self.left_out.add_rays(owner, owner.original.name)
         shapes = [self._shape(obj, owner, depsgraph)] if instance.show_self else []
         if instance.show_particles:
