@@ -183,8 +183,13 @@ cube.location.z, key.rotation_euler.y, copy.scale.y = 0.25, 0.3, 2
 shader("Base Color").default_value = (0.8, 0.3, 0.1, 1)
 scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.5
 check("object, light, material and world")
+copy.rotation_euler = (0, 0, 0)
 copy.parent = cube
 check("parent")
+copy.rotation_euler.x = 0.5
+check("sheared child", True)
+copy.rotation_euler.x = 0
+check("child that is not sheared", True)
 cube.location.y = -0.4
 check("object with a child")
 cube.data.vertices[0].co.x -= 0.5
@@ -212,6 +217,52 @@ cube.location.x = -0.2
 check("object with a texture")
 tree.links.remove(tree.links[-1])
 check("no texture", True)
+# Instances of a collection, and lights in them; geometry nodes.
+inner = bpy.data.collections.new("inner")
+pot, bulb = bpy.data.objects.new("Pot", cube.data), bpy.data.objects.new("Bulb", bpy.data.lights.new("Bulb", "POINT"))
+pot.scale, bulb.location, bulb.data.energy = (0.3, 0.3, 0.3), (0, 0, 1), 300
+inner.objects.link(pot)
+pots = bpy.data.objects.new("Pots", None)
+pots.instance_type, pots.instance_collection, pots.location = "COLLECTION", inner, (-2, -2, 0)
+scene.collection.objects.link(pots)
+check("instance of a collection", True)
+pots.location.y = -2.5
+check("moved instance")
+inner.objects.link(bulb)
+check("light in an instance", True)
+bulb.data.energy = 600
+check("energy of a light in an instance")
+bulb.location.x = -0.5
+check("moved light in an instance", True)
+pots.rotation_euler.z = 0.5
+check("turned instance with a light", True)
+pot.location.z = 0.2
+check("moved object in an instance", True)
+pot.hide_render = True
+check("hidden object in an instance", True)
+pot.hide_render = False
+check("shown object in an instance", True)
+tree = bpy.data.node_groups.new("nodes", "GeometryNodeTree")
+for in_out in ("INPUT", "OUTPUT"):
+    tree.interface.new_socket("Geometry", in_out=in_out, socket_type="NodeSocketGeometry")
+start, end, put, ball = (tree.nodes.new(kind) for kind in ("NodeGroupInput", "NodeGroupOutput", "GeometryNodeInstanceOnPoints",
+                                                           "GeometryNodeMeshIcoSphere"))
+ball.inputs["Radius"].default_value = 0.2
+for socket, to in ((start.outputs[0], put.inputs["Points"]), (ball.outputs["Mesh"], put.inputs["Instance"]), (put.outputs[0], end.inputs[0])):
+    tree.links.new(socket, to)
+scatter = bpy.data.objects.new("Scatter", cube.data.copy())
+scatter.location, scatter.scale = (2, -2, 0), (0.5, 0.5, 0.5)
+scene.collection.objects.link(scatter)
+scatter.modifiers.new("nodes", "NODES").node_group = tree
+check("geometry nodes", True)
+scatter.location.z = 0.5
+check("moved geometry nodes", True)
+bulb.hide_render = True
+check("hidden light in an instance", True)
+cube.visible_camera = False
+check("hidden from the camera", True)
+cube.visible_camera = True
+check("seen by the camera", True)
 for i in range(20):
     # A drag: the last edit counts.
     bpy.data.objects["Square"].location.x = 3 - i / 10
@@ -221,6 +272,9 @@ check("drag")
 # A newer edit cancels the exact picture once a coarse one is shown.
 scene.render.resolution_x, scene.render.resolution_y = 960, 540
 live.view().refresh()
+follow()
+# The last exact picture of this kind took long.
+scene.camera.location.x += 0.01
 follow()
 count, shown = live.view().pictures, 0
 for i in range(5):

@@ -10,7 +10,7 @@ import math
 
 import bpy
 
-from . import axes, light_nodes, linking, memory, temperature
+from . import axes, light_nodes, linking, memory, temperature, visibility
 
 # Lightning's intensity for one watt, or for one watt per square meter of a sun: the brightness of a white surface at distance 1.
 PER_WATT = {"POINT": 1 / (4 * math.pi ** 2), "SPOT": 1 / (4 * math.pi ** 2), "AREA": 1 / math.pi ** 2, "SUN": 1 / math.pi}
@@ -25,8 +25,15 @@ def store(obj, name: str, settings: dict, groups: dict, tracks: dict | None = No
 
 def send(obj, groups: dict, messages: list[str]) -> dict:
     """Returns a light as Lightning's JSON."""
-    shown = describe(obj, groups, messages)
-    remembered = memory.of_light(obj)
+    return _settings(describe(obj, groups, messages), memory.of_light(obj)) | {"name": obj.name}
+
+
+def send_instance(obj, name: str, matrix, groups: dict, messages: list[str]) -> dict:
+    """Returns an instance of a light as Lightning's JSON: a light of its own, at another place."""
+    return _settings(describe(obj, groups, messages, matrix) | {"on": True}, {}) | {"name": name}
+
+
+def _settings(shown: dict, remembered: dict) -> dict:
     settings = dict(remembered.get("settings", {}))
     before = remembered.get("shown", {})
     if settings.get("type") != shown["type"]:
@@ -40,21 +47,22 @@ def send(obj, groups: dict, messages: list[str]) -> dict:
     for key in ("profile", "texture"):
         if not settings.get(key):
             settings.pop(key, None)
-    settings["name"] = obj.name
     return settings
 
 
-def describe(obj, groups: dict, messages: list[str]) -> dict:
+def describe(obj, groups: dict, messages: list[str], matrix=None) -> dict:
     """Returns what Blender shows of a light, in Lightning's terms.
 
-    `groups` has the light groups of Lightning by name: Blender has no faders, so their factors are taken out of its lights.
+    Args:
+        groups: the light groups of Lightning by name: Blender has no faders, so their factors are taken out of its lights
+        matrix: transform of an instance of the light
     """
     light = obj.data
     group = groups.get(obj.lightgroup, {})
     kelvin = min(max(light.temperature, temperature.LOWEST), temperature.HIGHEST) if light.use_temperature else temperature.NEUTRAL
     correction = temperature.correction(light, kelvin) if light.use_temperature else [1, 1, 1]
     color, strength = light_nodes.color_and_strength(light, obj.name, messages)
-    matrix = placement(obj)
+    matrix = matrix or placement(obj)
     scale = matrix.to_scale()
     result = {
         "type": {"POINT": "point", "SPOT": "spot", "SUN": "directional"}.get(light.type, _area_type(light)),
@@ -66,7 +74,7 @@ def describe(obj, groups: dict, messages: list[str]) -> dict:
         "at": axes.vector(matrix.translation),
         "direction": axes.vector(-matrix.col[2].to_3d().normalized()),
         "up": axes.vector(matrix.col[1].to_3d().normalized()),
-        "on": is_on(obj),
+        "on": visibility.is_on(obj),
         "bank": obj.lightgroup,
         "illuminates": linking.to_names(obj.light_linking.receiver_collection),
         "shadowed_by": linking.to_names(obj.light_linking.blocker_collection),
@@ -84,6 +92,8 @@ def describe(obj, groups: dict, messages: list[str]) -> dict:
     if light.type == "SPOT":
         result["angle"] = axes.degrees(light.spot_size / 2)
         result["dropoff"] = 0
+        if max(scale) - min(scale) > 1e-4 * max(scale):
+            messages.append(f"{obj.name}: the cone of a spot is not scaled")
     if light.type == "SUN":
         result["spread"] = axes.degrees(light.angle / 2)
     if light.type == "AREA":
@@ -128,17 +138,6 @@ def placement(obj):
     return obj.matrix_basis
 
 
-def is_on(obj) -> bool:
-    """Returns whether a render shows an object: it and a collection that contains it are switched on."""
-    return not obj.hide_render and _is_shown(obj, bpy.context.view_layer.layer_collection)
-
-
-def _is_shown(obj, layer) -> bool:
-    if layer.exclude or layer.collection.hide_render:
-        return False
-    return obj.name in layer.collection.objects or any(_is_shown(obj, child) for child in layer.children)
-
-
 def receive(obj, settings: dict, groups: dict, messages: list[str]) -> None:
     """Changes a light object to what Lightning's light has become since it was sent."""
     remembered = memory.of_light(obj)
@@ -168,7 +167,7 @@ def receive(obj, settings: dict, groups: dict, messages: list[str]) -> None:
         is_lit = settings["on"] and groups.get(settings["bank"], {}).get("on", True)
         obj.hide_render = not is_lit
         obj.hide_viewport = obj.hide_viewport and not is_lit
-        if is_lit and not is_on(obj):
+        if is_lit and not visibility.is_on(obj):
             messages.append(f"{obj.name}: is on in Lightning, but its collection is off in Blender")
     if changed("illuminates"):
         obj.light_linking.receiver_collection = linking.to_collection(settings["illuminates"], f"{obj.name} illuminates", messages)

@@ -13,10 +13,11 @@ from pathlib import Path
 
 import bpy
 
-from . import gltf, lights, memory, picture, program, shot, transfer, words
+from . import gltf, instanced_lights, lights, memory, model_export, picture, program, render_graph, shot, transfer, visibility, words
 from .lightning_relight import Client, RequestError
 from .model import Model
 from .pictures import Pictures
+from .snapshot import Snapshot
 
 # Objects that have no mesh in the file.
 BARE_TYPES = ("LIGHT", "CAMERA", "EMPTY")
@@ -48,6 +49,8 @@ class LiveView:
         self._number = None
         self._names: dict[str, str] = {}
         self._lights: dict[str, dict] = {}
+        # Lights in instances by their names in Lightning: the object's name, and the matrix.
+        self._instances: dict[str, tuple] = {}
         self._groups: dict = {}
         self._world: dict = {}
         self._structure: tuple = ()
@@ -80,7 +83,7 @@ class LiveView:
 
     def note(self, scene, depsgraph) -> None:
         """Notes what an update of Blender changed."""
-        if scene.name != self.scene_name:
+        if scene.name != self.scene_name or depsgraph.mode != "VIEWPORT" or render_graph.is_reading:
             return
         was_current = not (self._is_stale or self._is_world_stale or self._must_send)
         for update in depsgraph.updates:
@@ -144,7 +147,7 @@ class LiveView:
 
     def _send(self, scene) -> None:
         """Exports the scene and sends it."""
-        start = time.perf_counter()
+        start, edited_at = time.perf_counter(), self._edited_at
         self._clear_notes()
         self._pictures.cancel()
         self._model = None
@@ -152,10 +155,13 @@ class LiveView:
         target = self._target()
         target.parent.mkdir()
         self._copy_files(scene, target.parent)
-        root, rest = transfer.export_model(scene, target)
-        target.with_suffix(".glb").unlink()
-        model = Model(scene, root)
-        transfer.complete(bpy.context, target, root, [])
+        with visibility.evaluated(), Snapshot(scene) as snapshot:
+            root, rest = model_export.export(scene, snapshot, target.with_suffix(".glb"))
+            target.with_suffix(".glb").unlink()
+            model = Model(scene, root, snapshot.watched)
+            transfer.complete(scene, target, root, snapshot, [])
+            names = instanced_lights.names(snapshot, [obj.name for obj in transfer.lamps(scene)])
+            self._instances = {name: (obj.name, matrix) for name, (obj, _, matrix) in zip(names, snapshot.lights)}
         gltf.write_binary(target.with_suffix(".bin"), rest)
         self._groups = memory.of_scene(scene).get("banks", {})
         self._lights = self._describe(scene)
@@ -167,6 +173,7 @@ class LiveView:
         # The export itself is no edit.
         bpy.context.view_layer.update()
         self._clear_notes()
+        self._edited_at = edited_at
         self._model = model
         self._replace("export")
         self._export_seconds = time.perf_counter() - start
@@ -209,12 +216,23 @@ class LiveView:
         if is_new:
             self._request_picture("export")
 
+    def _lamps(self, scene) -> list:
+        instances = [bpy.data.objects.get(name) for name, _ in self._instances.values()]
+        return list(dict.fromkeys([*transfer.lamps(scene), *(obj for obj in instances if obj is not None)]))
+
     def _describe(self, scene) -> dict[str, dict]:
-        return {obj.name: lights.send(obj, self._groups, []) for obj in transfer.lamps(scene)}
+        result = {obj.name: lights.send(obj, self._groups, []) for obj in transfer.lamps(scene)}
+        for name, (object_name, matrix) in self._instances.items():
+            obj = bpy.data.objects.get(object_name)
+            if obj is not None:
+                result[name] = lights.send_instance(obj, name, matrix, self._groups, [])
+        return result
 
     def _describe_structure(self, scene) -> tuple:
         """Returns what only sending can change, as far as it is quick to compare."""
-        shown = [obj.name for obj in scene.objects if obj.type not in BARE_TYPES and lights.is_on(obj)]
+        shown = [(obj.name, obj.instance_type, obj.visible_camera) for obj in scene.objects
+                 if (obj.type not in BARE_TYPES or obj.instance_type != "NONE") and visibility.is_on(obj)]
+        shown += [(obj.name, obj.hide_render, obj.visible_camera) for obj in visibility.in_instances(scene)]
         groups = {name: group for name, group in memory.of_scene(scene).get("banks", {}).items()
                   if any(group.get(key, neutral) != neutral for key, neutral in NEUTRAL.items())}
         return shot.size(scene), scene.lightning_indirect, shown, scene.camera and scene.camera.name, groups
@@ -271,14 +289,14 @@ class LiveView:
         self._write_files(scene)
         self._lights = after
         settings = self._model.root["extras"][memory.PROPERTY]
-        groups = dict.fromkeys(obj.lightgroup for obj in transfer.lamps(scene) if obj.lightgroup)
+        groups = dict.fromkeys(obj.lightgroup for obj in self._lamps(scene) if obj.lightgroup)
         if scene.camera is not None:
             settings |= {"distance": shot.target_distance(scene.camera.data), "shift": shot.shift(scene)}
         settings |= {"world": self._world, "banks": transfer.light_groups(self._groups, groups), "lights": list(after.values())}
         self._replace(kind)
 
     def _write_files(self, scene) -> None:
-        for obj in transfer.lamps(scene):
+        for obj in self._lamps(scene):
             transfer.write_files(obj, self._target().parent, [])
 
     def _edit_world(self, scene) -> list[str]:

@@ -7,14 +7,14 @@ import bpy
 import numpy
 
 
-def add_glass(root: dict, objects: list, messages: list[str]) -> None:
-    """Adds volumes, absorption and Glass BSDFs to the materials of a glTF file."""
-    open_meshes = _open_materials(objects)
+def add_glass(root: dict, shapes: list, messages: list[str]) -> None:
+    """Adds volumes, absorption and Glass BSDFs to the materials of a glTF file, which show a snapshot's shapes."""
+    open_meshes = _open_materials(shapes)
     for entry in root.get("materials", []):
         material = bpy.data.materials.get(entry.get("name", ""))
         if material is None or material.node_tree is None:
             continue
-        surface = _linked(material, "Surface")
+        surface = linked(material, "Surface")
         extensions = entry.setdefault("extensions", {})
         if surface is not None and surface.bl_idname in ("ShaderNodeBsdfGlass", "ShaderNodeBsdfRefraction"):
             color = list(surface.inputs["Color"].default_value[:3])
@@ -38,7 +38,7 @@ def add_glass(root: dict, objects: list, messages: list[str]) -> None:
 
 
 def _add_absorption(material, volume: dict, messages: list[str]) -> None:
-    node = _linked(material, "Volume")
+    node = linked(material, "Volume")
     if node is None:
         return
     if node.bl_idname != "ShaderNodeVolumeAbsorption":
@@ -51,19 +51,19 @@ def _add_absorption(material, volume: dict, messages: list[str]) -> None:
         volume["attenuationDistance"] = 1 / density
 
 
-def _linked(material, socket: str):
+def linked(material, socket: str):
     """Returns the node that is linked to the active output, or None."""
     output = material.node_tree.get_output_node("ALL") or material.node_tree.get_output_node("CYCLES")
     links = output.inputs[socket].links if output else ()
     return links[0].from_node if links else None
 
 
-def _open_materials(objects: list) -> set[str]:
+def _open_materials(shapes: list) -> set[str]:
     """Returns the materials of meshes with an edge that does not have two faces."""
     names: set[str] = set()
-    for mesh in {obj.data for obj in objects if obj.type == "MESH"}:
-        if any(m is not None and m.node_tree for m in mesh.materials) and not _is_closed(mesh):
-            names.update(m.name for m in mesh.materials if m is not None)
+    for shape in shapes:
+        if any(m is not None and m.node_tree for m in shape.materials) and not _is_closed(shape.mesh):
+            names.update(m.name for m in shape.materials if m is not None)
     return names
 
 

@@ -10,7 +10,7 @@ _SCENE = {"banks?": {str: _GROUP},
           "world?": {"environment?": str, "intensity": float, "rotation": float, "background": [float]},
           "picture?": {"lightning": {"size": (int, int), "exposure": float, "view": str}, "blender": dict},
           "id?": str, "digest?": str, "views?": {str: str}, "surfaces?": {"values": {str: dict}, "kept": {str: {str: (object, object)}}},
-          "lost?": [str]}
+          "instances?": {str: {"settings": dict, "tracks": {str: str}}}, "lost?": [str]}
 _LIGHT = {"name": str, "settings": {"profile?": str, "gobo?": str, "texture?": str}, "shown": dict, "group": _GROUP, "tracks": {str: str}}
 
 

@@ -6,9 +6,12 @@ wrote it. Everything else is exported again.
 """
 
 import math
+from collections import Counter
 
 import bpy
-from mathutils import Matrix, Quaternion, Vector
+from mathutils import Matrix
+
+from . import nodes
 
 # Nodes without settings that a change of simple values could miss.
 KNOWN_NODES = {"ShaderNodeOutputMaterial", "ShaderNodeBsdfPrincipled", "ShaderNodeTexImage", "ShaderNodeNormalMap", "ShaderNodeUVMap",
@@ -22,8 +25,12 @@ SCALAR_TYPES = {"BOOLEAN", "INT", "FLOAT", "STRING", "ENUM"}
 class Model:
     """Root of an exported glTF file. `edit` keeps it equal to a new export."""
 
-    def __init__(self, scene, root: dict) -> None:
-        """Takes the root before anything is added to it."""
+    def __init__(self, scene, root: dict, watched: set[str]) -> None:
+        """Takes the root before anything is added to it.
+
+        Args:
+            watched: names of objects that move others in a way that only an export knows
+        """
         self.root = root
         # Objects by name: their matrix, and their node if it can be edited.
         self._nodes: dict = {}
@@ -33,14 +40,18 @@ class Model:
         self._lens: tuple = ()
         entries = root.get("nodes", [])
         names = [entry.get("name", "") for entry in entries]
+        counts = Counter(names)
         roots = set(root["scenes"][root.get("scene", 0)].get("nodes", []))
         for index, entry in enumerate(entries):
             obj = bpy.data.objects.get(names[index])
             if obj is None:
                 continue
-            is_plain = names.count(names[index]) == 1 and index in roots and obj.instance_type == "NONE"
-            is_same = is_plain and _placement(obj) == {key: entry[key] for key in ("translation", "rotation", "scale") if key in entry}
+            is_plain = counts[names[index]] == 1 and index in roots and names[index] not in watched
+            is_same = is_plain and nodes.of_object(obj) == {key: entry[key] for key in ("translation", "rotation", "scale") if key in entry}
             self._nodes[names[index]] = (obj.matrix_world.copy(), entry if is_same else None)
+        for obj in [bpy.data.objects.get(name) for name in watched - self._nodes.keys()]:
+            if obj is not None:
+                self._nodes[obj.name] = (obj.matrix_world.copy(), None)
         self._read_camera(scene, entries)
         materials = root.get("materials", [])
         names = [entry.get("name", "") for entry in materials]
@@ -72,11 +83,11 @@ class Model:
                 return None
             if obj.matrix_world == matrix:
                 continue
-            if entry is None:
+            if entry is None or nodes.is_sheared(obj.matrix_world):
                 return None
             for key in ("translation", "rotation", "scale"):
                 entry.pop(key, None)
-            entry.update(_placement(obj))
+            entry.update(nodes.of_object(obj))
             self._nodes[name] = (obj.matrix_world.copy(), entry)
             is_changed = True
         if scene.camera is not None and _lens(scene) != self._lens:
@@ -108,33 +119,6 @@ class Model:
             PROPERTIES[key][1](entry, value)
             values[key] = value
         return bool(changed)
-
-
-def _placement(obj) -> dict:
-    """Returns the transform of a node that has no parent: y is up, and cameras look along -z."""
-    matrix = obj.matrix_world.copy()
-    if obj.type == "CAMERA":
-        matrix @= Quaternion((2 ** 0.5 / 2, -2 ** 0.5 / 2, 0.0, 0.0)).to_matrix().to_4x4()
-    place, rotation, scale = matrix.decompose()
-    rotation.normalize()
-    place = _rounded(Vector((place[0], place[2], -place[1])), (0, 0, 0))
-    rotation = _rounded(Quaternion((rotation[0], rotation[1], rotation[3], -rotation[2])), (1, 0, 0, 0))
-    scale = _rounded(Vector((scale[0], scale[2], scale[1])), (1, 1, 1))
-    result = {}
-    if place != [0, 0, 0]:
-        result["translation"] = place
-    if rotation != [1, 0, 0, 0]:
-        result["rotation"] = [*rotation[1:], rotation[0]]
-    if scale != [1, 1, 1]:
-        result["scale"] = scale
-    return result
-
-
-def _rounded(values, targets: tuple) -> list[float]:
-    # As the exporter: components of single precision that are close to those of no transform.
-    for i, target in enumerate(targets):
-        values[i] = values[i] if abs(values[i] - target) > 2.0e-6 else target
-    return list(values)
 
 
 def _lens(scene) -> tuple:

@@ -5,30 +5,36 @@ import math
 
 import bpy
 
-from . import axes, lights
+from . import axes, lights, motion, visibility
 
 # Properties of lights that can have keys in Lightning.
 KEYED = ("color", "intensity", "exposure", "temperature", "at", "direction", "up", "on", "angle", "radius", "spread", "width", "height",
          "diffuse", "specular", "casts_shadows")
-DEFORMING = {"ARMATURE", "CLOTH", "FLUID", "MESH_CACHE", "MESH_SEQUENCE_CACHE", "OCEAN", "SOFT_BODY", "WAVE"}
 
 
-def record(context, objects: list, names: dict, groups: dict, messages: list[str]) -> dict:
-    """Returns the animation of a scene as JSON; `names` has the names of the lights in Lightning."""
+def record(context, sent, names: dict, groups: dict, messages: list[str]) -> dict:
+    """Returns the animation of a scene as JSON.
+
+    Args:
+        sent: names of the objects that are nodes
+        names: names of the lights in Lightning
+    """
     scene = context.scene
+    objects = [obj for obj in context.view_layer.objects if obj.type != "LIGHT" and visibility.is_on(obj)]
     result = {"frames": [max(scene.frame_start, 0), max(scene.frame_end, scene.frame_start, 0)],
               "rate": scene.render.fps / scene.render.fps_base, "tracks": []}
-    meshes = [obj for obj in objects if obj.type not in ("LIGHT", "CAMERA", "EMPTY", "ARMATURE", "LATTICE", "SPEAKER", "LIGHT_PROBE")]
-    deformed = [obj.name for obj in meshes if _is_deformed(obj)]
-    if deformed:
-        shown = ", ".join(deformed[:3]) + (" and others" if len(deformed) > 3 else "")
-        messages.append(f"deformation is not sent, only the shape at the current frame: {shown}")
-    if not bpy.data.actions and not any(obj.constraints or obj.animation_data for obj in objects):
-        return result
+    meshes = [obj for obj in objects if obj.name in sent]
+    is_keyed = bool(bpy.data.actions) or any(obj.constraints or obj.animation_data for obj in objects)
+    frames = range(result["frames"][0], result["frames"][1] + 1)
+    compared = {frames[0], frames[len(frames) // 2], frames[-1]} if is_keyed or motion.is_possible(objects) else set()
+    moving = motion.Motion(meshes)
     current, subframe = scene.frame_current, scene.frame_subframe
     values: dict[tuple, list] = {}
-    for frame in range(result["frames"][0], result["frames"][1] + 1):
+    for frame in frames if is_keyed else sorted(compared):
         scene.frame_set(frame)
+        moving.compare_visibility(context.view_layer)
+        if frame in compared:
+            moving.compare(context.evaluated_depsgraph_get())
         for obj in meshes:
             values.setdefault(("node", obj.name, "matrix"), []).append([frame, axes.columns(obj.matrix_world)])
         for obj in names:
@@ -39,18 +45,15 @@ def record(context, objects: list, names: dict, groups: dict, messages: list[str
         if scene.camera is not None:
             for key, value in camera(scene).items():
                 values.setdefault(("camera", "", key), []).append([frame, value])
-    scene.frame_set(current, subframe=subframe)
+    if compared:
+        scene.frame_set(current, subframe=subframe)
+    messages += moving.lines()
     for (target, name, attribute), keys in values.items():
         if any(value != keys[0][1] for _, value in keys):
             track = {"target": target, "name": name}
             track |= {"matrices": keys} if target == "node" else {"attribute": attribute, "keys": keys}
             result["tracks"].append(track)
     return result
-
-
-def _is_deformed(obj) -> bool:
-    keys = getattr(obj.data, "shape_keys", None)
-    return any(m.type in DEFORMING for m in obj.modifiers) or keys is not None and keys.animation_data is not None
 
 
 def camera(scene) -> dict:

@@ -9,7 +9,9 @@ from pathlib import Path
 
 import bpy
 
-from . import animation, axes, gltf, light_nodes, lights, materials, memory, picture, program, shot, surfaces, views, world, written
+from . import (animation, gltf, instanced_lights, light_nodes, lights, materials, memory, model_export, picture, program, shaders, shot, surfaces, views,
+               visibility, world, written)
+from .snapshot import Snapshot
 
 # Start of messages of the export of lights.
 LEFT_OUT = "not exported exactly: "
@@ -23,6 +25,7 @@ def _digest(file: Path) -> str:
     return hashlib.sha256(file.read_bytes()).hexdigest()
 
 
+@visibility.evaluated()
 def send(context, target: Path, overwrite: bool = False) -> list[str]:
     """Writes a .jen file with everything that a render of the scene shows. Returns messages for the user."""
     scene = context.scene
@@ -48,7 +51,8 @@ def send(context, target: Path, overwrite: bool = False) -> list[str]:
     model = command[1]
     messages += [line.removeprefix(f"{model}: ").split(OPTION)[0] for line in lines if not any(text in line for text in EXPECTED)]
     _remember(scene, target, lamps(scene), messages)
-    return messages
+    # Instances of a light have equal messages.
+    return list(dict.fromkeys(messages))
 
 
 def _check_unchanged(target: Path, remembered: dict, overwrite: bool) -> None:
@@ -76,6 +80,7 @@ def lamps(scene) -> list:
     return [obj for obj in scene.objects if obj.type == "LIGHT"]
 
 
+@visibility.evaluated()
 def prepare(context, target: Path, messages: list[str], output: Path | None = None) -> list[str]:
     """Writes the glTF file of a scene, and what it refers to. Returns the command that makes the .jen file of it.
 
@@ -83,49 +88,32 @@ def prepare(context, target: Path, messages: list[str], output: Path | None = No
         target: file of a scene, next to which the files are written
         output: the .jen file; `target` without it
     """
-    root, rest = export_model(context.scene, target)
-    shown = complete(context, target, root, messages)
-    groups = memory.of_scene(context.scene).get("banks", {})
-    names = {obj: obj.name for obj in lamps(context.scene)}
-    root["extras"][memory.PROPERTY]["shot"] = shot.record(context, shown, names, groups, messages)
+    # A render shows the keys of the frame, not edits without a key.
+    context.scene.frame_set(context.scene.frame_current, subframe=context.scene.frame_subframe)
+    with Snapshot(context.scene) as snapshot:
+        root, rest = model_export.export(context.scene, snapshot, target.with_suffix(".glb"))
+        complete(context.scene, target, root, snapshot, messages)
+        groups = memory.of_scene(context.scene).get("banks", {})
+        names = {obj: obj.name for obj in lamps(context.scene)}
+        root["extras"][memory.PROPERTY]["shot"] = shot.record(context, snapshot.objects.keys(), names, groups, messages)
     model = target.with_suffix(".glb")
     gltf.write(model, root, rest)
     return ["import", str(model), "-o", str(output or target), "--light-units", "candela", "--indirect", picture.indirect(context.scene)]
 
 
-def complete(context, target: Path, root: dict, messages: list[str]) -> list:
-    """Adds to an exported scene what glTF cannot say, except animation, and writes the files that it needs. Returns the objects that are shown."""
-    shown = [obj for obj in context.view_layer.objects if obj.type != "LIGHT" and lights.is_on(obj)]
-    materials.add_glass(root, shown, messages)
-    root.setdefault("extras", {})[memory.PROPERTY] = _settings(context.scene, target, messages)
-    return shown
+def complete(scene, target: Path, root: dict, snapshot: Snapshot, messages: list[str]) -> None:
+    """Adds to an exported scene what glTF cannot say, except animation, and writes the files that it needs."""
+    materials.add_glass(root, snapshot.shapes, messages)
+    messages += shaders.notes(root)
+    root.setdefault("extras", {})[memory.PROPERTY] = _settings(scene, target, snapshot, messages)
+    messages += snapshot.left_out.lines()
 
 
-def export_model(scene, target: Path) -> tuple[dict, bytes]:
-    """Exports what a render shows: the exporter would add objects of excluded collections. Returns the JSON and the chunks that follow it."""
-    path = target.with_suffix(".glb")
-    hidden = [obj for obj in scene.objects if not obj.hide_render and not lights.is_on(obj)]
-    try:
-        for obj in hidden:
-            obj.hide_render = True
-        _export(path)
-    finally:
-        for obj in hidden:
-            obj.hide_render = False
-    return gltf.read(path)
-
-
-def _export(path: Path) -> None:
-    bpy.ops.export_scene.gltf(filepath=str(path), export_format="GLB", use_renderable=True, use_active_scene=True, export_apply=True,
-                              export_cameras=True, export_lights=False, export_extras=False, export_animations=False,
-                              export_skins=False, export_morph=False, export_hierarchy_flatten_objs=True, export_tangents=False)
-
-
-def _settings(scene, target: Path, messages: list[str]) -> dict:
+def _settings(scene, target: Path, snapshot: Snapshot, messages: list[str]) -> dict:
     remembered = memory.of_scene(scene)
     groups = remembered.get("banks", {})
     sent = lamps(scene)
-    used = dict.fromkeys(obj.lightgroup for obj in sent if obj.lightgroup)
+    used = dict.fromkeys(obj.lightgroup for obj in [*sent, *(obj for obj, _, _ in snapshot.lights)] if obj.lightgroup)
     settings = {
         "version": 1,
         "id": _id(scene),
@@ -133,13 +121,13 @@ def _settings(scene, target: Path, messages: list[str]) -> dict:
         "world": world_settings(scene, target, messages),
         "banks": light_groups(groups, used),
         "materials": surfaces.send(remembered.get("surfaces", {})),
-        "lights": [lights.send(obj, groups, messages) for obj in sent],
+        "lights": [lights.send(obj, groups, messages) for obj in sent] + instanced_lights.send(snapshot, [obj.name for obj in sent], groups, messages),
     }
     if scene.camera is not None:
         settings["camera"] = scene.camera.name
         settings["distance"] = shot.target_distance(scene.camera.data)
         settings["shift"] = shot.shift(scene)
-    for obj in sent:
+    for obj in dict.fromkeys([*sent, *(obj for obj, _, _ in snapshot.lights)]):
         write_files(obj, target.parent, messages)
     return settings
 
@@ -168,16 +156,17 @@ def write_files(obj, folder: Path, messages: list[str]) -> None:
         (folder / name).write_bytes(content)
 
 
-def _store(scene, file: Path, exported: dict, groups: dict, kept: dict, lost: list[str]) -> None:
+def _store(scene, file: Path, exported: dict, groups: dict, kept: dict, instances, lost: list[str]) -> None:
     """Stores in a scene what a file of Lightning has, so that later edits can be told.
 
     Args:
+        instances: names of lights in instances
         kept: edits of materials that are sent again
         lost: messages about edits that only the file has
     """
     memory.store(scene, {"banks": groups, "world": exported["world"], "picture": picture.store(scene, exported["picture"]),
                          "id": written.sender(file), "digest": _digest(file), "views": views.digests(exported),
-                         "surfaces": surfaces.store(exported, kept), "lost": lost})
+                         "surfaces": surfaces.store(exported, kept), "instances": instanced_lights.store(exported, instances), "lost": lost})
 
 
 def _remember(scene, target: Path, sent: list, messages: list[str]) -> None:
@@ -190,7 +179,7 @@ def _remember(scene, target: Path, sent: list, messages: list[str]) -> None:
         if obj.name in by_name:
             lights.store(obj, obj.name, by_name[obj.name], groups, animation.digests(animated.get(obj.name, {})))
     kept = surfaces.check(exported, memory.of_scene(scene).get("surfaces", {}).get("kept", {}), messages)
-    _store(scene, target, exported, groups, kept, [])
+    _store(scene, target, exported, groups, kept, by_name.keys() - {obj.name for obj in sent}, [])
 
 
 def export(source: Path, messages: list[str]) -> dict:
@@ -218,6 +207,7 @@ def is_sent_to(scene, file: Path) -> bool:
     return bool(sender) and sender == memory.of_scene(scene).get("id")
 
 
+@visibility.evaluated()
 def get_lights(context, source: Path, remove: bool = True, from_another: bool = False) -> list[str]:
     """Brings the lights of a .jen file back: edited, added and, with `remove`, deleted ones. Returns messages for the user.
 
@@ -238,7 +228,10 @@ def get_lights(context, source: Path, remove: bool = True, from_another: bool = 
         if obj.type == "LIGHT":
             known[memory.of_light(obj).get("name", obj.name)] = obj
     received = []
+    instances = remembered.get("instances", {}) if is_own else {}
     for settings in exported["lights"]:
+        if settings["name"] in instances and settings["name"] not in known:
+            continue
         obj = known.pop(settings["name"], None) or _new_light(scene, settings)
         if settings["bank"] and settings["bank"] not in context.view_layer.lightgroups:
             context.view_layer.lightgroups.add(name=settings["bank"])
@@ -272,9 +265,11 @@ def _get_rest(scene, source: Path, exported: dict, groups: dict, messages: list[
     lost: list[str] = []
     views.receive(scene, exported, remembered.get("views", {}), lost)
     kept = surfaces.receive(exported, remembered.get("surfaces", {}), messages, lost)
+    instances = remembered.get("instances", {})
+    lost += instanced_lights.lost(exported, instances)
     messages += lost
     world.receive(scene.world, exported["world"], remembered.get("world", {}), messages)
-    _store(scene, source, exported, groups, kept, [*remembered.get("lost", []), *lost])
+    _store(scene, source, exported, groups, kept, instances, [*remembered.get("lost", []), *lost])
 
 
 def _add_groups(scene, groups: dict) -> None:

@@ -100,7 +100,8 @@ class BlenderAddOnTest {
         assertThat(scene.stage().hasNode("Excluded") || scene.stage().hasNode("Off")).isFalse();
         assertThat(scene.light("Away").orElseThrow().on()).isFalse();
         assertNear(scene.light("Away").orElseThrow().position().y(), 3);
-        assertThat(document.text()).containsPattern("mesh Pot [^}]*at 20 0 0").containsPattern("mesh \"Pot 2\" [^}]*at 30 0 0");
+        assertThat(document.text()).containsPattern("group Pots \\{\\s*at 20 0 0\\s*mesh Pot ")
+                .containsPattern("group \"Pots.001\" \\{\\s*at 30 0 0\\s*mesh \"Pot 2\" ");
         assertThat(scene.light("Light").orElseThrow().illuminates().names()).containsExactly("Both");
         JsonNode frames = JsonMapper.builder().build().readTree(Files.readAllBytes(folder.resolve("frames.json")));
         assertThat(frames.size()).isEqualTo(12);
