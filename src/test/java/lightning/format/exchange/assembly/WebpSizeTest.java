@@ -26,6 +26,10 @@ class WebpSizeTest {
                     + "tk5D32ych77ZOQ99snIesAA/v819/QjHb/61+EPTGHr8YjHwbW3t4MqwtX/RBSGPBH71zMFk78CAAAAGaFAAAAANcKy4EAAADJCsu1YED"
                     + "CgQArSrgzoEAAAAA==";
 
+    static byte[] oneColor() {
+        return Base64.getDecoder().decode(ONE_COLOR);
+    }
+
     private static byte[] lossy(int width, int height, int length) {
         ByteBuffer out = ByteBuffer.allocate(length).order(ByteOrder.LITTLE_ENDIAN);
         out.put("RIFF".getBytes(StandardCharsets.US_ASCII)).putInt(length - 8).put("WEBPVP8 ".getBytes(StandardCharsets.US_ASCII))
@@ -41,7 +45,7 @@ class WebpSizeTest {
 
     @Test
     void shortestFile_isDecoded() throws Exception {
-        byte[] png = ConvertedImage.png(Base64.getDecoder().decode(ONE_COLOR)).orElseThrow();
+        byte[] png = ConvertedImage.png(oneColor()).orElseThrow();
         assertThat(ImageIO.read(new ByteArrayInputStream(png)).getWidth()).isEqualTo(512);
     }
 
