@@ -34,8 +34,6 @@ import lightning.scene.value.SceneLimits;
  * meshes.
  */
 final class NffImport {
-    private static final byte[] SENSE8 = {'n', 'f', 'f'};
-
     private final SceneAssembler assembler;
     private final NffFile file;
     private final String meshFile;
@@ -47,13 +45,6 @@ final class NffImport {
             file = NffReader.read(bytes, assembler.notes);
         }
         meshFile = file.meshes().isEmpty() ? "" : assembler.addFile(source);
-    }
-
-    /** Returns whether a file has the format of the same ending of WorldToolKit by Sense8, which Assimp reads. */
-    static boolean isOfSense8(Path file) throws IOException, MeshException {
-        try (ByteSource source = ByteSource.openText(file, Progress.NONE)) {
-            return source.startsWith(SENSE8);
-        }
     }
 
     static ImportedScene read(Path source, Path sceneFile, Progress progress) throws IOException, MeshException {

@@ -16,6 +16,7 @@ import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.exchange.usd.UsdImport;
 import lightning.format.gltf.OldGltfException;
+import lightning.format.mesh.LimitException;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
 import lightning.format.usd.UsdSubdivision;
@@ -77,8 +78,7 @@ public final class SceneImporter {
         }
         return switch (format.get()) {
             case PLY -> ObjImport.importPly(file, sceneFile, progress);
-            case NFF ->
-                    NffImport.isOfSense8(file) ? convert(file, sceneFile, options, progress) : NffImport.read(file, sceneFile, progress);
+            case NFF -> importNff(file, sceneFile, options, progress);
             case OBJ -> ObjImport.importObj(file, sceneFile, progress);
             case GLTF -> importGltf(file, sceneFile, options, progress);
         };
@@ -88,13 +88,30 @@ public final class SceneImporter {
             throws IOException, MeshException {
         try {
             return GltfImport.read(file, sceneFile, options, progress);
-        } catch (OldGltfException old) {
-            try {
-                return convert(file, sceneFile, options, progress);
-            } catch (MeshException e) {
-                // Assimp reads only some of these files, and the remedy is the same.
-                throw old;
-            }
+        } catch (OldGltfException e) {
+            return convert(file, sceneFile, options, progress, e);
+        }
+    }
+
+    /** Reads NFF; other dialects, such as that of Sense8, by Assimp. */
+    private static ImportedScene importNff(Path file, Path sceneFile, ImportOptions options, Progress progress)
+            throws IOException, MeshException {
+        try {
+            return NffImport.read(file, sceneFile, progress);
+        } catch (LimitException e) {
+            throw e;
+        } catch (MeshException e) {
+            return convert(file, sceneFile, options, progress, e);
+        }
+    }
+
+    /** @param problem thrown if Assimp cannot read the file either */
+    private static ImportedScene convert(Path file, Path sceneFile, ImportOptions options, Progress progress, MeshException problem)
+            throws IOException, MeshException {
+        try {
+            return convert(file, sceneFile, options, progress);
+        } catch (MeshException e) {
+            throw problem;
         }
     }
 
