@@ -1,5 +1,7 @@
 package lightning;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -28,7 +30,8 @@ public final class Main {
      */
     public static void main(String[] args) {
         if (args.length > 0 && args[0].equals(AssimpConverter.COMMAND)) {
-            System.exit(AssimpProcess.run(List.of(args).subList(1, args.length)));
+            // The library may crash while it is unloaded.
+            Runtime.getRuntime().halt(convertModel(args));
         }
         if (!opensEditor(args)) {
             runCommand(args);
@@ -44,6 +47,19 @@ public final class Main {
         }
         System.err.println(withoutWindow(reason.get(), file));
         System.exit(BAD_INPUT);
+    }
+
+    /** Runs the command of the process that converts other programs' files; returns its exit code. */
+    private static int convertModel(String... args) {
+        try {
+            AssimpProcess.convert(Path.of(args[1]), Path.of(args[2]), Long.parseLong(args[3]), Boolean.parseBoolean(args[4]))
+                    .forEach(System.out::println);
+            System.out.flush();
+            return 0;
+        } catch (IOException | RuntimeException e) {
+            System.err.println(e.getMessage());
+            return AssimpProcess.FAILED;
+        }
     }
 
     private static boolean isScene(String name) {

@@ -49,7 +49,23 @@ class ExamplesTest {
         elsewhere = new ExampleProcess(folder);
         Files.write(folder.resolve("house.glb"), GltfFixtures.binary(GltfFixtures.LIT_JSON, GltfFixtures.SQUARE));
         runSuccessfully("import", "house.glb", "-o", "house.jen", "--light-units", "candela");
-        Files.writeString(folder.resolve("shot.usda"), "#usda 1.0\n\ndef Sphere \"ball\"\n{\n}\n");
+        Files.writeString(folder.resolve("shot.usda"), """
+                #usda 1.0
+                def Sphere "ball" (
+                    variants = { string look = "red" }
+                    prepend variantSets = "look"
+                )
+                {
+                    variantSet "look" = {
+                        "red" {
+                            double radius = 2
+                        }
+                    }
+                }
+                def Camera "side"
+                {
+                }
+                """);
         Files.copy(folder.resolve("house.jen"), folder.resolve("shot.jen"));
         for (String picture : PICTURES) {
             runSuccessfully("render", "scenes/bird.jen", "-o", picture, "--size", "20x20");

@@ -28,8 +28,9 @@ import org.junit.jupiter.api.io.TempDir;
 @Packaged
 class ProgramFolderIT {
     private static final Path PROGRAM = Path.of("target/lightning");
-    /** {@code javafx-base-26.0.2-linux.jar}: name, version, and for some the platform. */
-    private static final Pattern LIBRARY = Pattern.compile("(.+?)-(\\d.*?)(?:-(?:linux|mac|win)(?:-aarch64)?)?\\.jar");
+    /** {@code javafx-base-26.0.2-linux.jar}, {@code lwjgl-3.3.6-natives-linux.jar}: name, version, and for some the platform. */
+    private static final Pattern LIBRARY =
+            Pattern.compile("(.+?)-(\\d.*?)(?:-(?:natives-)?(?:linux|macos|mac|windows|win)(?:-aarch64|-arm64)?)?\\.jar");
 
     private static final int TIMEOUT_SECONDS = 900;
 

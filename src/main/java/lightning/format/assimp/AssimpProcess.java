@@ -20,49 +20,32 @@ public final class AssimpProcess {
     private static final int POLL_MILLISECONDS = 100;
     /** Angle between faces above which an edge of a mesh without normals is sharp, as other programs do. */
     private static final float MAX_SMOOTH_DEGREES = 30;
-    static final int FAILED = 3;
+    /** Exit code of the process if the conversion fails, with the reason as a line of the error stream. */
+    public static final int FAILED = 3;
     static final int OUT_OF_MEMORY = 4;
 
     private AssimpProcess() {}
-
-    /**
-     * Runs the command {@link AssimpConverter#COMMAND}; returns its exit code. A failure is a line of the error stream.
-     *
-     * @param words file, new file, memory in bytes, and whether animations are kept
-     */
-    public static int run(List<String> words) {
-        try {
-            // Tangents follow from the coordinates, and the writer gives them a type that glTF does not have.
-            int removed = Assimp.aiComponent_TANGENTS_AND_BITANGENTS;
-            convert(Path.of(words.get(0)), Path.of(words.get(1)), Long.parseLong(words.get(2)),
-                    Boolean.parseBoolean(words.get(3)) ? removed : removed | Assimp.aiComponent_ANIMATIONS);
-            System.out.flush();
-            // The library may crash while it is unloaded.
-            Runtime.getRuntime().halt(0);
-            return 0;
-        } catch (IOException | RuntimeException e) {
-            System.err.println(e.getMessage());
-            return FAILED;
-        }
-    }
 
     /**
      * Converts a file, and ends this process if its caller ends or the conversion takes too much memory.
      *
      * @param output  new file, glTF in one file
      * @param memory  bytes that the conversion may take
-     * @param removed parts of the scene to leave out, as Assimp's components
+     * @param isAnimated whether animations are kept
+     * @return a line for each kind of things that the new file lacks: its name, a tab and its number
      * @throws IOException if Assimp cannot read the file or write the other one; the message says why
      */
-    private static void convert(Path file, Path output, long memory, int removed) throws IOException {
+    public static List<String> convert(Path file, Path output, long memory, boolean isAnimated) throws IOException {
         endWithCaller();
         limitMemory(memory);
-        AIScene scene = read(file, removed);
+        // Tangents follow from the coordinates, and the writer gives them a type that glTF does not have.
+        int removed = Assimp.aiComponent_TANGENTS_AND_BITANGENTS;
+        AIScene scene = read(file, isAnimated ? removed : removed | Assimp.aiComponent_ANIMATIONS);
         if (Assimp.aiExportScene(scene, "glb2", output.toString(), 0) != Assimp.aiReturn_SUCCESS) {
             throw new IOException("it cannot be converted " + Assimp.aiGetErrorString());
         }
         // The scene is not released: this process ends.
-        GlbLights.add(output, scene, file);
+        return GlbLights.add(output, scene, file);
     }
 
     /** @param removed parts of the scene to leave out, as Assimp's components */

@@ -8,9 +8,11 @@ import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import lightning.base.file.RegularFile;
 import lightning.base.math.Vec3;
 import org.lwjgl.assimp.AICamera;
 import org.lwjgl.assimp.AIColor3D;
@@ -45,13 +47,13 @@ final class GlbLights {
     }
 
     /**
-     * Adds the lights and cameras to a written file, and prints a line for each kind that glTF lacks: its name, a tab and its number.
+     * Adds the lights and cameras to a written file; returns a line for each kind that glTF lacks: its name, a tab and its number.
      *
      * @param file   glTF in one file, as Assimp writes it
      * @param source file that the scene was read from
      */
-    static void add(Path file, AIScene scene, Path source) throws IOException {
-        byte[] bytes = Files.readAllBytes(file);
+    static List<String> add(Path file, AIScene scene, Path source) throws IOException {
+        byte[] bytes = RegularFile.readBytes(file, "a converted file", Integer.MAX_VALUE - 8);
         ByteBuffer header = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
         int length = header.getInt(JSON_LENGTH_AT);
         String format = source.toString().toLowerCase(Locale.ROOT);
@@ -70,7 +72,7 @@ final class GlbLights {
             out.write(padded);
             out.write(bytes, HEADER_BYTES + length, bytes.length - HEADER_BYTES - length);
         }
-        lights.notes.forEach((kind, count) -> System.out.println(kind + "\t" + count));
+        return lights.notes.entrySet().stream().map(note -> note.getKey() + "\t" + note.getValue()).toList();
     }
 
     private void addLights(AIScene scene) {

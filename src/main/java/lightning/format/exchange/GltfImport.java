@@ -1,7 +1,6 @@
 package lightning.format.exchange;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -9,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import lightning.base.file.RegularFile;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
@@ -98,7 +98,7 @@ final class GltfImport {
             throw new MeshException(source, "meshes", "must have triangles, lights or cameras");
         }
         meshFile = parts.isEmpty() ? source.getFileName().toString() : content.equals(source) ? assembler.addFile(source)
-                : assembler.addFile(assembler.stem() + ".glb", Files.readAllBytes(content));
+                : assembler.addFile(assembler.stem() + ".glb", RegularFile.readBytes(content, "a converted file", Integer.MAX_VALUE - 8));
         posedFile =
                 posed.meshes().isEmpty() ? "" : assembler.addFile(assembler.stem() + ".posed.glb", MeshFileWriter.write(posed.meshes()));
         shot = extras.hasShot() ? Optional.empty() : shot(gltf, progress);
