@@ -21,6 +21,10 @@ import lightning.scene.Scene;
 public final class WarmUp {
     /** Longer side of the small image, pixels: enough tiles to run all kernels with both engines. */
     private static final int SIDE = 160;
+    /** Longer side of the smallest image, for scenes whose pixels take long. */
+    private static final int MIN_SIDE = 20;
+    /** Time of an image that is large enough, milliseconds. */
+    private static final double ENOUGH_MS = 100;
     private static final int REQUIRED_WINS = 4;
 
     private WarmUp() {}
@@ -37,7 +41,7 @@ public final class WarmUp {
             return;
         }
         if (Engines.hasLanes()) {
-            SmallRender smallRender = new SmallRender(scene, geometry);
+            SmallRender smallRender = SmallRender.of(scene, geometry, progress);
             int wins = 0;
             while (wins < REQUIRED_WINS) {
                 double scalarTime = smallRender.measureMilliseconds(Engines.SCALAR, progress);
@@ -50,13 +54,25 @@ public final class WarmUp {
 
     /** Small image of a scene, rendered repeatedly. */
     private record SmallRender(TraditionalTracer tracer, int[] tiles) {
-        SmallRender(Scene scene, Geometry geometry) {
-            this(new TraditionalTracer(shrink(scene), geometry), tiles(shrink(scene).picture()));
+        /** Returns an image that the scalar engine renders in some time, or the largest one. */
+        static SmallRender of(Scene scene, Geometry geometry, Progress progress) {
+            int side = MIN_SIDE;
+            SmallRender render = ofSide(scene, geometry, side);
+            while (side < SIDE && render.measureMilliseconds(Engines.SCALAR, progress) < ENOUGH_MS) {
+                side *= 2;
+                render = ofSide(scene, geometry, side);
+            }
+            return render;
         }
 
-        private static Scene shrink(Scene scene) {
+        private static SmallRender ofSide(Scene scene, Geometry geometry, int side) {
+            Scene small = shrink(scene, side);
+            return new SmallRender(new TraditionalTracer(small, geometry), tiles(small.picture()));
+        }
+
+        private static Scene shrink(Scene scene, int side) {
             PictureSettings p = scene.picture();
-            double shrink = Math.max(1, (double) Math.max(p.width(), p.height()) / SIDE);
+            double shrink = Math.max(1, (double) Math.max(p.width(), p.height()) / side);
             return scene.withPicture(p.withSize(Math.max(1, (int) (p.width() / shrink)), Math.max(1, (int) (p.height() / shrink))));
         }
 
