@@ -12,6 +12,7 @@ final class EnvironmentMeans {
     private final int columns;
     private final int rows;
     private final float[] rgb;
+    private int infiniteCount;
 
     /**
      * @param width  of the image, pixels
@@ -41,9 +42,15 @@ final class EnvironmentMeans {
         int row = y / step;
         int count = (Math.min(width, (column + 1) * step) - column * step) * (Math.min(height, (row + 1) * step) - row * step);
         for (int c = 0; c < 3; c++) {
+            infiniteCount += Float.isFinite(pixel[c]) ? 0 : 1;
             float value = pixel[c] > 0 ? Math.min(pixel[c], (float) SceneLimits.MAX_EMISSION) : 0;
             rgb[3 * (row * columns + column) + c] += value / count;
         }
+    }
+
+    /** Returns the number of values that are infinite or no numbers. */
+    int infiniteCount() {
+        return infiniteCount;
     }
 
     /** Returns the map, which owns the values from now on. */

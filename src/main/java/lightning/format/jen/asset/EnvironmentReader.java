@@ -3,6 +3,8 @@ package lightning.format.jen.asset;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import lightning.format.exr.ExrColorReader;
@@ -23,16 +25,24 @@ final class EnvironmentReader {
     /**
      * Reads a map. A large image is reduced.
      *
-     * @param notes receives a clause if it is reduced
+     * @param notes receives a clause if it is reduced, or has values that are not finite
      * @throws MeshException if it is no image in one of the formats, too large, or damaged; the message contains the position
      * @throws IOException if it cannot be read
      */
     static EnvironmentMap read(Path file, Consumer<String> notes) throws IOException, MeshException {
         EnvironmentMeans means = file.toString().toLowerCase(Locale.ROOT).endsWith(".exr") ? readExr(file) : readHdr(file);
         EnvironmentMap map = means.map();
+        List<String> changes = new ArrayList<>();
         if (means.isReduced()) {
-            notes.accept(
+            changes.add(
                     "the environment has more than " + HdrReader.MAX_PIXELS + " pixels; reduced to " + map.width() + "×" + map.height());
+        }
+        if (means.infiniteCount() > 0) {
+            changes.add("values of the environment that are not finite: " + means.infiniteCount()
+                    + "; those that are no numbers count as 0, others as the largest one possible");
+        }
+        if (!changes.isEmpty()) {
+            notes.accept(String.join("; ", changes));
         }
         return map;
     }

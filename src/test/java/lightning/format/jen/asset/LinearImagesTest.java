@@ -46,7 +46,7 @@ class LinearImagesTest {
         exr("sky.exr", 2, 1, 1e-5f, 3, 70_000, 0.1f, -1, Float.NaN);
         JenDocument document = read("world { environment \"sky.exr\" }");
         EnvironmentMap map = document.scene().world().environment().orElseThrow().map();
-        assertThat(document.notes()).isEmpty();
+        assertThat(document.notes()).singleElement().asString().contains("values of the environment that are not finite: 1;");
         assertThat(
                 new float[] {map.channel(0, 0, 0), map.channel(0, 0, 1), map.channel(0, 0, 2), map.channel(1, 0, 0), map.channel(1, 0, 1),
                     map.channel(1, 0, 2)})
