@@ -36,8 +36,9 @@ final class GlbLights {
     private final ObjectNode root;
     private final Map<String, Integer> notes = new TreeMap<>();
 
-    /** Whether cameras have half of their angle, and whether lights have their angle as the inner one: of FBX and of Collada. */
+    /** True for FBX: cameras have half of their angle. */
     private final boolean hasHalfAngles;
+    /** True for Collada: lights have their angle as the inner one. */
     private final boolean hasInnerAngles;
 
     private GlbLights(ObjectNode root, boolean hasHalfAngles, boolean hasInnerAngles) {

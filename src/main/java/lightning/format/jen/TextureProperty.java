@@ -13,7 +13,7 @@ import lightning.scene.material.MaterialAttribute;
 /**
  * Property that references an image file.
  *
- * @param dependents properties that need it: how often the image repeats, and what follows its edges
+ * @param dependents properties that need it: repetitions of the image, and its continuation beyond its edges
  * @param samples meaning of the samples
  */
 record TextureProperty(String name, List<String> dependents, TextureUsage samples) {

@@ -10,7 +10,7 @@ import lightning.scene.value.SceneLimits;
  * @param repeatU repetitions around the shape, not 0 (negative mirrors it)
  * @param repeatV repetitions along the shape, not 0
  * @param image   the decoded image
- * @param wrap    what follows the edges of the image
+ * @param wrap    continuation of the image beyond its edges
  */
 @RecordBuilder
 public record TextureMap(String file, double repeatU, double repeatV, Texture image, TextureWrap wrap) implements TextureMapBuilder.With {

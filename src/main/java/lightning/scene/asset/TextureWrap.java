@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.stream.Stream;
 
 /**
- * What a surface shows beyond the edges of an image.
+ * Continuation of an image beyond its edges.
  *
  * @param u left and right of it
  * @param v above and below it
@@ -13,14 +13,14 @@ import java.util.stream.Stream;
 public record TextureWrap(Edge u, Edge v) {
     /** The image repeats endlessly. */
     public static final TextureWrap REPEAT = new TextureWrap(Edge.REPEAT, Edge.REPEAT);
-    /** The pixels of the edges go on. */
+    /** The pixels of the edges are repeated. */
     public static final TextureWrap CLAMP = new TextureWrap(Edge.CLAMP, Edge.CLAMP);
 
     /** All values, those of one kind of edge first. */
     public static final List<TextureWrap> ALL = Stream.of(true, false).flatMap(isSame -> Stream.of(Edge.values())
             .flatMap(u -> Stream.of(Edge.values()).filter(v -> (u == v) == isSame).map(v -> new TextureWrap(u, v)))).toList();
 
-    /** What follows an edge. */
+    /** Continuation at an edge. */
     public enum Edge {
         /** The image again. */
         REPEAT,

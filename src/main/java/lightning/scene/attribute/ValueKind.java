@@ -186,14 +186,14 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
      * @param usage      meaning of its samples
      */
     record TextureKind(String repeatName, TextureUsage usage) implements MaterialKind<Optional<TextureMap>> {
-        /** What follows the edges of an image. */
+        /** Continuations of an image beyond its edges. */
         public static final ChoiceKind<TextureWrap> WRAP =
                 new ChoiceKind<>(TextureWrap.ALL, TextureWrap.ALL.stream().map(TextureWrap::word).toList(),
                         List.of(Messages.key("repeat"), Messages.key("clamp"), Messages.key("mirror"), Messages.key("repeat, clamp"),
                                 Messages.key("repeat, mirror"), Messages.key("clamp, repeat"), Messages.key("clamp, mirror"),
                                 Messages.key("mirror, repeat"), Messages.key("mirror, clamp")));
 
-        /** Returns the keyword for what follows the edges of the image. */
+        /** Returns the keyword for the continuation beyond the edges of the image. */
         public String wrapName() {
             return repeatName.replace("repeat", "wrap");
         }

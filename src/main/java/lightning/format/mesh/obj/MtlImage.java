@@ -10,7 +10,7 @@ package lightning.format.mesh.obj;
  * @param scaleV     repetitions along v
  * @param offsetU    -o, added to the scaled coordinate u
  * @param offsetV    added to the scaled coordinate v
- * @param isClamped  -clamp, whether its edges go on instead of repeating it
+ * @param isClamped  -clamp, true if its edge pixels are repeated instead of the image
  */
 public record MtlImage(String path, boolean isNormal, double multiplier, double scaleU, double scaleV, double offsetU, double offsetV,
         boolean isClamped) {

@@ -12,8 +12,9 @@ import lightning.scene.asset.TextureWrap.Edge;
  */
 final class BilinearLookup {
     private Texture image;
-    /** Column of the left pixels, at least −1, before it is wrapped; likewise the row of the upper ones. */
+    /** Column of the left pixels, at least −1, before it is wrapped. */
     private int left;
+    /** Row of the upper pixels. */
     private int top;
     private int x0;
     private int x1;
