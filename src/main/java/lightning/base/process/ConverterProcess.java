@@ -8,12 +8,14 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.stream.Stream;
+import lightning.base.text.PrintableText;
 import lightning.base.work.Progress;
 
 /** Program that converts a file in a process of its own, which ends with this one, whatever happens. */
 public final class ConverterProcess {
     private static final int POLL_MILLISECONDS = 50;
     private static final int END_SECONDS = 10;
+    private static final int MAX_MESSAGE = 300;
 
     private ConverterProcess() {}
 
@@ -33,6 +35,11 @@ public final class ConverterProcess {
         } finally {
             end(process);
         }
+    }
+
+    /** Returns a message of a program, printable on one line and of at most 300 characters. */
+    public static String shortened(String message) {
+        return PrintableText.escape(message.length() > MAX_MESSAGE ? message.substring(0, MAX_MESSAGE) + "…" : message);
     }
 
     private static void await(Process process, Duration limit, Progress progress) throws TimeoutException {

@@ -17,13 +17,12 @@ import lightning.base.file.ScratchFolder;
 import lightning.base.file.TemporaryFolder;
 import lightning.base.process.ConverterProcess;
 import lightning.base.process.OwnProgram;
-import lightning.base.text.PrintableText;
 import lightning.base.work.Progress;
 import lightning.format.mesh.MeshException;
 
 /** Converter of other programs' files to glTF, by Assimp in a process of its own. */
 public final class AssimpConverter {
-    /** Command of this program that converts a file: the file, the new file and the memory in bytes that it may take. */
+    /** Command of this program that converts a file: the file, the new file, the memory in bytes that it may take, and whether animations are kept. */
     public static final String COMMAND = "convert-model";
 
     private static final Duration TIME_LIMIT = Duration.ofMinutes(10);
@@ -32,7 +31,6 @@ public final class AssimpConverter {
     private static final long MEMORY_PER_BYTE = 100;
     private static final String MESSAGES = "messages";
     private static final int MAX_MESSAGE_BYTES = 1 << 16;
-    private static final int MAX_MESSAGE = 300;
 
     private AssimpConverter() {}
 
@@ -108,7 +106,7 @@ public final class AssimpConverter {
     private static String reason(Path errors) throws IOException {
         List<String> lines = lines(errors).stream().filter(line -> !line.startsWith("WARNING")).toList();
         String last = lines.isEmpty() ? "no reason is known" : lines.getLast();
-        return PrintableText.escape(last.length() > MAX_MESSAGE ? last.substring(0, MAX_MESSAGE) + "…" : last);
+        return ConverterProcess.shortened(last);
     }
 
     private static Map<String, Integer> losses(Path messages) throws IOException {

@@ -48,11 +48,11 @@ public final class HdrReader {
     }
 
     /**
-     * Opens an image and reads its header.
+     * Opens an image, and reads it once without keeping it: a damaged file shall not take the memory of the size that it claims.
      *
      * @param maxBytes  maximum size of the file in bytes
      * @param maxPixels maximum number of pixels
-     * @throws MeshException if it is not a Radiance image or too large; the message contains the position
+     * @throws MeshException if it is not a Radiance image, too large, or truncated; the message contains the position
      * @throws IOException if it cannot be read
      */
     public static HdrReader open(Path file, int maxBytes, long maxPixels) throws IOException, MeshException {
@@ -60,7 +60,9 @@ public final class HdrReader {
         if (size > maxBytes) {
             throw new MeshException(file, "", "an environment must have at most " + maxBytes + " bytes, has " + size);
         }
-        return new HdrReader(file, RegularFile.readBytes(file, "a Radiance HDR file", maxBytes), maxPixels);
+        var reader = new HdrReader(file, RegularFile.readBytes(file, "a Radiance HDR file", maxBytes), maxPixels);
+        reader.read((x, y, rgb) -> {});
+        return reader;
     }
 
     /**
@@ -71,8 +73,6 @@ public final class HdrReader {
      */
     public static EnvironmentMap read(Path file) throws IOException, MeshException {
         HdrReader reader = open(file, MAX_BYTES, MAX_PIXELS);
-        // Read once without keeping it: a damaged file shall not take the memory of the size that it claims.
-        reader.read((x, y, rgb) -> {});
         float[] values = new float[3 * reader.width() * reader.height()];
         reader.read((x, y, rgb) -> System.arraycopy(rgb, 0, values, 3 * (y * reader.width() + x), 3));
         return new EnvironmentMap(reader.width(), reader.height(), values);

@@ -14,7 +14,6 @@ import lightning.base.file.SearchPath;
 import lightning.base.file.TemporaryFolder;
 import lightning.base.process.ConverterProcess;
 import lightning.base.text.Messages;
-import lightning.base.text.PrintableText;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
 import lightning.format.mesh.MeshException;
@@ -37,7 +36,6 @@ record UsdConverter(Path python, Path script, Duration limit, long memory, long 
     /** Memory that an import needs: a stage of three million triangles fails with 700 MB. */
     private static final long BYTES_PER_TRIANGLE = 300;
     private static final int NO_USD = 3;
-    private static final int MAX_MESSAGE = 300;
     private static final int MAX_MESSAGE_BYTES = 1 << 24;
 
     /**
@@ -114,15 +112,11 @@ record UsdConverter(Path python, Path script, Duration limit, long memory, long 
 
     private static String firstLine(Path file) throws IOException {
         List<String> lines = lines(file);
-        return lines.isEmpty() ? "cannot be read by usd-core" : shortened(lines.getFirst());
+        return lines.isEmpty() ? "cannot be read by usd-core" : ConverterProcess.shortened(lines.getFirst());
     }
 
     private static String lastLine(Path file) throws IOException {
         List<String> lines = Files.size(file) > MAX_MESSAGE_BYTES ? List.of() : lines(file);
-        return lines.isEmpty() ? "without a message" : shortened(lines.getLast());
-    }
-
-    private static String shortened(String text) {
-        return PrintableText.escape(text.length() > MAX_MESSAGE ? text.substring(0, MAX_MESSAGE) + "…" : text);
+        return lines.isEmpty() ? "without a message" : ConverterProcess.shortened(lines.getLast());
     }
 }

@@ -43,8 +43,7 @@ final class EnvironmentMeans {
         int count = (Math.min(width, (column + 1) * step) - column * step) * (Math.min(height, (row + 1) * step) - row * step);
         for (int c = 0; c < 3; c++) {
             infiniteCount += Float.isFinite(pixel[c]) ? 0 : 1;
-            float value = pixel[c] > 0 ? Math.min(pixel[c], (float) SceneLimits.MAX_EMISSION) : 0;
-            rgb[3 * (row * columns + column) + c] += value / count;
+            rgb[3 * (row * columns + column) + c] += LinearTextureReader.limited(pixel[c]) / count;
         }
     }
 

@@ -49,8 +49,6 @@ final class EnvironmentReader {
 
     private static EnvironmentMeans readHdr(Path file) throws IOException, MeshException {
         HdrReader reader = HdrReader.open(file, MAX_BYTES, MAX_PIXELS);
-        // Read once without keeping it: a damaged file shall not take the memory of the size that it claims.
-        reader.read((x, y, rgb) -> {});
         var means = new EnvironmentMeans(reader.width(), reader.height());
         reader.read(means::add);
         return means;

@@ -93,7 +93,7 @@ public final class LinearTextureReader {
     }
 
     /** Limits a value; not a number becomes 0. */
-    private static float limited(float value) {
+    static float limited(float value) {
         return value > 0 ? Math.min(value, (float) SceneLimits.MAX_EMISSION) : 0;
     }
 

@@ -3,7 +3,6 @@ package lightning.render.trace.primitive;
 import lightning.base.Initializer;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
-import lightning.scene.asset.TextureWrap;
 import lightning.scene.asset.TextureWrap.Edge;
 
 /**
@@ -33,13 +32,9 @@ final class BilinearLookup {
         image = map.image();
         wrapU = map.wrap().u();
         wrapV = map.wrap().v();
-        double scaledU = u * map.repeatU();
-        double scaledV = v * map.repeatV();
-        if (map.wrap() != TextureWrap.REPEAT) {
-            // Negative counts mirror the image at its own place.
-            scaledU += wrapU != Edge.REPEAT && map.repeatU() < 0 ? 1 : 0;
-            scaledV += wrapV != Edge.REPEAT && map.repeatV() < 0 ? 1 : 0;
-        }
+        // Negative counts mirror the image at its own place.
+        double scaledU = u * map.repeatU() + (wrapU != Edge.REPEAT && map.repeatU() < 0 ? 1 : 0);
+        double scaledV = v * map.repeatV() + (wrapV != Edge.REPEAT && map.repeatV() < 0 ? 1 : 0);
         signU = sign(scaledU, wrapU);
         signV = sign(scaledV, wrapV);
         double column = fold(scaledU, wrapU) * image.width() - 0.5;
