@@ -50,10 +50,22 @@ public final class OpenSceneRegistry implements AutoCloseable {
         if (channel == null) {
             PrivateFolder.restrict(folder);
             channel = FileChannel.open(ownFile, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-            channel.lock(LOCKED_BYTE, 1, false);
+            lock(channel);
         }
         channel.truncate(0);
         channel.write(ByteBuffer.wrap(sceneId(scene).getBytes(StandardCharsets.UTF_8)), 0);
+    }
+
+    /** Locks the own file. Another editor that looks for open scenes may have its lock for a moment; in this process, Java does not wait for that. */
+    private static void lock(FileChannel channel) throws IOException {
+        while (true) {
+            try {
+                channel.lock(LOCKED_BYTE, 1, false);
+                return;
+            } catch (OverlappingFileLockException e) {
+                Thread.onSpinWait();
+            }
+        }
     }
 
     /**

@@ -1,6 +1,7 @@
 package lightning.editor.document;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatNoException;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -8,6 +9,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -115,6 +117,35 @@ class OpenSceneRegistryTest {
         try (var here = new OpenSceneRegistry(openFile())) {
             here.register(scene("a.jen"));
             assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(openFile()))).isEqualTo("rwx------");
+        }
+    }
+
+    @Test
+    void registration_waitsForAnotherEditorThatLooks() throws Exception {
+        Path common = folder.resolve("busy");
+        Path scene = Files.writeString(folder.resolve("busy.jen"), "");
+        var isDone = new AtomicBoolean();
+        try (var first = new OpenSceneRegistry(common); var looking = new OpenSceneRegistry(common)) {
+            first.register(scene);
+            Thread other = Thread.ofPlatform().start(() -> {
+                while (!isDone.get()) {
+                    try {
+                        looking.isOpenElsewhere(scene);
+                    } catch (IOException e) {
+                        // A file that was listed is gone.
+                    }
+                }
+            });
+            try {
+                for (int i = 0; i < 3000; i++) {
+                    try (var registry = new OpenSceneRegistry(common)) {
+                        assertThatNoException().isThrownBy(() -> registry.register(scene));
+                    }
+                }
+            } finally {
+                isDone.set(true);
+                other.join();
+            }
         }
     }
 }
