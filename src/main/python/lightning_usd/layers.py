@@ -161,10 +161,10 @@ class PrimCount:
 def note_missing(stage: Usd.Stage, out: Output) -> None:
     """Notes references, payloads and sublayers that cannot be loaded, by their file and prim."""
     errors = stage.GetCompositionErrors()
-    # usd-core gives the file in its message only, as @file@<prim>.
+    # usd-core gives the file in its message only, as @file@<prim>, and in any order, since it loads with several threads.
     found = [re.search(r"@([^@]*)@(<[^>]*>)?", message(error)) for error in errors]
     names = [os.path.basename(match.group(1)) + (match.group(2) or "") if match else "unknown" for match in found]
-    out.note(f"references that cannot be loaded: {listed(list(dict.fromkeys(names)))}", len(errors))
+    out.note(f"references that cannot be loaded: {listed(sorted(set(names)))}", len(errors))
 
 
 def open_layers(source: str, out: Output) -> list[Any]:

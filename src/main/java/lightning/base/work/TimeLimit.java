@@ -18,7 +18,7 @@ public final class TimeLimit {
      *
      * @throws ExecutionException with what the task has thrown
      * @throws TimeoutException if it does not end in time
-     * @throws CancellationException if this thread is interrupted
+     * @throws CancellationException if this thread is interrupted before the task has ended
      */
     public static <T> T call(String name, Duration limit, Callable<T> task) throws ExecutionException, TimeoutException {
         var result = new FutureTask<>(task);

@@ -38,8 +38,13 @@ class TimeLimitTest {
 
     @Test
     void interruption_cancels() {
+        var end = new CountDownLatch(1);
         Thread.currentThread().interrupt();
-        assertThatExceptionOfType(CancellationException.class).isThrownBy(() -> TimeLimit.call("test", LONG, () -> 0));
+        assertThatExceptionOfType(CancellationException.class).isThrownBy(() -> TimeLimit.call("test", LONG, () -> {
+            end.await();
+            return 0;
+        }));
         assertThat(Thread.interrupted()).isTrue();
+        end.countDown();
     }
 }

@@ -96,6 +96,6 @@ class UsdVisibilityTest {
                 def "a" ( prepend payload = @gone.usda@ ) {}
                 def "b" ( prepend references = @sub/none.usda@</x> ) {}
                 def "c" ( prepend references = </nowhere> ) {}
-                """).notes()).containsEntry("references that cannot be loaded: 'gone.usda', 'none.usda', 'a.usda</nowhere>'", 3);
+                """).notes()).containsEntry("references that cannot be loaded: 'a.usda</nowhere>', 'gone.usda', 'none.usda'", 3);
     }
 }
