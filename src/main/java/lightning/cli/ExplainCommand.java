@@ -29,6 +29,7 @@ import lightning.render.shading.explanation.PointReport;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.NormalSteps;
 import lightning.render.trace.SurfacePoint;
+import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
 import lightning.scene.light.Contribution;
 import lightning.scene.material.Material;
@@ -98,7 +99,7 @@ final class ExplainCommand implements Callable<Integer> {
 
     /** Returns the indirect light of the whole picture, which each pixel needs; null if the scene has none. */
     private static @Nullable IndirectLight traceIndirect(Scene scene, Geometry geometry) {
-        if (scene.picture().indirect().isEmpty()) {
+        if (GatherSettings.of(scene).isEmpty()) {
             return null;
         }
         TraceMemory.check(scene, HeapBudget.availableBytes());
@@ -110,7 +111,8 @@ final class ExplainCommand implements Callable<Integer> {
     private void printPaths(@Nullable IndirectLight indirect) {
         if (indirect != null) {
             GatherStructure paths = indirect.structure();
-            console.print("indirect light of the picture: %s, %s, %s, %s", Console.count(paths.pointCount(), "gather point"),
+            console.print("%s: %s, %s, %s, %s", paths.bounces() == 0 ? "light of the environment" : "indirect light of the picture",
+                    Console.count(paths.pointCount(), "gather point"),
                     Console.count(paths.surfelCount(), "surfel"), Console.count(paths.rays(), "ray"), Console.count(paths.bytes(), "byte"));
         }
     }

@@ -54,19 +54,9 @@ public record IndirectSettings(int bounces, int rays, int spacing, boolean backg
         }
     }
 
-    /** Returns the distance of gather points in a picture, in its own pixels. */
-    public double pixelSpacing(PictureSettings picture) {
-        return spacing * pixelScale(picture);
-    }
-
     /** Returns the pixels of a picture along one pixel of {@link #spacing}, at least 1. */
     public static double pixelScale(PictureSettings picture) {
         return Math.max(1, Math.min(picture.width(), picture.height()) / (double) FULL_HD);
-    }
-
-    /** Returns the rays along each side of the square pattern of a gather point: the square root of {@link #rays}. */
-    public int raysPerSide() {
-        return (int) Math.round(Math.sqrt(rays));
     }
 
     /** Returns all settings in a line: {@code 2 bounces, 64 rays, every 8 pixels}. */

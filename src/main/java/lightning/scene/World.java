@@ -27,12 +27,12 @@ import lightning.scene.value.SceneLimits;
  *
  * @param ambience    factor of every material's ambient color, ≥ 0
  * @param background  linear color of rays that hit nothing, ≥ 0; replaced by an environment
- * @param environment environment map, visible in the background and used as a light
+ * @param environment environment map, visible in the background; it lights surfaces through gathering rays and the lights of its bright parts
  * @param rotation    rotation of the environment about y, degrees
  * @param intensity   factor of the environment's image and light
  * @param gain        factor of the environment's light alone; its image stays
- * @param lightCount  number of directional lights that represent it
- * @param softness    spread of each light over its region, 0 … 1
+ * @param lightCount  maximum number of directional lights that represent its small bright parts
+ * @param softness    spread of each light over its part, 0 … 1
  * @param solo        true if its light is soloed: if intensity and gain are not 0, all lights that are not solo are dark
  * @param meters      meters per scene unit, for photometric units of lights
  */
@@ -55,13 +55,13 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
     public static final SceneAttribute<World, Double> GAIN = new SceneAttribute<>("gain", "environment light gain",
             NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "multiplies the environment's light, not its image",
             World::gain, World::withGain);
-    public static final SceneAttribute<World, Integer> LIGHT_COUNT = new SceneAttribute<>("lamps", "environment samples",
+    public static final SceneAttribute<World, Integer> LIGHT_COUNT = new SceneAttribute<>("lamps", "environment bright lights",
             NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES), 16,
-            "directional lights", World::lightCount,
+            "most lights for bright parts", World::lightCount,
             World::withLightCount);
 
     public static final SceneAttribute<World, Double> SOFTNESS = new SceneAttribute<>("softness", "environment shadow smoothing",
-            NumericKind.number(0, 1, 0.1), 0.0, "0 = sharp shadows, 1 = smooth", World::softness, World::withSoftness);
+            NumericKind.number(0, 1, 0.1), 1.0, "0 = sharp shadows, 1 = smooth", World::softness, World::withSoftness);
 
     public static final SceneAttribute<World, Boolean> SOLO = new SceneAttribute<>("solo", "environment solo", ChoiceKind.YES_OR_NO, false,
             "", World::solo, World::withSolo);
@@ -75,11 +75,11 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
     public static final List<SceneAttribute<World, ?>> ATTRIBUTES =
             List.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, INTENSITY, GAIN, LIGHT_COUNT, SOFTNESS, SOLO, METERS);
 
-    /** Number of environment lights that leave neither stripes nor much grain: docs/decisions/0164-first-steps-of-an-artist.md. */
-    private static final int SOFT_LIGHTS = 48;
-
-    /** Samples of a spread environment light: the minimum, because there are many lights. */
-    private static final int SAMPLES_PER_LIGHT = SceneLimits.MIN_LIGHT_SAMPLES;
+    /** Samples of a light that is hardly larger than the sun, and of a larger one. */
+    private static final int SUN_SAMPLES = SceneLimits.MIN_LIGHT_SAMPLES;
+    private static final int SAMPLES = AreaShape.DEFAULT.samples();
+    /** Half-angle of a light with few samples, degrees. */
+    private static final double SUN = 1;
 
     public static final World DEFAULT = new World(AMBIENCE.initial(), BACKGROUND.initial());
 
@@ -100,16 +100,6 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
                 LIGHT_COUNT.initial(), SOFTNESS.initial(), SOLO.initial(), METERS.initial());
     }
 
-    /**
-     * Returns this world with enough environment lights, spread over their regions, for shadows without stripes, if {@code before} has no
-     * environment and nothing else was chosen. The initial values of scene files are coarser, because old files rely on them.
-     */
-    public World withSoftLights(World before) {
-        boolean isFirst = before.environment.isEmpty() && environment.isPresent() && lightCount == LIGHT_COUNT.initial()
-                && softness == SOFTNESS.initial();
-        return isFirst ? withLightCount(SOFT_LIGHTS).withSoftness(1) : this;
-    }
-
     /** Returns a clause that says why an attribute has no effect in this world; empty if it has. */
     public Optional<String> inactiveReason(SceneAttribute<World, ?> attribute) {
         boolean needsEnvironment = attribute == ROTATION || attribute == INTENSITY || attribute == GAIN || attribute == LIGHT_COUNT
@@ -123,22 +113,34 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
     }
 
     /**
-     * Returns the directional lights of its environment; none without one.
+     * Returns the directional lights of the small bright parts of its environment; none without one. At least one stands for the environment,
+     * even if it is dark.
      *
      * @param isUsed test for names of other lights
      */
     List<Light> environmentLights(Predicate<String> isUsed) {
-        if (environment.isEmpty()) {
-            return List.of();
-        }
+        return environment.map(e -> lights(e.map().brightLights(lightCount), lightCount, isUsed)).orElse(List.of());
+    }
+
+    /**
+     * Returns directional lights that stand for all light of its environment, where nothing gathers its smooth light; none without one.
+     *
+     * @param count  maximum number
+     * @param isUsed test for names of other lights
+     */
+    public List<Light> approximateLights(int count, Predicate<String> isUsed) {
+        return environment.map(e -> lights(e.map().lights(count), count, isUsed)).orElse(List.of());
+    }
+
+    private List<Light> lights(List<EnvironmentLight> sources, int count, Predicate<String> isUsed) {
         List<Light> lights = new ArrayList<>();
         double cos = Transform.cosDegrees(rotation);
         double sin = Transform.sinDegrees(rotation);
         String name = "environment";
-        while (isAnyUsed(name, isUsed)) {
+        while (isAnyUsed(name, count, isUsed)) {
             name += "'";
         }
-        for (EnvironmentLight source : environment.get().map().lights(lightCount)) {
+        for (EnvironmentLight source : sources) {
             Vec3 direction = source.direction();
             double maxChannel = Math.max(source.red(), Math.max(source.green(), source.blue()));
             lights.add(Light.of(name + " " + (lights.size() + 1), LightType.DIRECTIONAL)
@@ -149,8 +151,7 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
                     .withSolo(solo && lightIntensity() > 0)
                     .withIntensity(Math.min(maxChannel * source.meanLength() * intensity * gain,
                             SceneLimits.MAX_ENVIRONMENT_LIGHT_INTENSITY))
-                    .withArea(AreaShape.DEFAULT.withSpread(spread(source))
-                            .withSamples(SAMPLES_PER_LIGHT)));
+                    .withArea(AreaShape.DEFAULT.withSpread(spread(source)).withSamples(spread(source) > SUN ? SAMPLES : SUN_SAMPLES)));
         }
         return lights;
     }
@@ -161,7 +162,7 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
         return Math.min(source.spread() * softness, elevation);
     }
 
-    private boolean isAnyUsed(String name, Predicate<String> isUsed) {
-        return IntStream.rangeClosed(1, lightCount).anyMatch(number -> isUsed.test(name + " " + number));
+    private static boolean isAnyUsed(String name, int count, Predicate<String> isUsed) {
+        return IntStream.rangeClosed(1, count).anyMatch(number -> isUsed.test(name + " " + number));
     }
 }

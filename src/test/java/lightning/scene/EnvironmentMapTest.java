@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentLight;
@@ -58,8 +59,8 @@ class EnvironmentMapTest {
     void rotation_matchesShapeRotation() {
         assertThat(radiance(FOUR, -1, 0, 0, 90)[0]).isEqualTo(2.5, within(1e-12));
         World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR))).withLightCount(4);
-        List<Light> lights = world.environmentLights(_ -> false);
-        List<Light> turned = world.withRotation(90).environmentLights(_ -> false);
+        List<Light> lights = world.approximateLights(4, _ -> false);
+        List<Light> turned = world.withRotation(90).approximateLights(4, _ -> false);
         for (int i = 0; i < 4; i++) {
             Vec3 d = lights.get(i).direction();
             assertThat(turned.get(i).direction().minus(new Vec3(d.z(), d.y(), -d.x())).length()).isLessThan(1e-12);
@@ -132,9 +133,9 @@ class EnvironmentMapTest {
     @Test
     void softness_scalesSpread() {
         World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR))).withLightCount(4);
-        assertThat(world.environmentLights(_ -> false)).noneMatch(Light::isArea);
+        assertThat(world.withSoftness(0).approximateLights(4, _ -> false)).noneMatch(Light::isArea);
         List<EnvironmentLight> environmentLights = FOUR.lights(4);
-        List<Light> half = world.withSoftness(0.5).environmentLights(_ -> false);
+        List<Light> half = world.withSoftness(0.5).approximateLights(4, _ -> false);
         for (int i = 0; i < 4; i++) {
             assertThat(half.get(i).area().spread()).isEqualTo(environmentLights.get(i).spread() / 2).isPositive();
         }
@@ -145,12 +146,57 @@ class EnvironmentMapTest {
         assertThat(new EnvironmentMap(3, 2, new float[18]).lights(16)).hasSize(1).allSatisfy(light -> assertThat(light.red()).isZero());
     }
 
+    @Test
+    void smoothSky_hasNoBrightParts() {
+        float[] rgb = new float[3 * 64 * 32];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = 1 + (i / 3 / 64) / 32f;
+        }
+        assertThat(new EnvironmentMap(64, 32, rgb).brightLights(16)).hasSize(1).allMatch(light -> light.red() == 0);
+    }
+
+    /** A sun of 10 times the light of the whole sky, in one pixel of 2048. */
+    @Test
+    void sun_isABrightPart_andTheSkyIsNot() {
+        float[] rgb = new float[3 * 64 * 32];
+        java.util.Arrays.fill(rgb, 1);
+        EnvironmentMap dull = new EnvironmentMap(64, 32, rgb.clone());
+        float sun = (float) (10 * 4 * Math.PI / dull.solidAngle(8));
+        java.util.Arrays.fill(rgb, 3 * (8 * 64 + 40), 3 * (8 * 64 + 40) + 3, sun);
+        EnvironmentMap sky = new EnvironmentMap(64, 32, rgb);
+        List<EnvironmentLight> lights = sky.brightLights(16);
+        assertThat(lights).hasSize(1);
+        assertThat(sky.limit()).isGreaterThanOrEqualTo(1);
+        assertThat(lights.getFirst().red()).isEqualTo((sun - sky.limit()) * sky.solidAngle(8) / Math.PI, within(1e-9 * sun));
+        double[] smooth = new double[3];
+        sky.smoothRadiance(0, 1, 0, 0, smooth);
+        assertThat(smooth[1]).isEqualTo(1, within(1e-6));
+    }
+
+    /** What is no bright part is smooth light: together they are the whole map, whatever the pixels are. */
+    @Property(tries = 200)
+    void brightPartsAndSmoothLight_areTheWholeMap(@ForAll @IntRange(min = 1, max = 300) int width,
+            @ForAll @IntRange(min = 1, max = 60) int height, @ForAll @IntRange(min = 4, max = 64) int maxLights, @ForAll long seed) {
+        EnvironmentMap sky = sky(width, height, seed);
+        double total = 0;
+        double smooth = 0;
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                total += sky.luminance(x, y) * sky.solidAngle(y);
+                smooth += Math.min(sky.luminance(x, y), sky.limit()) * sky.solidAngle(y);
+            }
+        }
+        double bright = sky.brightLights(maxLights).stream()
+                .mapToDouble(light -> new Rgb(light.red(), light.green(), light.blue()).luminance() * Math.PI).sum();
+        assertThat(smooth + bright).isEqualTo(total, within(1e-9 * total + 1e-300));
+    }
+
     /** The file's sun may have a name that the environment lights would get. */
     @Test
     void environmentLights_haveUniqueNames() {
         World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR)));
         for (String taken : List.of("environment 1", "environment 4")) {
-            assertThat(world.withLightCount(4).environmentLights(taken::equals)).hasSize(4).extracting(Light::name)
+            assertThat(world.approximateLights(4, taken::equals)).hasSize(4).extracting(Light::name)
                     .containsExactly("environment' 1", "environment' 2", "environment' 3", "environment' 4");
         }
     }
@@ -166,16 +212,17 @@ class EnvironmentMapTest {
         float[] rgb = new float[3 * width * height];
         java.util.Arrays.fill(rgb, 1);
         Environment sky = new Environment("x.hdr", new EnvironmentMap(width, height, rgb));
-        World world = World.DEFAULT.withEnvironment(Optional.of(sky)).withLightCount(maxLights).withSoftness(softness);
+        World world = World.DEFAULT.withEnvironment(Optional.of(sky)).withSoftness(softness);
         // There are at least 16 rows and 32 columns of cells.
         double half = Math.PI / Math.max(16, height) / 2;
-        assertThat(floorRadiance(world)).isCloseTo(1, within(1 / Math.cos(half) - 1 + Math.sin(half) / 32 + 1e-9));
+        assertThat(floorRadiance(world.approximateLights(maxLights, _ -> false))).isCloseTo(1,
+                within(1 / Math.cos(half) - 1 + Math.sin(half) / 32 + 1e-9));
     }
 
     /** Returns the radiance of a white floor: the mean of the cosines of a cap above the horizon is that of its center times its length. */
-    private static double floorRadiance(World world) {
+    private static double floorRadiance(List<Light> lights) {
         double sum = 0;
-        for (Light light : world.environmentLights(_ -> false)) {
+        for (Light light : lights) {
             double height = -light.direction().normalized().y();
             double spread = Math.toRadians(light.area().spread());
             assertThat(Math.abs(Math.asin(height))).isGreaterThanOrEqualTo(spread - 1e-9);

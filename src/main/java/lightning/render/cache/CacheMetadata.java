@@ -4,7 +4,7 @@ import java.util.List;
 import lightning.render.gather.GatherStructure;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
-import lightning.scene.IndirectSettings;
+import lightning.scene.GatherSettings;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -21,7 +21,7 @@ public record CacheMetadata(Geometry geometry, RenderedScenes scenes, List<Cache
      * @param settings it was computed with
      * @param metadata what its paths refer to
      */
-    record Paths(IndirectSettings settings, GatherStructure.Metadata metadata) {
+    record Paths(GatherSettings settings, GatherStructure.Metadata metadata) {
         static @Nullable Paths of(@Nullable IndirectCache cache) {
             return cache == null ? null : new Paths(cache.settings(), cache.structure().metadata());
         }

@@ -3,7 +3,7 @@ package lightning.render.cache;
 import java.util.Arrays;
 import lightning.render.gather.GatherStructure;
 import lightning.render.shading.IndirectLight;
-import lightning.scene.IndirectSettings;
+import lightning.scene.GatherSettings;
 
 /**
  * Cached indirect light of a scene.
@@ -12,7 +12,7 @@ import lightning.scene.IndirectSettings;
  * @param surfels  rows of the surfels with one layer per light of the scene, in blocks
  * @param light    light that reaches gather points
  */
-public record IndirectCache(IndirectSettings settings, TileLevel[] surfels, IndirectLight light) {
+public record IndirectCache(GatherSettings settings, TileLevel[] surfels, IndirectLight light) {
     // An array in a record: written once by its creator, never after.
 
     /** Returns the paths of the light. */

@@ -10,6 +10,7 @@ import lightning.render.engine.EngineChoice;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.gather.GatherBuilder;
 import lightning.render.gather.GatherStructure;
+import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.IndirectSolver;
 import lightning.render.shading.RayCounts;
@@ -21,7 +22,7 @@ import lightning.render.shading.layer.ScratchColumns;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.scene.AntialiasMode;
-import lightning.scene.IndirectSettings;
+import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
 import org.jspecify.annotations.Nullable;
@@ -82,7 +83,7 @@ final class IndirectTracer {
      */
     @Nullable
     IndirectLight trace() {
-        Optional<IndirectSettings> settings = scene.picture().indirect();
+        Optional<GatherSettings> settings = GatherSettings.of(scene);
         if (settings.isEmpty()) {
             return null;
         }
@@ -96,14 +97,18 @@ final class IndirectTracer {
         float[][] glow = new float[3][structure.surfelCount()];
         HitRows[] rows = structure.surfels();
         List<EngineWorkers<SurfelTracer>> threads = EngineWorkers.perThread(workers.count(), engines, SurfelTracer::new);
-        workers.run(rows.length, (worker, block) -> threads.get(worker).forTile(block).shade(rows[block], structure.numbers(block),
-                edgeLights, direct, edges, albedo, glow), progress.cancellationOnly());
+        boolean isIndirect = settings.get().isIndirect();
+        workers.run(isIndirect ? rows.length : 0,
+                (worker, block) -> threads.get(worker).forTile(block).shade(rows[block], structure.numbers(block),
+                        edgeLights, direct, edges, albedo, glow),
+                progress.cancellationOnly());
         gatherRays = structure.rays();
         shadowRays = threads.stream().flatMap(thread -> thread.workers().stream()).mapToLong(tracer -> tracer.kernel.shadowRays()).sum();
-        IndirectSolver solver = new IndirectSolver(structure, scene, workers, progress);
+        IndirectSolver solver = new IndirectSolver(structure, workers, progress);
         float[][] objects = structure.glow().shapes().glow(geometry.materials());
-        return new IndirectLight(structure, solver.solve(direct, albedo, glow, objects),
-                edges == null ? null : solver.solve(edges, albedo, glow, objects));
+        BackgroundLight background = BackgroundLight.of(scene);
+        return new IndirectLight(structure, solver.solve(direct, albedo, glow, objects, background),
+                edges == null ? null : solver.solve(edges, albedo, glow, objects, background.forEdges()));
     }
 
     /** Returns the rays cast so far. */

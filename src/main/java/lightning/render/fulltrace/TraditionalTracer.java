@@ -16,6 +16,7 @@ import lightning.render.shading.RenderedScenes;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.EdgeDetector;
 import lightning.render.trace.Geometry;
+import lightning.scene.GatherSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
@@ -104,7 +105,7 @@ public final class TraditionalTracer {
      * @throws java.util.concurrent.CancellationException if {@code progress} requested cancellation
      */
     public Result trace(WorkerPool workers, int[] tiles, Progress progress) {
-        if (scene.picture().indirect().isEmpty() && mirrored.picture().indirect().isEmpty()) {
+        if (GatherSettings.of(scene).isEmpty() && GatherSettings.of(mirrored).isEmpty()) {
             return trace(workers, tiles, progress, progress);
         }
         return trace(workers, tiles, new ProgressPart(progress, 0, INDIRECT_SHARE), new ProgressPart(progress, INDIRECT_SHARE, 1));

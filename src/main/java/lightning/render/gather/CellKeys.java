@@ -3,7 +3,7 @@ package lightning.render.gather;
 import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows;
 import lightning.scene.Camera;
-import lightning.scene.IndirectSettings;
+import lightning.scene.GatherSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
@@ -36,8 +36,9 @@ public final class CellKeys {
     /** Side of the largest gather cell, at distance 1. */
     private final double pointSide;
     private final double surfelSide;
+    private final int misses;
 
-    public CellKeys(Scene scene, IndirectSettings settings) {
+    public CellKeys(Scene scene, GatherSettings settings) {
         Camera camera = scene.camera();
         PictureSettings picture = scene.picture();
         originX = camera.origin().x();
@@ -50,6 +51,12 @@ public final class CellKeys {
         double height = 2 * StrictMath.tan(StrictMath.toRadians(camera.fov() / 2));
         pointSide = settings.pixelSpacing(picture) * height / picture.height();
         surfelSide = height / SURFELS_PER_HEIGHT;
+        misses = settings.environment() ? DirectionCells.COUNT : 1;
+    }
+
+    /** Returns the number of cells of the directions of rays that hit nothing. */
+    int misses() {
+        return misses;
     }
 
     /** Returns the exponent of the distance to the eye. */

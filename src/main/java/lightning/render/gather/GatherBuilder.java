@@ -13,7 +13,7 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.ShapeChange;
 import lightning.render.trace.Tracer;
-import lightning.scene.IndirectSettings;
+import lightning.scene.GatherSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
@@ -33,7 +33,7 @@ public final class GatherBuilder {
 
     private final Geometry geometry;
     private final Scene scene;
-    private final IndirectSettings settings;
+    private final GatherSettings settings;
     private final WorkerPool workers;
     private final Progress progress;
     private final Tracer[] tracers;
@@ -49,7 +49,7 @@ public final class GatherBuilder {
      * @param tracers     one for each thread
      * @param memoryBytes bytes that the paths may use
      */
-    public GatherBuilder(Geometry geometry, Scene scene, IndirectSettings settings, WorkerPool workers, IntFunction<Tracer> tracers,
+    public GatherBuilder(Geometry geometry, Scene scene, GatherSettings settings, WorkerPool workers, IntFunction<Tracer> tracers,
             long memoryBytes, Progress progress) {
         this.memoryBytes = memoryBytes;
         this.geometry = geometry;
@@ -60,7 +60,7 @@ public final class GatherBuilder {
         this.tracers = new Tracer[workers.count()];
         Arrays.setAll(this.tracers, tracers);
         keys = new CellKeys(scene, settings);
-        glows = GlowShapes.of(geometry);
+        glows = settings.isIndirect() ? GlowShapes.of(geometry) : GlowShapes.none();
     }
 
     /**
@@ -80,7 +80,7 @@ public final class GatherBuilder {
     }
 
     /** Returns the distance of the pixels through which candidates for gather points are traced. */
-    public static int candidateStep(IndirectSettings settings, PictureSettings picture) {
+    public static int candidateStep(GatherSettings settings, PictureSettings picture) {
         return Math.max(1, (int) (settings.pixelSpacing(picture) / CANDIDATES_PER_CELL));
     }
 

@@ -62,6 +62,11 @@ final class GatherCaster {
             long key = keys.surfelKey(rows, row, batch.primitive(ray), batch.distance(ray));
             links.setKey(from * rays + ray, key, glows.isAimed(batch.primitive(ray), points.surface, from + ray / rays));
         }
+        for (int ray = 0; ray < count; ray++) {
+            if (batch.primitive(ray) < 0) {
+                links.setMiss(from * rays + ray, batch.directionX[ray], batch.directionY[ray], batch.directionZ[ray]);
+            }
+        }
         if (batch.isTinted()) {
             links.setTints(from * rays, count, batch.tint);
         }

@@ -156,6 +156,9 @@ public final class GatherStructure {
      * @param materials materials of that scene
      */
     public boolean canServe(Geometry geometry, MaterialTable materials) {
+        if (bounces == 0) {
+            return true;
+        }
         GlowShapes others = GlowShapes.of(geometry, materials);
         return glow.shapes().contain(others) && (others.count() == 0 || aim(pointLinks, glow.shapes()).isAsDense(aim(pointLinks, others))
                 && aim(surfelLinks, glow.shapes()).isAsDense(aim(surfelLinks, others)));

@@ -14,7 +14,7 @@ import lightning.scene.asset.TextureMap;
  * aimed at it ({@link GlowAim}), and the others do not count its glow. Immutable.
  */
 public final class GlowShapes {
-    static final GlowShapes NONE = new GlowShapes();
+    private static final GlowShapes NONE = new GlowShapes();
     private static final GlowShapes TOO_MANY = new GlowShapes();
 
     /** With more objects no ray is aimed. */
@@ -46,6 +46,11 @@ public final class GlowShapes {
             centers[i] = 0.5 * bvh.boxes[box] + 0.5 * bvh.boxes[box + 3];
             halfSides[i] = 0.5 * bvh.boxes[box + 3] - 0.5 * bvh.boxes[box];
         }
+    }
+
+    /** Returns no objects. */
+    public static GlowShapes none() {
+        return NONE;
     }
 
     /** Returns the opaque objects that glow, unless there are too many. */

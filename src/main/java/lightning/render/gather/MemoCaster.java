@@ -72,6 +72,8 @@ final class MemoCaster {
                     if (surfel != RayLinks.MISS) {
                         links.setKey(p * directions.rays() + k, memo.key(surfel),
                                 glows.isAimed(memo.places().primitive[surfel], points.surface, p));
+                    } else {
+                        links.setMiss(p * directions.rays() + k, x[k], y[k], z[k]);
                     }
                 } else {
                     add(points.surface, p, k, old >= 0 && inverseLengths != null);
@@ -117,6 +119,11 @@ final class MemoCaster {
                 int ray = rows.parent[row];
                 links.setKey(rayOf[ray], keys.surfelKey(rows, row, now.primitive(ray), now.distance(ray)),
                         glows.isAimed(now.primitive(ray), points, pointOf[ray]));
+            }
+            for (int ray = 0; ray < count; ray++) {
+                if (now.primitive(ray) < 0) {
+                    links.setMiss(rayOf[ray], now.directionX[ray], now.directionY[ray], now.directionZ[ray]);
+                }
             }
             for (int ray = 0; now.isTinted() && ray < count; ray++) {
                 links.setTint(rayOf[ray], now.tint, ray);

@@ -1,15 +1,15 @@
 package lightning.render.gather;
 
-import lightning.scene.IndirectSettings;
+import lightning.scene.GatherSettings;
 
 /** Memory of paths while they are built. Thread-safe. The number of surfels is known only then, because each bounce may find more. */
 final class PathMemory {
-    private final IndirectSettings settings;
+    private final GatherSettings settings;
     private final long available;
     private long used;
 
     /** @param available bytes that paths may use */
-    PathMemory(IndirectSettings settings, long available) {
+    PathMemory(GatherSettings settings, long available) {
         this.settings = settings;
         this.available = available;
     }

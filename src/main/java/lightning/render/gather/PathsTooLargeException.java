@@ -2,7 +2,7 @@ package lightning.render.gather;
 
 import java.util.Locale;
 import lightning.base.text.UserFacingException;
-import lightning.scene.IndirectSettings;
+import lightning.scene.GatherSettings;
 
 /** Reports that the paths of indirect light do not fit into memory. */
 public final class PathsTooLargeException extends RuntimeException implements UserFacingException {
@@ -14,9 +14,9 @@ public final class PathsTooLargeException extends RuntimeException implements Us
      * @param required  bytes that were needed before the paths were complete
      * @param available bytes
      */
-    PathsTooLargeException(IndirectSettings settings, long required, long available) {
+    PathsTooLargeException(GatherSettings settings, long required, long available) {
         super(String.format(Locale.ROOT,
-                "indirect light with %s needs more than %.1f GB of memory, and %.1f GB is available; "
+                "%s needs more than %.1f GB of memory, and %.1f GB is available; "
                         + "use fewer rays, fewer bounces or more pixels between gather points",
                 settings.label(), required / 1e9, available / 1e9));
         requiredBytes = required;

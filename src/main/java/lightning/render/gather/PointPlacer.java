@@ -37,7 +37,7 @@ final class PointPlacer {
         this.keys = keys;
         this.caster = caster;
         sources = new RaySources(keys, points, false);
-        links = new RayLinks(caster.raysPerPoint, memory);
+        links = new RayLinks(caster.raysPerPoint, keys.misses(), memory);
     }
 
     /** @param levels surfaces that the picture shows, in order */

@@ -24,15 +24,19 @@ public final class RayLinks {
     private static final int MAX_RAYS = Integer.MAX_VALUE - 64;
 
     private final int raysPerPoint;
+    /** Numbers of rays that hit nothing: one, or one for each cell of their directions. */
+    private final int misses;
     private final @Nullable PathMemory memory;
     private int rays;
+    /** Keys of the cells that rays hit, and the cells of the directions of those that hit nothing. */
     private long[] keys = {};
     /** Kind of each ray's hit while links are built. */
     private byte[] hit = {};
-    /** Surfel of each ray; the number of surfels if it hits nothing; larger numbers for surfels without glow. */
+    /** Surfel of each ray; then come numbers of rays that hit nothing, and of surfels without glow. */
     private RayNumbers surfel = new RayNumbers(0, 1);
+    /** First number of rays that hit nothing. */
     private int miss;
-    /** Surfels of the numbers after {@link #miss}: those without glow. */
+    /** Surfels of the numbers after those of rays that hit nothing: those without glow. */
     private int[] dark = {};
     /** Tint of each ray while links are built: red, green, blue; null if none is tinted. */
     private float @Nullable [][] tint;
@@ -40,9 +44,13 @@ public final class RayLinks {
     /** Tinted rays; null if there are none. */
     private @Nullable RayTints tints;
 
-    /** @param memory null for links that are read */
-    RayLinks(int raysPerPoint, @Nullable PathMemory memory) {
+    /**
+     * @param misses 1, or {@link DirectionCells#COUNT} if rays that hit nothing keep their direction
+     * @param memory null for links that are read
+     */
+    RayLinks(int raysPerPoint, int misses, @Nullable PathMemory memory) {
         this.raysPerPoint = raysPerPoint;
+        this.misses = misses;
         this.memory = memory;
     }
 
@@ -77,6 +85,15 @@ public final class RayLinks {
     void setKey(int ray, long key, boolean isAimed) {
         keys[ray] = key;
         hit[ray] = isAimed ? DARK_SURFEL : SURFEL;
+    }
+
+    /**
+     * Keeps the direction of a ray that hits nothing, if wanted.
+     *
+     * @param x direction, with {@code y} and {@code z}
+     */
+    void setMiss(int ray, double x, double y, double z) {
+        keys[ray] = misses == 1 ? 0 : DirectionCells.of(x, y, z);
     }
 
     /** Sets the tints of rays {@code from … from + count − 1}. */
@@ -118,8 +135,8 @@ public final class RayLinks {
     /** Replaces keys by the numbers of the cells. Threads may resolve parts that start at multiples of {@link RayNumbers#ALIGNMENT}. */
     void resolve(CellTable cells, int from, int to) {
         for (int ray = from; ray < to; ray++) {
-            int number = hit[ray] == NOTHING ? miss : cells.number(keys[ray]);
-            surfel.set(ray, hit[ray] == DARK_SURFEL ? miss + 1 + Arrays.binarySearch(dark, number) : number);
+            int number = hit[ray] == NOTHING ? miss + (int) keys[ray] : cells.number(keys[ray]);
+            surfel.set(ray, hit[ray] == DARK_SURFEL ? miss + misses + Arrays.binarySearch(dark, number) : number);
         }
     }
 
@@ -130,7 +147,7 @@ public final class RayLinks {
     void allocateNumbers(int surfels, int[] glowing) {
         miss = surfels;
         dark = glowing;
-        surfel = new RayNumbers(rays, surfels + 1 + dark.length);
+        surfel = new RayNumbers(rays, surfels + misses + dark.length);
     }
 
     /** Drops what only building needs. */
@@ -145,6 +162,7 @@ public final class RayLinks {
     /** Writes finished links. */
     void writeTo(ColumnWriter out) throws IOException {
         out.writeInt(raysPerPoint);
+        out.writeInt(misses);
         out.writeInt(rays);
         out.writeInt(miss);
         out.writeArray(dark);
@@ -154,7 +172,7 @@ public final class RayLinks {
     }
 
     static RayLinks readFrom(ColumnReader in) throws IOException {
-        var links = new RayLinks(in.readInt(), null);
+        var links = new RayLinks(in.readInt(), in.readInt(), null);
         links.rays = in.readInt();
         links.miss = in.readInt();
         links.dark = in.readInts();
@@ -169,6 +187,11 @@ public final class RayLinks {
         return rays / raysPerPoint;
     }
 
+    /** Returns the numbers of rays that hit nothing: 1, or {@link DirectionCells#COUNT} if these keep their direction. */
+    public int misses() {
+        return misses;
+    }
+
     public int raysPerPoint() {
         return raysPerPoint;
     }
@@ -181,14 +204,14 @@ public final class RayLinks {
     /** Returns the surfel that a ray hit; {@link #MISS} for none. */
     int surfel(int ray) {
         int number = surfel.get(ray);
-        return number < miss ? number : number == miss ? MISS : dark[number - miss - 1];
+        return number < miss ? number : number < miss + misses ? MISS : dark[number - miss - misses];
     }
 
     /**
      * Adds up the light that the rays of a point meet, in the order of the rays.
      *
-     * @param light red, green and blue light of each surfel, of the background, and of glowing surfels without their glow; and one unused
-     *              value each
+     * @param light red, green and blue light of each surfel, of the background or its cells, and of glowing surfels without their glow; and
+     *              one unused value each
      * @param to    receives red, green and blue
      */
     public void sum(int point, float[] light, float[] to) {

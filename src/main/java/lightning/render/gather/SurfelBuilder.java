@@ -60,7 +60,7 @@ final class SurfelBuilder {
         if (memo != null) {
             Arrays.fill(kept, -1);
         }
-        links = new RayLinks(caster.raysPerPoint, memory);
+        links = new RayLinks(caster.raysPerPoint, cellKeys.misses(), memory);
         links.setPoints(0);
     }
 
@@ -86,11 +86,13 @@ final class SurfelBuilder {
     void build(RaySources points, RayLinks pointLinks, PathCaster pointCaster, int bounces) {
         addSurfels(points, pointLinks, 0, pointCaster);
         int linked = 0;
-        for (int bounce = 2; bounce <= bounces && linked < surfels.count; bounce++) {
+        // The environment's light reaches the last surfels by rays of their own.
+        int rounds = bounces == 0 || cellKeys.misses() == 1 ? bounces : bounces + 1;
+        for (int bounce = 2; bounce <= rounds && linked < surfels.count; bounce++) {
             int from = linked;
             int to = surfels.count;
             links.setPoints(to);
-            caster.cast(sources, from, to, links, null, progress.section(bounce - 2, bounces - 1));
+            caster.cast(sources, from, to, links, null, progress.section(bounce - 2, rounds - 1));
             addSurfels(sources, links, from * links.raysPerPoint(), caster);
             linked = to;
         }

@@ -8,6 +8,7 @@ import lightning.base.math.Vec3;
 import lightning.render.engine.Engine;
 import lightning.render.engine.choice.Engines;
 import lightning.render.gather.DirectionTable;
+import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.SurfelShader;
 import lightning.render.shading.layer.LightKernel;
@@ -50,8 +51,8 @@ final class BruteForceGather {
     private final LightKernel kernel;
     private final SurfelShader shader;
     private final WeightedLight[] lights;
-    /** Light of a ray that leaves the scene: red, green, blue. */
-    private final float[] background;
+    /** Light of rays that leave the scene. */
+    private final BackgroundLight background;
     private final ScratchColumns columns = new ScratchColumns();
     private final DirectionTable pointDirections = new DirectionTable((int) Math.sqrt(BATCH_RAYS));
     private final DirectionTable hitDirections = new DirectionTable((int) Math.sqrt(HIT_RAYS));
@@ -75,9 +76,7 @@ final class BruteForceGather {
         kernel = new LightKernel(geometry, tracer, engine.terms(), ViewEffects.ALL);
         shader = new SurfelShader(geometry.materials(), engine.sums());
         lights = WeightedLight.ofScene(scene);
-        boolean isLit = scene.picture().indirect().orElse(IndirectSettings.DEFAULT).background() && scene.world().environment().isEmpty();
-        background = isLit ? new float[] {(float) scene.world().background().r(), (float) scene.world().background().g(),
-            (float) scene.world().background().b()} : new float[3];
+        background = BackgroundLight.of(scene);
     }
 
     /**
@@ -207,8 +206,11 @@ final class BruteForceGather {
     private double background(GatherPaths paths, int first, int rays, int count) {
         double sum = 0;
         for (int ray = 0; ray < count; ray++) {
-            for (int c = 0; c < 3 && batch.primitive(ray) < 0; c++) {
-                sum += LUMINANCE[c] * paths.share[c][first + ray / rays] * tint(c, ray) * background[c];
+            if (batch.primitive(ray) < 0) {
+                float[] light = background.from(batch.directionX[ray], batch.directionY[ray], batch.directionZ[ray]);
+                for (int c = 0; c < 3; c++) {
+                    sum += LUMINANCE[c] * paths.share[c][first + ray / rays] * tint(c, ray) * light[c];
+                }
             }
         }
         return sum;

@@ -10,6 +10,7 @@ import lightning.render.cache.CachedLight;
 import lightning.render.cache.CachedScene;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.FineTile;
+import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
@@ -45,8 +46,12 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
 
     /** Returns whether a cache can be converted: neither mirror levels stored as hit shapes, which have no rows, nor indirect light. */
     static boolean canConvert(PixelCache cache) {
-        return cache.indirect() == null && cache.mirrored().indirect() == null
+        return canConvert(cache.indirect()) && canConvert(cache.mirrored().indirect())
                 && cache.allTiles().stream().allMatch(CachedTile::storesRows);
+    }
+
+    private static boolean canConvert(@Nullable IndirectCache indirect) {
+        return indirect == null || !indirect.settings().isIndirect();
     }
 
     /** Returns the conversion as a plan. */
@@ -87,9 +92,9 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         return new Result(new PixelCache(cache.geometry(), tiles, fine, recomputed(cache.shown()), recomputed(cache.mirrored())), work);
     }
 
-    /** Returns the scene with stamps of layers that were just computed; only scenes without indirect light are converted. */
+    /** Returns the scene with stamps of layers that were just computed. The light of an environment has none. */
     private static CachedScene recomputed(CachedScene known) {
-        return new CachedScene(known.scene(), known.lights().stream().map(CachedLight::withComputedStamp).toList(), null);
+        return new CachedScene(known.scene(), known.lights().stream().map(CachedLight::withComputedStamp).toList(), known.indirect());
     }
 
     /** Lights of a scene that levels show: as they shine and as they are cached. */
@@ -111,7 +116,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
 
         TileLevel convert(TileLevel old, LevelLights lights) {
             return new TileLevel(old.rows(), lights.cachedLights().stream().map(light -> convert(old, light, lights.scene()))
-                    .toArray(LightLayer[]::new));
+                    .toArray(LightLayer[]::new)).withWeights(old.weights());
         }
 
         private @Nullable LightLayer convert(TileLevel old, CachedLight light, Scene scene) {
@@ -136,6 +141,11 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
             eye = new LayerConverter(cache.geometry(), to, engine);
             mirror = new LayerConverter(cache.mirroredGeometry(), to, engine);
             recomposer = new TileRecomposer(cache, engine, to.view());
+            recomposer.setIndirect(light(cache.indirect()), light(cache.mirrored().indirect()));
+        }
+
+        private static float @Nullable [][] light(@Nullable IndirectCache indirect) {
+            return indirect == null ? null : indirect.light().light();
         }
 
         CachedTile convert(SamplePositions places, CachedTile old, LevelLights top, LevelLights mirrors) {

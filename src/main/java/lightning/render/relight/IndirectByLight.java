@@ -4,17 +4,16 @@ import java.lang.ref.WeakReference;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
-import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.relight.tile.SurfelSolver;
+import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
-import lightning.scene.World;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -85,10 +84,12 @@ public final class IndirectByLight {
             boolean isIncluded = name == null ? l >= named : l < named && scene.lights().get(l).name().equals(name);
             lights[l] = isIncluded ? lights[l] : lights[l].darkened();
         }
-        if (Arrays.stream(lights).allMatch(WeightedLight::isDark)) {
+        BackgroundLight background =
+                name == null && scene.world().environment().isPresent() ? BackgroundLight.of(scene) : BackgroundLight.NONE;
+        if (Arrays.stream(lights).allMatch(WeightedLight::isDark) && background.equals(BackgroundLight.NONE)) {
             return new float[3][indirect.structure().pointCount()];
         }
         return new SurfelSolver(indirect, geometry.materials(), RenderOptions.DEFAULT.engines(), workers, progress)
-                .solveWithoutGlow(lights, scene.withWorld(new World(0, Rgb.BLACK)));
+                .solveWithoutGlow(lights, background);
     }
 }

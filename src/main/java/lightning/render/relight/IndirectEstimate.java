@@ -1,5 +1,6 @@
 package lightning.render.relight;
 
+import java.util.Optional;
 import lightning.render.cache.IndirectCache;
 import lightning.render.gather.GatherBuilder;
 import lightning.render.gather.GatherStructure;
@@ -7,8 +8,10 @@ import lightning.render.gather.GlowLinks;
 import lightning.render.gather.RayLinks;
 import lightning.render.image.Film;
 import lightning.render.trace.HitRows.ColumnGroup;
+import lightning.scene.GatherSettings;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
+import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -100,11 +103,13 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
      * @param layerBytes     bytes of all layers per row
      * @param glows          whether rays may be aimed at glowing objects, in addition to the others
      */
-    static long upperBound(PictureSettings picture, long levels, int texelBytes, long layerBytes, boolean glows) {
-        if (picture.indirect().isEmpty()) {
+    static long upperBound(Scene scene, long levels, int texelBytes, long layerBytes, boolean glows) {
+        Optional<GatherSettings> needed = GatherSettings.of(scene);
+        if (needed.isEmpty()) {
             return 0;
         }
-        IndirectSettings settings = picture.indirect().get();
+        PictureSettings picture = scene.picture();
+        GatherSettings settings = needed.get();
         int along = Math.ceilDiv(Film.TILE_SIZE, GatherBuilder.candidateStep(settings, picture));
         double candidates = (double) Film.tilesAlong(picture.width()) * Film.tilesAlong(picture.height()) * along * along * (1 + levels);
         double rays = candidates * settings.rays();
@@ -112,7 +117,8 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         double glowBytes = glows ? GlowLinks.BUILD_BYTES : 0;
         double surfelBytes = ColumnGroup.HIT.bytesPerRow() + texelBytes + ColumnGroup.OWNER.bytesPerRow()
                 + ColumnGroup.TRANSPARENT.bytesPerRow() + layerBytes + SURFEL_BYTES
-                + (settings.bounces() > 1 ? (linkBytes + glowBytes) * settings.rays() / 4.0 : 0);
+                + (settings.isIndirect() && (settings.bounces() > 1 || settings.environment())
+                        ? (linkBytes + glowBytes) * settings.rays() / 4.0 : 0);
         double rowBytes = ColumnGroup.HIT.bytesPerRow() + texelBytes + ColumnGroup.OWNER.bytesPerRow();
         return (long) Math.min(Long.MAX_VALUE / 4.0, candidates * (rowBytes + POINT_BYTES) + rays * (linkBytes + glowBytes + surfelBytes));
     }

@@ -15,6 +15,7 @@ import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.relight.tile.SurfelSolver;
 import lightning.render.relight.tile.TileRecomposer;
+import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.SamplePositions;
@@ -64,10 +65,9 @@ public final class LightImage {
         Scene scene = scene(cache.scene(), light);
         WeightedLight[] top = WeightedLight.ofScene(scene);
         WeightedLight[] mirrors = WeightedLight.ofScene(scene(cache.mirrored().scene(), light));
-        float[][] indirect = indirect(cache.indirect(), cache.geometry(), top, scene, options, workers, progress);
+        float[][] indirect = indirect(cache.indirect(), cache.geometry(), top, options, workers, progress);
         float[][] mirroredIndirect = cache.hasSameIndirectInMirrors() ? indirect
-                : indirect(cache.mirrored().indirect(), cache.mirroredGeometry(), mirrors, scene(cache.mirrored().scene(), light), options,
-                        workers, progress);
+                : indirect(cache.mirrored().indirect(), cache.mirroredGeometry(), mirrors, options, workers, progress);
         List<EngineWorkers<TileRecomposer>> recomposers = EngineWorkers.perThread(workers.count(), options.engines(), engine -> {
             TileRecomposer recomposer = new TileRecomposer(cache, engine, options.view());
             recomposer.setShowsGlow(false);
@@ -84,10 +84,11 @@ public final class LightImage {
     }
 
     /** Returns the light at gather points that comes from some lights of a scene; null if it has no indirect light. */
-    private static float @Nullable [][] indirect(@Nullable IndirectCache indirect, Geometry geometry, WeightedLight[] lights, Scene scene,
+    private static float @Nullable [][] indirect(@Nullable IndirectCache indirect, Geometry geometry, WeightedLight[] lights,
             RenderOptions options, WorkerPool workers, Progress progress) {
         return indirect == null ? null
-                : new SurfelSolver(indirect, geometry.materials(), options.engines(), workers, progress).solveWithoutGlow(lights, scene);
+                : new SurfelSolver(indirect, geometry.materials(), options.engines(), workers, progress).solveWithoutGlow(lights,
+                        BackgroundLight.NONE);
     }
 
     private static float[][] tileImage(CachedTile tile, TileRecomposer recomposer, WeightedLight[] top, WeightedLight[] mirrors,

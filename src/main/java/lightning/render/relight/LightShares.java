@@ -57,7 +57,7 @@ public record LightShares(Scene scene, double[] lights, double environment) {
     public Optional<LightShares> scaledTo(Scene edited) {
         if (edited.lights().size() != lights.length || !edited.camera().equals(scene.camera()) || !edited.picture().equals(scene.picture())
                 || !edited.stage().equals(scene.stage()) || !scene.world().withIntensity(edited.world().intensity()).equals(edited.world())
-                || isEnvironmentActive(scene) != isEnvironmentActive(edited)) {
+                || scene.rig().isEnvironmentActive() != edited.rig().isEnvironmentActive()) {
             return Optional.empty();
         }
         List<Light> before = scene.rig().effectiveLights();
@@ -90,11 +90,6 @@ public record LightShares(Scene scene, double[] lights, double environment) {
         double afterLuminance = edited.isActive(after) ? after.weight().luminance() : 0;
         double beforeLuminance = scene.isActive(before) ? before.weight().luminance() : 0;
         return afterLuminance == beforeLuminance ? 1 : afterLuminance / beforeLuminance;
-    }
-
-    private static boolean isEnvironmentActive(Scene scene) {
-        List<Light> lights = scene.rig().effectiveLights();
-        return lights.size() > scene.lights().size() && scene.isActive(lights.getLast());
     }
 
     /** Returns the share of a contribution in a region of a picture; 0 if the region is black. */

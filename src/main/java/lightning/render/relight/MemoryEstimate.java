@@ -11,6 +11,7 @@ import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.SampleCells;
 import lightning.render.trace.TexelColumns;
 import lightning.scene.AntialiasMode;
+import lightning.scene.GatherSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
@@ -54,7 +55,7 @@ public final class MemoryEstimate {
                 + (scene.lights().stream().allMatch(l -> l.illuminates().isAll() && l.contribution().gains().isNone()) ? 0
                         : ColumnGroup.OWNER.bytesPerRow())
                 + (clear ? ColumnGroup.TRANSPARENT.bytesPerRow() : 0) + lights
-                + (picture.indirect().isPresent() ? RowWeights.MAX_BYTES_PER_ROW : 0);
+                + (GatherSettings.of(scene).isPresent() ? RowWeights.MAX_BYTES_PER_ROW : 0);
         // A clear surface sends two rays, and each of these may send two again.
         long levels = clear ? (2L << picture.depth()) - 2 : mirrors ? picture.depth() : 0;
         long mirrored =
@@ -66,7 +67,7 @@ public final class MemoryEstimate {
         };
         // Samples store their colors if errors are bounded.
         long colored = !options.method().isExact() ? samples : sampling.antialias() == AntialiasMode.EVERY ? 0 : 1;
-        return IndirectEstimate.upperBound(picture, levels, texelBytes, lights, glows) + pixels(picture)
+        return IndirectEstimate.upperBound(scene, levels, texelBytes, lights, glows) + pixels(picture)
                 * (samples * (row + mirrored) + colored * BYTES_PER_COLOR + edgeColorBytes(sampling)
                         + (sampling.isSupersampled() ? 3 * BYTES_PER_COLOR : 0));
     }

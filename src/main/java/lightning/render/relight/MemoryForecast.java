@@ -5,6 +5,7 @@ import lightning.render.gather.PathsTooLargeException;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.SampleCells;
 import lightning.scene.AntialiasMode;
+import lightning.scene.GatherSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
@@ -127,7 +128,7 @@ final class MemoryForecast {
     /** Returns whether this is a forecast of that scene or of one that adds indirect light, with these options, whatever their memory. */
     boolean isOf(Scene other, RenderOptions otherOptions, PictureParts otherParts) {
         return parts == otherParts && options.equals(otherOptions.withMemory(options.memory()))
-                && (scene.equals(other) || other.picture().indirect().isEmpty() && scene.withoutIndirect().equals(other));
+                && (scene.equals(other) || GatherSettings.of(other).isEmpty() && scene.withoutIndirect().equals(other));
     }
 
     /** Returns whether this forecast includes a scene's edge samples, possibly under other lights. */

@@ -6,6 +6,7 @@ import java.util.function.ToLongFunction;
 import lightning.render.gather.PathsTooLargeException;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.MeshMemory;
+import lightning.scene.GatherSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
@@ -22,7 +23,7 @@ public final class TraceMemory {
     public static void check(Scene scene, long memory) {
         MemoryEstimate.checkFilm(scene.picture(), memory);
         long available = memory - MeshMemory.bytes(scene);
-        if (scene.picture().indirect().isEmpty() || MemoryEstimate.upperBound(scene, RenderOptions.DEFAULT) <= available) {
+        if (GatherSettings.of(scene).isEmpty() || MemoryEstimate.upperBound(scene, RenderOptions.DEFAULT) <= available) {
             return;
         }
         try {

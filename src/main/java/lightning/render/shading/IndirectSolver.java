@@ -1,7 +1,5 @@
 package lightning.render.shading;
 
-import static java.util.Objects.requireNonNull;
-
 import java.util.Arrays;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
@@ -9,17 +7,18 @@ import lightning.render.gather.GatherStructure;
 import lightning.render.gather.GlowPaths;
 import lightning.render.gather.GlowShapes;
 import lightning.render.gather.RayLinks;
-import lightning.scene.IndirectSettings;
-import lightning.scene.Scene;
 
 /**
  * Computes the light at gather points from the direct light of surfels, by look-ups along the paths of a {@link GatherStructure}.
  *
  * <pre>
- * B₁ = glow + albedo · D                     D = the lights' diffuse sum at a surfel
+ * B₁ = glow + albedo · (D + S)               D = the lights' diffuse sum at a surfel, S = the environment's light there
  * Bₙ = glow + albedo · (D + mean of Bₙ₋₁ over the surfel's rays + G)
  * E  = filter(mean of B over the gather point's rays + G)
  * </pre>
+ *
+ * <p>Rays that leave the scene meet the {@link BackgroundLight}. S is the mean of those of an environment over the surfel's rays. Without
+ * bounces they alone meet light.
  *
  * <p>G is the light of small glowing objects, at which rays of their own are aimed ({@link GlowPaths}). The other rays that meet these
  * objects do not count their glow.
@@ -35,26 +34,11 @@ public final class IndirectSolver {
     private final GatherStructure structure;
     private final WorkerPool workers;
     private final Progress progress;
-    /** Light of a ray that leaves the scene: red, green, blue. */
-    private final float[] background;
 
-    public IndirectSolver(GatherStructure structure, Scene scene, WorkerPool workers, Progress progress) {
+    public IndirectSolver(GatherStructure structure, WorkerPool workers, Progress progress) {
         this.structure = structure;
         this.workers = workers;
         this.progress = progress.cancellationOnly();
-        background = background(scene);
-    }
-
-    /** Returns the light of a ray that leaves the scene: red, green, blue. */
-    private static float[] background(Scene scene) {
-        boolean lit = scene.picture().indirect().orElse(IndirectSettings.DEFAULT).background() && scene.world().environment().isEmpty();
-        return lit ? new float[] {(float) scene.world().background().r(), (float) scene.world().background().g(),
-            (float) scene.world().background().b()} : new float[3];
-    }
-
-    /** Returns whether rays that leave two scenes meet the same light. */
-    public static boolean haveSameBackground(Scene a, Scene b) {
-        return Arrays.equals(background(a), background(b));
     }
 
     /**
@@ -64,10 +48,11 @@ public final class IndirectSolver {
      * @param albedo of each surfel
      * @param glow   light that each surfel emits itself
      * @param objects light of each glowing object, as {@link GlowShapes#glow}
+     * @param background light of rays that leave the scene
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
-    public float[][] solve(float[][] direct, float[][] albedo, float[][] glow, float[][] objects) {
-        float[] radiosity = radiosity(direct, albedo, glow, objects);
+    public float[][] solve(float[][] direct, float[][] albedo, float[][] glow, float[][] objects, BackgroundLight background) {
+        float[] radiosity = radiosity(direct, albedo, glow, objects, background.cells(structure.pointLinks().misses()));
         GlowPaths glowPaths = structure.glow();
         RayLinks links = structure.pointLinks();
         int points = structure.pointCount();
@@ -86,29 +71,33 @@ public final class IndirectSolver {
     }
 
     /**
-     * Returns what each ray of a point that hits a surfel adds to the mean; after the last surfel the same for the background, then for the
-     * surfels on glowing objects without their glow.
+     * Returns what each ray of a point that hits a surfel adds to the mean; after the last surfel the same for the background or its cells,
+     * then for the surfels on glowing objects without their glow.
+     *
+     * @param background red, green and blue of each number of rays that leave the scene
      */
-    private float[] radiosity(float[][] direct, float[][] albedo, float[][] glow, float[][] objects) {
+    private float[] radiosity(float[][] direct, float[][] albedo, float[][] glow, float[][] objects, float[] background) {
         int surfels = structure.surfelCount();
         RayLinks links = structure.surfelLinks();
         int linked = links.points();
         int[] dark = structure.glow().surfels();
-        float[] radiosity = null;
+        int misses = background.length / 3;
+        float first = 1f / (structure.bounces() == 0 ? structure.pointLinks() : links).raysPerPoint();
+        float[] radiosity = withBackground(background, first, surfels, dark.length);
         for (int bounce = 1; bounce <= structure.bounces(); bounce++) {
-            float[] before = radiosity;
-            float[] after = new float[STRIDE * (surfels + 1 + dark.length)];
+            float[] before = bounce == 1 && misses == 1 ? null : radiosity;
+            boolean hasGlow = bounce > 1;
             // Shares of the mean are added, because sums of the brightest light overflow.
             float share = 1f / (bounce < structure.bounces() ? links : structure.pointLinks()).raysPerPoint();
-            for (int c = 0; c < 3; c++) {
-                after[STRIDE * surfels + c] = background[c] * share;
-            }
+            float[] after = withBackground(background, share, surfels, dark.length);
             run(surfels, (from, to) -> {
                 float[] gathered = new float[3];
                 for (int s = from; s < to; s++) {
                     if (before != null && s < linked) {
                         links.sum(s, before, gathered);
-                        structure.glow().ofSurfels().add(s, objects, gathered);
+                        if (hasGlow) {
+                            structure.glow().ofSurfels().add(s, objects, gathered);
+                        }
                     } else {
                         Arrays.fill(gathered, 0);
                     }
@@ -117,14 +106,24 @@ public final class IndirectSolver {
                         float scattered = albedo[c][s] * (direct[c][s] + gathered[c]);
                         after[STRIDE * s + c] = (glow[c][s] + scattered) * share;
                         if (twin >= 0) {
-                            after[STRIDE * (surfels + 1 + twin) + c] = scattered * share;
+                            after[STRIDE * (surfels + misses + twin) + c] = scattered * share;
                         }
                     }
                 }
             });
             radiosity = after;
         }
-        return requireNonNull(radiosity);
+        return radiosity;
+    }
+
+    /** Returns the values of all numbers of rays, of which only those of the background are known. */
+    private static float[] withBackground(float[] background, float share, int surfels, int dark) {
+        int misses = background.length / 3;
+        float[] values = new float[STRIDE * (surfels + misses + dark)];
+        for (int i = 0; i < background.length; i++) {
+            values[STRIDE * (surfels + i / 3) + i % 3] = background[i] * share;
+        }
+        return values;
     }
 
     private interface Part {

@@ -4,14 +4,22 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import lightning.base.math.Rgb;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 
 /** Equirectangular map of linear radiance: its top is up, its middle −z, its right half x. Immutable. */
 public final class EnvironmentMap {
+    /** Half-angle of bright parts that need not be divided, degrees. */
+    private static final double COMPACT = 10;
+
     private final int width;
     private final int height;
     private final float[] rgb;
     private final Map<Integer, List<EnvironmentLight>> lights = new ConcurrentHashMap<>();
+    private final Map<Integer, List<EnvironmentLight>> brightLights = new ConcurrentHashMap<>();
+    private @Nullable Double limit;
+    private @Nullable SmoothGrid smoothGrid;
 
     /**
      * @param rgb {@code float[3 * width * height]}, row by row from the top, each 0 … {@link SceneLimits#MAX_EMISSION}; owned by the map,
@@ -39,14 +47,44 @@ public final class EnvironmentMap {
         return rgb[3 * (y * width + x) + channel];
     }
 
+    /** Returns the luminance of a pixel, as {@link Rgb#luminance}. */
+    public double luminance(int x, int y) {
+        return new Rgb(channel(x, y, 0), channel(x, y, 1), channel(x, y, 2)).luminance();
+    }
+
+    /** Returns the luminance above which the light of a pixel belongs to the lights of {@link #brightLights}. */
+    public synchronized double limit() {
+        limit = limit == null ? Double.valueOf(BrightParts.limit(this)) : limit;
+        return limit;
+    }
+
     /** Returns the solid angle of a pixel of a row, in steradians; all pixels together have 4π. */
     public double solidAngle(int y) {
         return 2 * Math.PI / width * (StrictMath.cos(Math.PI * y / height) - StrictMath.cos(Math.PI * (y + 1) / height));
     }
 
-    /** Returns the directional lights that represent the map ({@link MedianCut}); the same list for the same number. */
+    /**
+     * Returns the share of a pixel's light up to a luminance, 0 … 1.
+     *
+     * @param upTo luminance, ≥ 0
+     */
+    double smoothShare(int x, int y, double upTo) {
+        double luminance = luminance(x, y);
+        return luminance > upTo ? upTo / luminance : 1;
+    }
+
+    /** Returns the directional lights that represent the whole map ({@link MedianCut}); the same list for the same number. */
     public List<EnvironmentLight> lights(int maxLights) {
-        return lights.computeIfAbsent(maxLights, n -> new MedianCut(this).lights(n));
+        return lights.computeIfAbsent(maxLights, n -> new MedianCut(this, 0).lights(n, 0));
+    }
+
+    /**
+     * Returns the directional lights of its small bright parts: what exceeds {@link #limit}. One dark light if there is nothing.
+     *
+     * @param maxLights maximum number of lights
+     */
+    public List<EnvironmentLight> brightLights(int maxLights) {
+        return brightLights.computeIfAbsent(maxLights, n -> new MedianCut(this, limit()).lights(n, COMPACT));
     }
 
     /**
@@ -56,9 +94,29 @@ public final class EnvironmentMap {
      * @param result   receives linear RGB, {@code double[3]}
      */
     public void radiance(double x, double y, double z, double rotation, double[] result) {
-        // StrictMath gives the same bits on every machine; Math does not guarantee it.
-        double u = 0.5 + StrictMath.atan2(x, -z) / (2 * Math.PI) + rotation / 360;
-        double v = StrictMath.acos(Math.clamp(y, -1, 1)) / Math.PI;
+        radiance(u(x, z, rotation), v(y), Double.POSITIVE_INFINITY, result);
+    }
+
+    /** Computes the same without what belongs to {@link #brightLights}. */
+    public void smoothRadiance(double x, double y, double z, double rotation, double[] result) {
+        smoothRadiance(u(x, z, rotation), v(y), result);
+    }
+
+    /** @param u place in the map, 0 … 1 from the left and wrapped, with {@code v} from the top */
+    void smoothRadiance(double u, double v, double[] result) {
+        radiance(u, v, limit(), result);
+    }
+
+    // StrictMath gives the same bits on every machine; Math does not guarantee it.
+    private static double u(double x, double z, double rotation) {
+        return 0.5 + StrictMath.atan2(x, -z) / (2 * Math.PI) + rotation / 360;
+    }
+
+    private static double v(double y) {
+        return StrictMath.acos(Math.clamp(y, -1, 1)) / Math.PI;
+    }
+
+    private void radiance(double u, double v, double upTo, double[] result) {
         double column = (u - Math.floor(u)) * width - 0.5;
         double row = Math.clamp(v * height - 0.5, 0, height - 1.0);
         double left = Math.floor(column);
@@ -68,11 +126,28 @@ public final class EnvironmentMap {
         int y1 = Math.min(y0 + 1, height - 1);
         double s = column - left;
         double t = row - y0;
-        for (int c = 0; c < 3; c++) {
-            double above = channel(x0, y0, c) * (1 - s) + channel(x1, y0, c) * s;
-            double below = channel(x0, y1, c) * (1 - s) + channel(x1, y1, c) * s;
-            result[c] = above * (1 - t) + below * t;
+        if (upTo == Double.POSITIVE_INFINITY) {
+            for (int c = 0; c < 3; c++) {
+                double above = channel(x0, y0, c) * (1 - s) + channel(x1, y0, c) * s;
+                double below = channel(x0, y1, c) * (1 - s) + channel(x1, y1, c) * s;
+                result[c] = above * (1 - t) + below * t;
+            }
+            return;
         }
+        double topLeft = (1 - s) * (1 - t) * smoothShare(x0, y0, upTo);
+        double topRight = s * (1 - t) * smoothShare(x1, y0, upTo);
+        double bottomLeft = (1 - s) * t * smoothShare(x0, y1, upTo);
+        double bottomRight = s * t * smoothShare(x1, y1, upTo);
+        for (int c = 0; c < 3; c++) {
+            result[c] = topLeft * channel(x0, y0, c) + topRight * channel(x1, y0, c) + bottomLeft * channel(x0, y1, c)
+                    + bottomRight * channel(x1, y1, c);
+        }
+    }
+
+    /** Returns its smooth light on a grid. */
+    public synchronized SmoothGrid smoothGrid() {
+        smoothGrid = smoothGrid == null ? SmoothGrid.of(this) : smoothGrid;
+        return smoothGrid;
     }
 
     @Override

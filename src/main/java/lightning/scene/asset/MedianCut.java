@@ -32,7 +32,8 @@ final class MedianCut {
         }
     }
 
-    MedianCut(EnvironmentMap sky) {
+    /** @param limit luminance of each pixel that is left out */
+    MedianCut(EnvironmentMap sky, double limit) {
         columns = sky.width() > MAX_COLUMNS ? MAX_COLUMNS : sky.width() * Math.ceilDiv(MIN_COLUMNS, sky.width());
         int parts = Math.ceilDiv(MIN_ROWS, sky.height());
         // The horizon lies between two rows.
@@ -47,8 +48,10 @@ final class MedianCut {
             int row = (int) ((long) line * rows / lines) * columns;
             for (int i = 0; i < width; i++) {
                 int cell = row + (int) ((long) i * columns / width);
-                for (int c = 0; c < 3; c++) {
-                    energy[c][cell] += sky.channel((int) ((long) i * sky.width() / width), y, c) * angle;
+                int x = (int) ((long) i * sky.width() / width);
+                double share = limit == 0 ? 1 : 1 - sky.smoothShare(x, y, limit);
+                for (int c = 0; share > 0 && c < 3; c++) {
+                    energy[c][cell] += sky.channel(x, y, c) * share * angle;
                 }
             }
         }
@@ -60,8 +63,12 @@ final class MedianCut {
         }
     }
 
-    /** Returns at most {@code maxLights} lights, fewer if fewer cells are bright. */
-    List<EnvironmentLight> lights(int maxLights) {
+    /**
+     * Returns at most {@code maxLights} lights, fewer if fewer cells are bright.
+     *
+     * @param compact spread up to which a region is not divided, degrees
+     */
+    List<EnvironmentLight> lights(int maxLights, double compact) {
         List<Region> regions = new ArrayList<>();
         for (Region half : List.of(region(0, 0, columns, rows / 2), region(0, rows / 2, columns, rows))) {
             // Differences of sums leave roundings where there is no light.
@@ -72,18 +79,24 @@ final class MedianCut {
         if (regions.isEmpty()) {
             regions.add(region(0, 0, columns, rows));
         }
+        List<EnvironmentLight> lights = new ArrayList<>();
+        regions.forEach(region -> lights.add(light(region)));
         while (regions.size() < maxLights) {
             int brightest = -1;
             for (int i = 0; i < regions.size(); i++) {
                 boolean better = brightest < 0 || regions.get(i).luminance > regions.get(brightest).luminance;
-                brightest = better && !regions.get(i).isSingleCell() && regions.get(i).luminance > 0 ? i : brightest;
+                boolean isDivisible = !regions.get(i).isSingleCell() && regions.get(i).luminance > 0
+                        && lights.get(i).spread() >= compact;
+                brightest = better && isDivisible ? i : brightest;
             }
             if (brightest < 0) {
                 break;
             }
             split(regions, brightest);
+            lights.set(brightest, light(regions.get(brightest)));
+            lights.add(light(regions.getLast()));
         }
-        return regions.stream().map(this::light).toList();
+        return List.copyOf(lights);
     }
 
     private Region region(int left, int top, int right, int bottom) {

@@ -17,8 +17,8 @@ import lightning.scene.value.ShapeLinks;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Converts scenes for the editor's preview, which has a few levels of reflections, and shadows of one light at most: limits the depth, dims
- * the light of environments that would overexpose the picture without shadows, and removes other shadows. If the scene shows no reflections, it adds diffuse
+ * Converts scenes for the editor's preview, which has a few levels of reflections, and shadows of one light at most: limits the depth, replaces the light of
+ * environments by a few lights, dimmed where it would overexpose the picture without shadows, and removes other shadows. If the scene shows no reflections, it adds diffuse
  * color to materials that would be black without them.
  */
 public final class PreviewScene {
@@ -26,6 +26,9 @@ public final class PreviewScene {
     private static final double METAL_FACTOR = 0.4;
     /** Share of a mirror's reflection color that becomes diffuse. */
     private static final double REFLECTION_FACTOR = 0.5;
+
+    /** Lights that stand for an environment. */
+    private static final int ENVIRONMENT_LIGHTS = 16;
 
     /** Approximate upper limit of a white diffuse surface's brightness in an environment. */
     private static final double MAX_WHITE = 0.9;
@@ -55,27 +58,12 @@ public final class PreviewScene {
      * @param wantsShadows false without any shadows
      */
     public Request request(Scene scene, String shadowLight, ViewEffects effects, boolean wantsShadows) {
-        boolean showsShadows = wantsShadows && canShowShadows(scene);
-        return new Request(showsShadows ? withoutOtherShadows(of(scene), shadowLight) : of(scene),
-                effects.with(RenderEffect.SHADOWS, showsShadows).with(RenderEffect.REFLECTION, showsReflections(scene)));
-    }
-
-    /** Returns whether the preview of a scene can show the shadows of one light: the environment's lights become lights of the scene. */
-    public static boolean canShowShadows(Scene scene) {
-        return scene.rig().effectiveLights().size() <= SceneLimits.MAX_LIGHTS;
+        return new Request(wantsShadows ? withoutOtherShadows(of(scene), shadowLight) : of(scene),
+                effects.with(RenderEffect.SHADOWS, wantsShadows).with(RenderEffect.REFLECTION, showsReflections(scene)));
     }
 
     private static Scene withoutOtherShadows(Scene scene, String shadowLight) {
-        List<Light> lights = new ArrayList<>(scene.lights());
-        List<Light> effective = scene.rig().effectiveLights();
-        int number = 0;
-        for (Light environment : effective.subList(scene.lights().size(), effective.size())) {
-            do {
-                number++;
-            } while (scene.isNameUsed("environment " + number));
-            lights.add(environment.withName("environment " + number));
-        }
-        return scene.withWorld(scene.world().withGain(0)).withLights(lights.stream()
+        return scene.withLights(scene.lights().stream()
                 .map(light -> light.name().equals(shadowLight) ? light : LightAttribute.SHADOWED_BY.with(light, ShapeLinks.NONE)).toList());
     }
 
@@ -86,9 +74,19 @@ public final class PreviewScene {
 
     Scene of(Scene scene) {
         World world = scene.world();
-        Scene dimmed = scene.withWorld(world.environment().map(e -> dim(world, e)).orElse(world));
+        Scene dimmed = world.environment().map(e -> withLights(scene, dim(world, e))).orElse(scene);
         return showsReflections(scene) ? dimmed.withPicture(scene.picture().withDepth(depth(scene)))
                 : dimmed.withStage(withoutReflections(scene));
+    }
+
+    /** Replaces the light of an environment, but not its image, by lights: a preview gathers no light. */
+    private static Scene withLights(Scene scene, World dimmed) {
+        int count = Math.min(ENVIRONMENT_LIGHTS, SceneLimits.MAX_LIGHTS - scene.lights().size());
+        List<Light> lights = new ArrayList<>(scene.lights());
+        if (count > 0) {
+            lights.addAll(dimmed.approximateLights(count, scene::isNameUsed));
+        }
+        return scene.withWorld(dimmed.withGain(0)).withLights(lights);
     }
 
     private static int depth(Scene scene) {
@@ -122,7 +120,7 @@ public final class PreviewScene {
      * receive light from the whole environment.
      */
     private World dim(World world, Environment environment) {
-        List<EnvironmentLight> newLights = environment.map().lights(world.lightCount());
+        List<EnvironmentLight> newLights = environment.map().lights(ENVIRONMENT_LIGHTS);
         if (newLights != environmentLights) {
             environmentLights = newLights;
             maxBrightness = newLights.stream().mapToDouble(lamp -> brightness(lamp.direction(), newLights)).max().orElse(0);

@@ -88,6 +88,11 @@ public final class LightRig {
         return effectiveLights;
     }
 
+    /** Returns whether an environment lights the scene: there is one, and it is solo if any light is. */
+    public boolean isEnvironmentActive() {
+        return effectiveLights.size() > lights.size() && isActive(effectiveLights.getLast());
+    }
+
     /**
      * Returns a light with its group, exposure, unit and temperature multiplied into its color and intensity; the light itself if it has
      * none.

@@ -110,7 +110,7 @@ class GlowAimTest {
         }
         GlowShapes many = shapes(lamps.toString());
         assertThat(many.count()).isZero();
-        assertThat(many.contain(GlowShapes.NONE)).isFalse();
-        assertThat(GlowShapes.NONE.contain(many)).isFalse();
+        assertThat(many.contain(GlowShapes.none())).isFalse();
+        assertThat(GlowShapes.none().contain(many)).isFalse();
     }
 }

@@ -2,6 +2,7 @@ package lightning.render.relight;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import lightning.render.image.FilmAssert;
@@ -20,22 +21,24 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** Tests that edits of an environment do the work of edits of its lights. */
+/** Tests that edits of an environment cast rays for its suns alone. */
 class EnvironmentWorkTest {
-    private static final int LAMPS = 5;
+    private static final int SUNS = 2;
 
     private StudioRenderer studio;
 
     @BeforeEach
     void open() {
-        float[] rgb = new float[3 * 8 * 4];
+        float[] rgb = new float[3 * 64 * 32];
         for (int i = 0; i < rgb.length; i++) {
             rgb[i] = 0.1f + i % 11 * 0.05f;
         }
+        Arrays.fill(rgb, 3 * (6 * 64 + 40), 3 * (6 * 64 + 41), 200);
+        Arrays.fill(rgb, 3 * (10 * 64 + 8), 3 * (10 * 64 + 9), 100);
         Scene scene = StudioScene.of(LightType.POINT);
         studio = new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS,
-                scene.withWorld(scene.world().withEnvironment(Optional.of(new Environment("sky.hdr", new EnvironmentMap(8, 4, rgb))))
-                        .withLightCount(LAMPS)));
+                scene.withWorld(scene.world().withEnvironment(Optional.of(new Environment("sky.hdr", new EnvironmentMap(64, 32, rgb))))
+                        .withSoftness(0)));
     }
 
     @AfterEach
@@ -105,9 +108,10 @@ class EnvironmentWorkTest {
     void rotatedEnvironment_castsOnlyItsShadowRays() {
         UpdateResult turned = render(world().withRotation(40));
         assertThat(StudioRenderer.layers(turned)).first().isEqualTo(new LightUpdate.Keep());
-        assertThat(StudioRenderer.layers(turned)).hasSize(1 + LAMPS)
-                .filteredOn(update -> update.equals(new LightUpdate.FullRecompute(false))).hasSize(LAMPS);
-        assertThat(turned.plan().steps()).containsExactly("environment 1 to environment 5: full recompute", "reflections");
+        assertThat(StudioRenderer.layers(turned)).hasSize(1 + SUNS)
+                .filteredOn(update -> update.equals(new LightUpdate.FullRecompute(false))).hasSize(SUNS);
+        assertThat(turned.plan().steps()).containsExactly("environment 1: full recompute", "environment 2: full recompute", "reflections",
+                "gathered light");
         assertThat(turned.rays().eye() + turned.rays().mirrored()).isZero();
         assertThat(turned.rays().shadow()).isEqualTo(facing());
     }
@@ -128,7 +132,7 @@ class EnvironmentWorkTest {
         UpdateResult softer = render(world().withSoftness(1));
         assertThat(StudioRenderer.layers(softer)).first().isEqualTo(new LightUpdate.Keep());
         assertThat(softer.rays().eye() + softer.rays().mirrored()).isZero();
-        assertThat(softer.rays().shadow()).isGreaterThan(facing()).isLessThan(8 * facing());
+        assertThat(softer.rays().shadow()).isGreaterThan(facing()).isLessThan(20 * facing());
         assertNoRay(render(world().withIntensity(3)));
     }
 

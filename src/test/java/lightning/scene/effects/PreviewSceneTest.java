@@ -62,7 +62,6 @@ class PreviewSceneTest {
                 .isEqualTo(new PreviewScene.Request(deep, ViewEffects.PREVIEW.with(RenderEffect.REFLECTION, true)));
         assertThat(shown.light("key").orElseThrow()).isEqualTo(key);
         assertThat(LightAttribute.SHADOWED_BY.get(shown.light("lamp").orElseThrow())).isEqualTo(ShapeLinks.NONE);
-        assertThat(PreviewScene.canShowShadows(scene)).isTrue();
     }
 
     @Test
@@ -137,13 +136,13 @@ class PreviewSceneTest {
     }
 
     @Test
-    void environmentWithManyLights_showsNoShadows() {
+    void environmentBesideManyLights_addsNone() {
         Environment sky = new Environment("sky.hdr", new EnvironmentMap(8, 4, new float[3 * 8 * 4]));
         Light[] lights = IntStream.range(0, SceneLimits.MAX_LIGHTS).mapToObj(i -> environmentLight().withName("lamp " + i))
                 .toArray(Light[]::new);
         Scene scene = ball(Material.of("paper"), World.DEFAULT, lights);
-        assertThat(PreviewScene.canShowShadows(scene)).isTrue();
-        assertThat(PreviewScene.canShowShadows(scene.withWorld(scene.world().withEnvironment(Optional.of(sky))))).isFalse();
+        Scene lit = scene.withWorld(scene.world().withEnvironment(Optional.of(sky)));
+        assertThat(new PreviewScene().of(lit).lights()).hasSize(SceneLimits.MAX_LIGHTS);
     }
 
     @Test

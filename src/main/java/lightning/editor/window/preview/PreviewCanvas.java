@@ -209,7 +209,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
     }
 
     private boolean showsShadows() {
-        return settings.shadowsProperty().get() && PreviewScene.canShowShadows(editor.scene());
+        return settings.shadowsProperty().get();
     }
 
     /** Returns what the preview shows: its camera, and which shadows. */

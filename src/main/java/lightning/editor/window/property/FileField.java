@@ -93,7 +93,7 @@ final class FileField<F extends FileAsset> extends StackPane {
 
         @Override
         public Scene copy(Scene source, Scene target, String lightName) {
-            return target.withWorld(attribute.copy(source.world(), target.world()).withSoftLights(target.world()));
+            return target.withWorld(attribute.copy(source.world(), target.world()));
         }
     }
 

@@ -55,8 +55,7 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
         Environment environment = place.isPresent() ? image(place.get(), texture, factor) : plain(factor);
         double rotation = rotation(in);
         World before = assembler.world;
-        assembler.world = before.withEnvironment(Optional.of(environment)).withRotation(rotation).withIntensity(strength)
-                .withSoftLights(before);
+        assembler.world = before.withEnvironment(Optional.of(environment)).withRotation(rotation).withIntensity(strength);
         // The intensity of the dome for one of the environment; its color and exposure stay as they are.
         UsdPaths.addDome(assembler, in, strength > 0 ? intensity / strength : 1 / stops, rotation, strength, environment.file());
     }

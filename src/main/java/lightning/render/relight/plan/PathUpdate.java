@@ -6,11 +6,12 @@ import java.util.stream.IntStream;
 import lightning.render.cache.PixelCache;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.ShapeChange;
+import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
 
 /** Update of the paths of indirect light. */
 public enum PathUpdate {
-    /** The scene has no indirect light. */
+    /** The scene has neither indirect light nor an environment. */
     NONE,
     /** No path can differ. Lights and materials change only what the paths carry. */
     KEEP,
@@ -30,11 +31,8 @@ public enum PathUpdate {
      * @param materials materials of the target scene
      */
     static PathUpdate between(PixelCache cache, Scene target, MaterialTable materials, ShapeChange shapes) {
-        if (target.picture().indirect().isEmpty()) {
-            return NONE;
-        }
-        if (cache.indirect() == null || !cache.indirect().settings().equals(target.picture().indirect().get())) {
-            return BUILD;
+        if (cache.indirect() == null || !cache.indirect().settings().canServe(target)) {
+            return GatherSettings.of(target).isEmpty() ? NONE : BUILD;
         }
         return shapes == ShapeChange.NONE && cache.scene().picture().depth() == target.picture().depth()
                 && haveSamePaths(cache, materials) ? KEEP : REPEAT;

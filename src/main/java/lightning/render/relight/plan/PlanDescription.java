@@ -43,11 +43,11 @@ final class PlanDescription {
             case KEEP -> {
                 if (plan.top().layers().stream().anyMatch(LayerPlan::changesImage) || !plan.top().droppedLights().isEmpty()
                         || !plan.top().materials().isEmpty()) {
-                    steps.add(Messages.tr("indirect light"));
+                    steps.add(Messages.tr("gathered light"));
                 }
             }
-            case REPEAT -> steps.add(Messages.tr("indirect light: changed paths"));
-            case BUILD -> steps.add(Messages.tr("indirect light: all paths"));
+            case REPEAT -> steps.add(Messages.tr("gathered light: changed paths"));
+            case BUILD -> steps.add(Messages.tr("gathered light: all paths"));
         }
     }
 

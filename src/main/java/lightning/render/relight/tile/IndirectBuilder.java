@@ -19,13 +19,13 @@ import lightning.render.gather.GatherBuilder;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.PointChanges;
 import lightning.render.relight.plan.PathUpdate;
+import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.IndirectLight;
-import lightning.render.shading.IndirectSolver;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
-import lightning.scene.IndirectSettings;
+import lightning.scene.GatherSettings;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -59,19 +59,22 @@ final class IndirectBuilder {
      */
     @Nullable
     IndirectCache build() {
-        Optional<IndirectSettings> settings = job.scene().picture().indirect();
+        PathUpdate paths = job.plan() == null ? PathUpdate.BUILD : job.plan().paths();
+        IndirectCache before = paths == PathUpdate.KEEP || paths == PathUpdate.REPEAT ? requireNonNull(oldCache).indirect() : null;
+        // Known paths may serve more than the scene needs.
+        Optional<GatherSettings> settings =
+                before != null ? Optional.of(before.settings()) : paths == PathUpdate.NONE ? Optional.empty()
+                        : GatherSettings.of(job.scene());
         if (settings.isEmpty()) {
             return null;
         }
-        PathUpdate paths = job.plan() == null ? PathUpdate.BUILD : job.plan().paths();
-        IndirectCache before = paths == PathUpdate.BUILD ? null : requireNonNull(oldCache).indirect();
         GatherStructure structure;
         TileLevel[] surfels;
         boolean keepsPaths = paths == PathUpdate.KEEP;
         if (keepsPaths) {
             assert before != null;
             structure = before.structure();
-            surfels = updateSurfels(before.surfels());
+            surfels = before.settings().isIndirect() ? updateSurfels(before.surfels()) : before.surfels();
         } else {
             GatherBuilder builder = prepare(settings.get(), before);
             structure = builder.build();
@@ -94,11 +97,13 @@ final class IndirectBuilder {
 
     /** @param before indirect light of the last picture along the same paths */
     private IndirectLight light(GatherStructure structure, TileLevel[] surfels, @Nullable IndirectCache before) {
-        boolean sameBackground = before != null && IndirectSolver.haveSameBackground(requireNonNull(oldCache).scene(), job.scene());
+        BackgroundLight background = BackgroundLight.of(job.scene());
+        BackgroundLight known = before == null ? background : BackgroundLight.of(requireNonNull(oldCache).scene());
         boolean keepsColors =
-                before != null && sameBackground && isUnchanged(before.surfels(), surfels, requireNonNull(job.topPlan())::canChangeColors);
-        boolean keepsEdges = !job.detectsEdges() || before != null && sameBackground && before.light().edgeLight() != null
-                && isUnchanged(before.surfels(), surfels, requireNonNull(job.topPlan())::canChangeEdges);
+                before != null && background.equals(known) && isUnchanged(before, surfels, requireNonNull(job.topPlan())::canChangeColors);
+        boolean keepsEdges = !job.detectsEdges()
+                || before != null && background.forEdges().equals(known.forEdges()) && before.light().edgeLight() != null
+                        && isUnchanged(before, surfels, requireNonNull(job.topPlan())::canChangeEdges);
         float[][] edgesBefore = before == null || !job.detectsEdges() ? null : before.light().edgeLight();
         if (before != null && keepsColors && keepsEdges) {
             return edgesBefore == before.light().edgeLight() ? before.light()
@@ -107,12 +112,16 @@ final class IndirectBuilder {
         SurfelSolver solver = new SurfelSolver(structure, surfels, job.target().geometry().materials(), job.options().engines(), workers,
                 job.progress());
         return new IndirectLight(structure,
-                before != null && keepsColors ? before.light().light() : solver.solve(job.target().lights(), job.scene()),
-                keepsEdges ? edgesBefore : edgeSolver(solver, structure, surfels).solve(job.target().edgeLights(), job.scene()));
+                before != null && keepsColors ? before.light().light() : solver.solve(job.target().lights(), background),
+                keepsEdges ? edgesBefore : edgeSolver(solver, structure, surfels).solve(job.target().edgeLights(), background.forEdges()));
     }
 
     /** Returns whether no light or material changes what any surfel sends. */
-    private boolean isUnchanged(TileLevel[] before, TileLevel[] after, BiPredicate<TileLevel, LightLayer[]> canChange) {
+    private boolean isUnchanged(IndirectCache known, TileLevel[] after, BiPredicate<TileLevel, LightLayer[]> canChange) {
+        if (!known.settings().isIndirect()) {
+            return true;
+        }
+        TileLevel[] before = known.surfels();
         return requireNonNull(job.topPlan()).materials().isEmpty()
                 && IntStream.range(0, after.length).noneMatch(block -> canChange.test(before[block], after[block].layers()));
     }
@@ -139,7 +148,7 @@ final class IndirectBuilder {
     }
 
     /** @param before paths of which those that cannot differ are kept */
-    private GatherBuilder prepare(IndirectSettings settings, @Nullable IndirectCache before) {
+    private GatherBuilder prepare(GatherSettings settings, @Nullable IndirectCache before) {
         GatherBuilder builder = new GatherBuilder(job.target().geometry(), job.scene(), settings, workers,
                 _ -> job.options().engines().forTile(0).tracer(job.target().geometry()),
                 Math.min(job.options().memory(), HeapBudget.availableBytes()), new ProgressPart(job.progress(), 0, PATHS_SHARE));
@@ -155,6 +164,10 @@ final class IndirectBuilder {
     private TileLevel[] lightSurfels(GatherStructure structure) {
         var rows = structure.surfels();
         TileLevel[] surfels = new TileLevel[rows.length];
+        if (structure.bounces() == 0) {
+            Arrays.setAll(surfels, block -> new TileLevel(rows[block], new LightLayer[0]));
+            return surfels;
+        }
         workers.run(surfels.length, (worker, block) -> surfels[block] = surfelWorker(worker, block).lightLevel(rows[block]),
                 job.progress().cancellationOnly());
         return surfels;

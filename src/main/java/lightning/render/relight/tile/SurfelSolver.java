@@ -8,11 +8,11 @@ import lightning.render.cache.TileLevel;
 import lightning.render.engine.EngineChoice;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.gather.GatherStructure;
+import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.IndirectSolver;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.SurfelShader;
 import lightning.render.trace.MaterialTable;
-import lightning.scene.Scene;
 
 /** Computes the light at gather points from cached layers of surfels, for any weights of the lights. Casts no ray. */
 public final class SurfelSolver {
@@ -46,7 +46,7 @@ public final class SurfelSolver {
         albedo = new float[3][structure.surfelCount()];
         glow = new float[3][structure.surfelCount()];
         objects = structure.glow().shapes().glow(materials);
-        workers.run(surfels.length, (worker, block) -> shaders.get(worker).forTile(block).writeReflection(surfels[block].rows(),
+        workers.run(blocks(), (worker, block) -> shaders.get(worker).forTile(block).writeReflection(surfels[block].rows(),
                 structure.numbers(block), albedo, glow), this.progress);
     }
 
@@ -54,22 +54,27 @@ public final class SurfelSolver {
      * Returns the light at all gather points: red, green, blue.
      *
      * @param lights lights in the order of the surfels' layers
-     * @param scene  scene that these lights and the background belong to
+     * @param background light of rays that leave the scene
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
-    public float[][] solve(WeightedLight[] lights, Scene scene) {
-        return solve(lights, scene, glow, objects);
+    public float[][] solve(WeightedLight[] lights, BackgroundLight background) {
+        return solve(lights, background, glow, objects);
     }
 
     /** Returns the light at all gather points that comes from lights alone; parameters as above. */
-    public float[][] solveWithoutGlow(WeightedLight[] lights, Scene scene) {
-        return solve(lights, scene, new float[3][structure.surfelCount()], new float[3][objects[0].length]);
+    public float[][] solveWithoutGlow(WeightedLight[] lights, BackgroundLight background) {
+        return solve(lights, background, new float[3][structure.surfelCount()], new float[3][objects[0].length]);
     }
 
-    private float[][] solve(WeightedLight[] lights, Scene scene, float[][] emitted, float[][] emittedByObjects) {
+    private float[][] solve(WeightedLight[] lights, BackgroundLight background, float[][] emitted, float[][] emittedByObjects) {
         float[][] direct = new float[3][structure.surfelCount()];
-        workers.run(surfels.length, (worker, block) -> shaders.get(worker).forTile(block).writeDirectLight(surfels[block].rows(), lights,
+        workers.run(blocks(), (worker, block) -> shaders.get(worker).forTile(block).writeDirectLight(surfels[block].rows(), lights,
                 surfels[block].layers(), structure.numbers(block), direct), progress);
-        return new IndirectSolver(structure, scene, workers, progress).solve(direct, albedo, emitted, emittedByObjects);
+        return new IndirectSolver(structure, workers, progress).solve(direct, albedo, emitted, emittedByObjects, background);
+    }
+
+    /** Returns the number of blocks with lit surfels. */
+    private int blocks() {
+        return structure.bounces() == 0 ? 0 : surfels.length;
     }
 }

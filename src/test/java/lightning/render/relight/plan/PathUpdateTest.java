@@ -53,7 +53,7 @@ class PathUpdateTest {
     void editedLight_keepsPaths() {
         UpdateResult moved = update(s -> s.withLights(List.of(s.lights().getFirst().withPosition(new Vec3(0, 0.5, 0)))));
         assertThat(paths(moved)).isEqualTo(PathUpdate.KEEP);
-        assertThat(moved.plan().steps()).contains("indirect light");
+        assertThat(moved.plan().steps()).contains("gathered light");
         assertThat(moved.rays().gather()).isZero();
     }
 
@@ -62,21 +62,21 @@ class PathUpdateTest {
         UpdateResult painted =
                 update(s -> s.withMaterials(s.materials().stream().map(m -> m.withDiffuse(new Rgb(0.3, 0.2, 0.1))).toList()));
         assertThat(paths(painted)).isEqualTo(PathUpdate.KEEP);
-        assertThat(painted.plan().steps()).contains("indirect light");
+        assertThat(painted.plan().steps()).contains("gathered light");
         assertThat(painted.rays().gather()).isZero();
     }
 
     @Test
     void editedBackground_addsNoStep() {
         UpdateResult changed = update(s -> s.withWorld(s.world().withAmbience(0.3)));
-        assertThat(changed.plan().steps()).doesNotContain("indirect light");
+        assertThat(changed.plan().steps()).doesNotContain("gathered light");
     }
 
     @Test
     void deletedObject_repeatsSomePaths() {
         UpdateResult deleted = update(s -> s.withNodes(s.nodes().subList(0, s.nodes().size() - 1)));
         assertThat(paths(deleted)).isEqualTo(PathUpdate.REPEAT);
-        assertThat(deleted.plan().steps()).contains("indirect light: changed paths");
+        assertThat(deleted.plan().steps()).contains("gathered light: changed paths");
         assertThat(deleted.rays().gather()).isPositive();
     }
 
@@ -85,7 +85,7 @@ class PathUpdateTest {
         UpdateResult sparser =
                 update(s -> s.withPicture(s.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT.withSpacing(16)))));
         assertThat(paths(sparser)).isEqualTo(PathUpdate.BUILD);
-        assertThat(sparser.plan().steps()).contains("indirect light: all paths");
+        assertThat(sparser.plan().steps()).contains("gathered light: all paths");
         assertThat(sparser.rays().gather()).isPositive();
     }
 

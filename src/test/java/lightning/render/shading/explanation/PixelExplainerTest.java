@@ -52,12 +52,18 @@ class PixelExplainerTest {
     @Property(edgeCases = EdgeCasesMode.NONE)
     void color_matchesReferenceBits(@ForAll("scenes") Scene scene, @ForAll Random pixels) {
         var reference = new ReferenceTracer(scene);
-        var explainer = new PixelExplainer(scene);
+        var explainer = withGatheredLight(new PixelExplainer(scene), scene);
         for (int i = 0; i < 30; i++) {
             int x = pixels.nextInt(scene.picture().width());
             int y = pixels.nextInt(scene.picture().height());
             assertThat(explainer.explainPixel(x, y).color()).as("pixel %d,%d of\n%s", x, y, JenWriter.write(scene))
                     .containsExactly(reference.pixel(x, y));
+        }
+    }
+
+    private static PixelExplainer withGatheredLight(PixelExplainer explainer, Scene scene) {
+        try (WorkerPool workers = new WorkerPool(1)) {
+            return explainer.withIndirect(new TraditionalTracer(scene, explainer.geometry()).traceIndirect(workers, Progress.NONE));
         }
     }
 
@@ -94,7 +100,7 @@ class PixelExplainerTest {
             int x = pixels.nextInt(scene.picture().width());
             int y = pixels.nextInt(scene.picture().height());
             before.explainPixel(x, y);
-            explainer = explainer == null ? before.forScene(edited, before.geometry()) : explainer;
+            explainer = explainer == null ? withGatheredLight(before.forScene(edited, before.geometry()), edited) : explainer;
             assertThat(explainer.explainPixel(x, y).color()).as("pixel %d,%d of\n%s", x, y, JenWriter.write(edited))
                     .containsExactly(reference.pixel(x, y));
         }

@@ -17,7 +17,7 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.PixelRays;
 import lightning.render.trace.SurfacePoint;
-import lightning.scene.IndirectSettings;
+import lightning.scene.GatherSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
@@ -31,7 +31,7 @@ final class ReferenceGatherPoints {
     private final Geometry geometry;
     private final CellKeys keys;
     private final GlowShapes glows;
-    private final IndirectSettings settings;
+    private final GatherSettings settings;
     private final DirectionTable directions;
     private final List<SurfacePoint> candidates = new ArrayList<>();
     /** Candidates that become points, in order. */
@@ -54,7 +54,7 @@ final class ReferenceGatherPoints {
      */
     record GatherPoint(SurfacePoint at, List<ReferenceGatherRay> rays, List<float[]> glow, float harmonic, float radius, float side) {}
 
-    ReferenceGatherPoints(Scene scene, Geometry geometry, CellKeys keys, GlowShapes glows, IndirectSettings settings) {
+    ReferenceGatherPoints(Scene scene, Geometry geometry, CellKeys keys, GlowShapes glows, GatherSettings settings) {
         this.glows = glows;
         this.scene = scene;
         this.geometry = geometry;

@@ -6,15 +6,17 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
-import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
 import lightning.render.gather.CellKeys;
+import lightning.render.gather.DirectionCells;
 import lightning.render.gather.DirectionTable;
 import lightning.render.gather.GlowShapes;
+import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.IndirectSolver;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SurfacePoint;
-import lightning.scene.IndirectSettings;
+import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
 
 /**
@@ -24,8 +26,10 @@ import lightning.scene.Scene;
 final class ReferenceIndirect {
     private final Scene scene;
     private final Geometry geometry;
-    private final IndirectSettings settings;
+    private final GatherSettings settings;
     private final CellKeys keys;
+    /** Light of rays that leave the scene: red, green, blue of each cell of directions, or of all. */
+    private final float[] background;
     private final GlowShapes glows;
     private final Function<SurfacePoint, float[]> directLight;
     private final List<Surfel> surfels = new ArrayList<>();
@@ -46,16 +50,18 @@ final class ReferenceIndirect {
     private record Surfel(SurfacePoint at, float[] texel, float[] direct, float[] glow) {}
 
     /** @param directLight returns the lights' diffuse sum at a surface: red, green, blue */
-    ReferenceIndirect(Scene scene, Geometry geometry, IndirectSettings settings, Function<SurfacePoint, float[]> directLight) {
+    ReferenceIndirect(Scene scene, Geometry geometry, GatherSettings settings, Function<SurfacePoint, float[]> directLight) {
         this.scene = scene;
         this.geometry = geometry;
         this.settings = settings;
         this.directLight = directLight;
         keys = new CellKeys(scene, settings);
-        glows = GlowShapes.of(geometry);
+        glows = settings.isIndirect() ? GlowShapes.of(geometry) : GlowShapes.none();
+        background = BackgroundLight.of(scene).cells(settings.environment() ? DirectionCells.COUNT : 1);
         List<ReferenceGatherPoints.GatherPoint> points = new ReferenceGatherPoints(scene, geometry, keys, glows, settings).place();
         addSurfels(points.stream().flatMap(point -> point.rays().stream()).toList());
-        for (int bounce = 2; bounce <= settings.bounces(); bounce++) {
+        int rounds = settings.isIndirect() && settings.environment() ? settings.bounces() + 1 : settings.bounces();
+        for (int bounce = 2; bounce <= rounds; bounce++) {
             castSurfelRays();
         }
         light = new ReferencePointLight(points, points.stream().map(point -> point.rays().stream().map(this::target).toList()).toList(),
@@ -135,7 +141,8 @@ final class ReferenceIndirect {
             float[] before = sent;
             sent = new float[surfels.size()];
             for (int s = 0; s < sent.length; s++) {
-                float met = bounce > 1 && s < surfelRays.size() ? light(surfelRays.get(s), surfelGlow.get(s), before, c) : 0;
+                float met = s >= surfelRays.size() ? 0 : bounce > 1 ? light(surfelRays.get(s), surfelGlow.get(s), before, c)
+                        : settings.environment() ? fromEnvironment(surfelRays.get(s), c) : 0;
                 sent[s] = albedo(surfels.get(s), c) * (surfels.get(s).direct()[c] + met);
             }
         }
@@ -147,7 +154,7 @@ final class ReferenceIndirect {
         float share = 1f / rays.size();
         float sum = 0;
         for (ReferenceGatherRay ray : rays) {
-            sum += (ray.hit() == null ? background(c) : sent(ray, scattered, c)) * share * ray.tint()[c];
+            sum += (ray.hit() == null ? background(ray, c) : sent(ray, scattered, c)) * share * ray.tint()[c];
         }
         for (float[] object : glow) {
             sum += object[c];
@@ -156,12 +163,25 @@ final class ReferenceIndirect {
     }
 
     private float sent(ReferenceGatherRay ray, float[] scattered, int c) {
+        if (!settings.isIndirect()) {
+            return 0;
+        }
         int surfel = surfelByCell.get(ray.cell());
         return ray.dark() ? scattered[surfel] : surfels.get(surfel).glow()[c] + scattered[surfel];
     }
 
-    private float background(int c) {
-        Rgb color = settings.background() && scene.world().environment().isEmpty() ? scene.world().background() : Rgb.BLACK;
-        return (float) (c == 0 ? color.r() : c == 1 ? color.g() : color.b());
+    /** Returns one channel of the mean light that rays meet which leave the scene. */
+    private float fromEnvironment(List<ReferenceGatherRay> rays, int c) {
+        float share = 1f / rays.size();
+        float sum = 0;
+        for (ReferenceGatherRay ray : rays) {
+            sum += ray.hit() == null ? background(ray, c) * share * ray.tint()[c] : 0;
+        }
+        return sum;
+    }
+
+    private float background(ReferenceGatherRay ray, int c) {
+        Vec3 d = ray.direction();
+        return background[3 * (settings.environment() ? DirectionCells.of(d.x(), d.y(), d.z()) : 0) + c];
     }
 }

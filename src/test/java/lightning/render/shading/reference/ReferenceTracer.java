@@ -27,6 +27,7 @@ import lightning.render.trace.SampleCells;
 import lightning.render.trace.SamplePattern;
 import lightning.render.trace.SurfacePoint;
 import lightning.render.trace.tree.ShadowRayTarget;
+import lightning.scene.GatherSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
@@ -210,10 +211,10 @@ public final class ReferenceTracer {
     /** Returns the lights' diffuse sum plus the indirect light: red, green, blue. */
     private float[] diffuse(SurfacePoint hit, float[][] terms) {
         float[] direct = {sum(terms, DIFFUSE, 0), sum(terms, DIFFUSE, 1), sum(terms, DIFFUSE, 2)};
-        if (scene.picture().indirect().isEmpty()) {
+        if (GatherSettings.of(scene).isEmpty()) {
             return direct;
         }
-        indirect = indirect == null ? new ReferenceIndirect(scene, geometry, scene.picture().indirect().get(), this::directLight)
+        indirect = indirect == null ? new ReferenceIndirect(scene, geometry, GatherSettings.of(scene).get(), this::directLight)
                 : indirect;
         float[] more = indirect.at(hit);
         return new float[] {direct[0] + more[0], direct[1] + more[1], direct[2] + more[2]};

@@ -1,0 +1,61 @@
+package lightning.scene;
+
+import java.util.Optional;
+import lightning.base.text.Messages;
+
+/**
+ * Paths by which diffuse light is gathered: indirect light, the light of an environment, or both.
+ *
+ * @param bounces     diffuse bounces between a light and the surface that is seen; 0 if only the environment's own light is gathered
+ * @param rays        rays by which a gather point collects light, as in {@link IndirectSettings}
+ * @param spacing     distance of gather points, as in {@link IndirectSettings}
+ * @param environment whether rays that leave the scene keep their direction
+ */
+public record GatherSettings(int bounces, int rays, int spacing, boolean environment) {
+
+    /** Returns the paths that a scene needs; none without indirect light and without the light of an environment. */
+    public static Optional<GatherSettings> of(Scene scene) {
+        boolean environment = scene.world().lightIntensity() > 0;
+        Optional<IndirectSettings> indirect = scene.picture().indirect();
+        if (indirect.isEmpty() && !environment) {
+            return Optional.empty();
+        }
+        IndirectSettings settings = indirect.orElse(IndirectSettings.DEFAULT);
+        return Optional
+                .of(new GatherSettings(indirect.isEmpty() ? 0 : settings.bounces(), settings.rays(), settings.spacing(), environment));
+    }
+
+    /** Returns whether surfaces pass on light. */
+    public boolean isIndirect() {
+        return bounces > 0;
+    }
+
+    /**
+     * Returns whether paths with these settings are paths for a scene too, which has the same shapes and camera. An environment that lights
+     * nothing at present adds nothing, so its paths can stay.
+     */
+    public boolean canServe(Scene scene) {
+        Optional<GatherSettings> needed = of(scene);
+        if (needed.isEmpty()) {
+            return bounces == 0 && scene.world().environment().isPresent();
+        }
+        GatherSettings with = new GatherSettings(needed.get().bounces, needed.get().rays, needed.get().spacing, true);
+        return equals(needed.get()) || equals(with);
+    }
+
+    /** Returns the distance of gather points in a picture, in its own pixels. */
+    public double pixelSpacing(PictureSettings picture) {
+        return spacing * IndirectSettings.pixelScale(picture);
+    }
+
+    /** Returns the rays along each side of the square pattern of a gather point: the square root of {@link #rays}. */
+    public int raysPerSide() {
+        return (int) Math.round(Math.sqrt(rays));
+    }
+
+    /** Returns what is gathered, in words: {@code indirect light with 2 bounces, 64 rays, every 8 pixels}. */
+    public String label() {
+        return isIndirect() ? Messages.tr("indirect light with {0}", new IndirectSettings(bounces, rays, spacing, false).label())
+                : Messages.tr("light of the environment with {0} rays, every {1} pixels", rays, spacing);
+    }
+}
