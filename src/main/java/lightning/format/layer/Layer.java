@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.LightComponent;
+import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 
@@ -28,8 +29,12 @@ sealed interface Layer {
      */
     record Lights(String name, int first, int end, LightComponent part) implements Layer {}
 
-    /** Diffuse indirect light of directly visible surfaces, from all lights and the background. */
-    record Indirect() implements Layer {}
+    /**
+     * Gathered light of directly visible surfaces: that of the environment, or indirect light from all lights and the environment.
+     *
+     * @param isIndirect whether the scene has indirect light
+     */
+    record Gathered(boolean isIndirect) implements Layer {}
 
     /** Reflections, and the scene through transparent surfaces. */
     record Reflections() implements Layer {}
@@ -56,9 +61,7 @@ sealed interface Layer {
         if (lights.length > sceneLights.size()) {
             add(ENVIRONMENT, sceneLights.size(), lights.length, layers);
         }
-        if (scene.picture().indirect().isPresent()) {
-            layers.add(new Indirect());
-        }
+        GatherSettings.of(scene).ifPresent(settings -> layers.add(new Gathered(settings.isIndirect())));
         layers.add(new Reflections());
         return layers;
     }

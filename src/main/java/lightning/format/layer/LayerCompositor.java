@@ -60,7 +60,7 @@ final class LayerCompositor {
                 composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld, BLACK, result);
                 composer.setShowsGlow(false);
             }
-            case Layer.Indirect _ -> composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld,
+            case Layer.Gathered _ -> composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld,
                     new IndirectRows(requireNonNull(tile.levels[0].weights()), requireNonNull(indirect)), BLACK, result);
             case Layer.Reflections _ -> {
                 if (rows.reflectiveCount > 0) {

@@ -28,7 +28,7 @@ final class LayerNames {
                 case Layer.Background _ -> "background";
                 case Layer.Ambient _ -> "ambient";
                 case Layer.Emission _ -> "emission";
-                case Layer.Indirect _ -> "indirect";
+                case Layer.Gathered gathered -> gathered.isIndirect() ? "indirect" : Layer.ENVIRONMENT + "_gathered";
                 case Layer.Reflections _ -> "reflections";
                 case Layer.Lights lights -> {
                     if (lights.part() == LightComponent.DIFFUSE) {
