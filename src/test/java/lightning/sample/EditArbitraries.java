@@ -108,7 +108,7 @@ public final class EditArbitraries {
                 lights().map(Edit.RenameLightGroup::new)));
     }
 
-    private static Arbitrary<Edit> worldEdits() {
+    static Arbitrary<Edit> worldEdits() {
         return Arbitraries.oneOf(List.of(
                 NumberArbitraries.rangeOrSpecial(0, 1, 0.0, 1e6).map(v -> new Edit.EditWorld<>(World.AMBIENCE, v)),
                 NumberArbitraries.colors().map(v -> new Edit.EditWorld<>(World.BACKGROUND, v)),

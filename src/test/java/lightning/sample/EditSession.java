@@ -47,6 +47,11 @@ public final class EditSession {
         return Combinators.combine(IndirectArbitraries.objectEdits(), IndirectArbitraries.rooms()).as(EditSession::new);
     }
 
+    /** Returns sessions of one to eight edits of environments, lights and objects in rooms, some with indirect light. */
+    public static Arbitrary<EditSession> environmentSessions() {
+        return Combinators.combine(IndirectArbitraries.environmentEdits(), IndirectArbitraries.roomsWithEnvironment()).as(EditSession::new);
+    }
+
     /** Returns sessions of one to ten edits with weights, falloffs and highlights down to the underflow of a float. */
     public static Arbitrary<EditSession> extremeSessions() {
         return Combinators.combine(ExtremeArbitraries.edits(), ExtremeArbitraries.scenes()).as(EditSession::new);

@@ -54,6 +54,19 @@ public final class IndirectArbitraries {
                 });
     }
 
+    /** Returns these scenes in the light of an environment, half of them without indirect light. */
+    static Arbitrary<Scene> roomsWithEnvironment() {
+        return Combinators.combine(rooms(), SceneArbitraries.environmentMaps(), settings().optional(0.5)).as((room, map, indirect) -> room
+                .withWorld(room.world().withEnvironment(Optional.of(map))).withPicture(room.picture().withIndirect(indirect)));
+    }
+
+    /** Returns sequences of one to eight edits, mostly of the environment. */
+    static Arbitrary<List<Edit>> environmentEdits() {
+        return Arbitraries.frequencyOf(Tuple.of(4, EditArbitraries.worldEdits()), Tuple.of(3, EditArbitraries.edits()),
+                Tuple.of(1, EditArbitraries.objectEdits()), Tuple.of(1, settings().optional(0.5).map(Edit.SetIndirect::new))).list()
+                .ofMinSize(1).ofMaxSize(8);
+    }
+
     /** Returns sequences of one to eight edits of objects and their materials. */
     static Arbitrary<List<Edit>> objectEdits() {
         return EditArbitraries.objectEdits().list().ofMinSize(1).ofMaxSize(8);

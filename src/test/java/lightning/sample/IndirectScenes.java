@@ -1,6 +1,7 @@
 package lightning.sample;
 
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -15,6 +16,8 @@ import lightning.scene.IndirectSettings;
 import lightning.scene.PlacedShape;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.asset.Environment;
+import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.material.BumpMapping;
@@ -89,6 +92,17 @@ public final class IndirectScenes {
                 """, new IndirectSettings(3, 16, 4, false)));
         scenes.put("sky", scene("size 24 16  depth 1", CAMERA + "world { background 0.4 0.6 1 }\n" + ROOM,
                 new IndirectSettings(2, 64, 2, true)));
+        scenes.put("environment with a sun", withEnvironment(scene("size 32 20  depth 2", CAMERA + """
+                world { ambience 0  rotation 30 }
+                """ + ROOM + """
+                sphere ball { material white  at 0.3 -0.6 0.2  scale 0.4 0.4 0.4 }
+                sphere glass { material glass  at -0.4 -0.6 0.4  scale 0.3 0.3 0.3 }
+                light panel rect { at 0 0.9 0  direction 0 -1 0  width 0.6  height 0.4  samples 4 }
+                """, new IndirectSettings(2, 16, 4, false))));
+        scenes.put("environment on bumps", withBumps(withEnvironment(scene("size 24 16  depth 1", CAMERA + ROOM + """
+                material mirrored { diffuse 0.3 0.3 0.3  reflective 0.5 0.5 0.5 }
+                sphere ball { material mirrored  at 0.2 -0.5 -0.2  scale 0.5 0.5 0.5 }
+                """, new IndirectSettings(1, 16, 4, true)))));
         scenes.put("empty", scene("size 16 16  depth 3", "light lamp point { at 0 1 0 }\nworld { background 0.1 0.2 0.3 }\n",
                 new IndirectSettings(2, 16, 8, true)));
         scenes.put("single pixel", scene("size 1 1  depth 2", CAMERA + ROOM + LAMP, new IndirectSettings(2, 16, 64, false)));
@@ -161,6 +175,15 @@ public final class IndirectScenes {
         } catch (JenException e) {
             throw new AssertionError(e);
         }
+    }
+
+    private static Scene withEnvironment(Scene scene) {
+        float[] rgb = new float[3 * 24 * 12];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = 0.2f + i % 5 * 0.1f;
+        }
+        Arrays.fill(rgb, 3 * (4 * 24 + 3), 3 * (4 * 24 + 4), 300);
+        return scene.withWorld(scene.world().withEnvironment(Optional.of(new Environment("sky.hdr", new EnvironmentMap(24, 12, rgb)))));
     }
 
     private static Scene withMesh(Scene scene) {

@@ -1,6 +1,7 @@
 package lightning.sample;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Vec3;
@@ -141,8 +142,25 @@ public final class SceneArbitraries {
         return NumberArbitraries.rangeOrSpecial(-180, 180, 0.0, 90.0, 360.0);
     }
 
-    /** Returns environment maps of few pixels, some of them black. */
+    /** Returns environment maps of few pixels, some of them black, and maps with suns. */
     static Arbitrary<Environment> environmentMaps() {
+        return Arbitraries.frequencyOf(Tuple.of(3, smallMaps()), Tuple.of(1, mapsWithSuns()));
+    }
+
+    /** Returns maps with one to three pixels that are lights, in a sky that is not. */
+    private static Arbitrary<Environment> mapsWithSuns() {
+        return Combinators.combine(Arbitraries.integers().between(0, 24 * 12 - 1).list().ofMinSize(1).ofMaxSize(3),
+                NumberArbitraries.range(0, 1), NumberArbitraries.range(100, 1e4)).as((suns, sky, sun) -> {
+                    float[] rgb = new float[3 * 24 * 12];
+                    for (int i = 0; i < rgb.length; i++) {
+                        rgb[i] = (float) (double) sky * (1 + i % 7);
+                    }
+                    suns.forEach(i -> Arrays.fill(rgb, 3 * i, 3 * i + 3, (float) (double) sun));
+                    return new Environment("suns.hdr", new EnvironmentMap(24, 12, rgb));
+                });
+    }
+
+    private static Arbitrary<Environment> smallMaps() {
         return Combinators.combine(Arbitraries.integers().between(1, 6), Arbitraries.integers().between(1, 4))
                 .as((w, h) -> new int[] {w, h})
                 .flatMap(size -> NumberArbitraries.rangeOrSpecial(0, 2, 0.0, 50.0).array(Double[].class).ofSize(3 * size[0] * size[1])

@@ -60,6 +60,19 @@ class IndirectExactnessTest {
         SessionAssert.assertExactAfterEveryEdit("indirect-objects", session, options, scene -> fullTrace(scene, scene));
     }
 
+    @Provide
+    Arbitrary<EditSession> environmentSessions() {
+        return EditSession.environmentSessions();
+    }
+
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    void environment_equalsFullTraceAfterEveryEdit(@ForAll("environmentSessions") EditSession session, @ForAll MirrorStorage storage,
+            @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll long engines) {
+        RenderOptions options = new RenderOptions(Accuracy.EXACT, ReflectionMode.CURRENT, storage, threads)
+                .withEngines(new MixedEngineChoice(engines));
+        SessionAssert.assertExactAfterEveryEdit("environment", session, options, scene -> fullTrace(scene, scene));
+    }
+
     @Property(edgeCases = EdgeCasesMode.NONE)
     @Slow
     void staleReflections_showLastUpdatedScene(@ForAll("sessions") EditSession session, @ForAll @IntRange(min = 1, max = 7) int refreshEach,
