@@ -36,11 +36,12 @@ public record GatherSettings(int bounces, int rays, int spacing, boolean environ
      */
     public boolean canServe(Scene scene) {
         Optional<GatherSettings> needed = of(scene);
+        boolean isDark = scene.world().environment().isPresent() && scene.world().lightIntensity() == 0;
         if (needed.isEmpty()) {
-            return bounces == 0 && scene.world().environment().isPresent();
+            return isDark && bounces == 0;
         }
-        GatherSettings with = new GatherSettings(needed.get().bounces, needed.get().rays, needed.get().spacing, true);
-        return equals(needed.get()) || equals(with);
+        GatherSettings lit = new GatherSettings(needed.get().bounces, needed.get().rays, needed.get().spacing, true);
+        return equals(needed.get()) || isDark && equals(lit);
     }
 
     /** Returns the distance of gather points in a picture, in its own pixels. */

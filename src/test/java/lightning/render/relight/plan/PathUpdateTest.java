@@ -12,6 +12,7 @@ import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.sample.IndirectScenes;
+import lightning.scene.GatherSettings;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.AfterEach;
@@ -43,6 +44,15 @@ class PathUpdateTest {
 
     private PathUpdate plannedPaths(Scene target) {
         return ((UpdatePlan.Relight) renderer.plan(target).update()).paths();
+    }
+
+    /** A background of one color is no environment: the last surfels do not see it. */
+    @Test
+    void removedEnvironment_needsPathsOfItsOwn() {
+        Scene room = IndirectScenes.all().get("environment with a sun");
+        GatherSettings paths = GatherSettings.of(room).orElseThrow();
+        assertThat(paths.canServe(room.withWorld(room.world().withGain(0)))).isTrue();
+        assertThat(paths.canServe(room.withWorld(room.world().withEnvironment(Optional.empty())))).isFalse();
     }
 
     private static Scene withMirroringWalls(Scene scene, double reflectance) {
