@@ -9,20 +9,19 @@ import lightning.base.text.Messages;
  * @param bounces     diffuse bounces between a light and the surface that is seen; 0 if only the environment's own light is gathered
  * @param rays        rays by which a gather point collects light, as in {@link IndirectSettings}
  * @param spacing     distance of gather points, as in {@link IndirectSettings}
- * @param environment whether rays that leave the scene keep their direction
+ * @param environment whether the scene has an environment, so that rays that leave it keep their direction
  */
 public record GatherSettings(int bounces, int rays, int spacing, boolean environment) {
 
     /** Returns the paths that a scene needs; none without indirect light and without the light of an environment. */
     public static Optional<GatherSettings> of(Scene scene) {
-        boolean environment = scene.world().lightIntensity() > 0;
         Optional<IndirectSettings> indirect = scene.picture().indirect();
-        if (indirect.isEmpty() && !environment) {
+        if (indirect.isEmpty() && scene.world().lightIntensity() == 0) {
             return Optional.empty();
         }
         IndirectSettings settings = indirect.orElse(IndirectSettings.DEFAULT);
-        return Optional
-                .of(new GatherSettings(indirect.isEmpty() ? 0 : settings.bounces(), settings.rays(), settings.spacing(), environment));
+        return Optional.of(new GatherSettings(indirect.isEmpty() ? 0 : settings.bounces(), settings.rays(), settings.spacing(),
+                scene.world().environment().isPresent()));
     }
 
     /** Returns whether surfaces pass on light. */
@@ -35,13 +34,7 @@ public record GatherSettings(int bounces, int rays, int spacing, boolean environ
      * nothing at present adds nothing, so its paths can stay.
      */
     public boolean canServe(Scene scene) {
-        Optional<GatherSettings> needed = of(scene);
-        boolean isDark = scene.world().environment().isPresent() && scene.world().lightIntensity() == 0;
-        if (needed.isEmpty()) {
-            return isDark && bounces == 0;
-        }
-        GatherSettings lit = new GatherSettings(needed.get().bounces, needed.get().rays, needed.get().spacing, true);
-        return equals(needed.get()) || isDark && equals(lit);
+        return of(scene).map(this::equals).orElse(bounces == 0 && scene.world().environment().isPresent());
     }
 
     /** Returns the distance of gather points in a picture, in its own pixels. */
@@ -52,6 +45,11 @@ public record GatherSettings(int bounces, int rays, int spacing, boolean environ
     /** Returns the rays along each side of the square pattern of a gather point: the square root of {@link #rays}. */
     public int raysPerSide() {
         return (int) Math.round(Math.sqrt(rays));
+    }
+
+    /** Returns the rays along each side of the pattern of a surfel. Only by these does an environment light it. */
+    public int surfelRaysPerSide() {
+        return environment ? raysPerSide() : raysPerSide() / 2;
     }
 
     /** Returns what is gathered, in words: {@code indirect light with 2 bounces, 64 rays, every 8 pixels}. */

@@ -109,7 +109,7 @@ public final class GatherBuilder {
         PointPlacer placer =
                 new PointPlacer(workers, new ProgressPart(progress, CANDIDATES_SHARE, POINTS_SHARE), keys, pointCaster, memory);
         placer.place(candidates);
-        PathCaster surfelCaster = caster(new DirectionTable(settings.raysPerSide() / 2), memory, false);
+        PathCaster surfelCaster = caster(new DirectionTable(settings.surfelRaysPerSide()), memory, false);
         SurfelBuilder surfels = new SurfelBuilder(workers, new ProgressPart(progress, POINTS_SHARE, 1), keys, surfelCaster, memo, memory,
                 surfelBytes(), glows);
         surfels.build(placer.sources, placer.links, pointCaster, settings.bounces());

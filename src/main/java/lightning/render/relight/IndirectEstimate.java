@@ -118,7 +118,7 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         double surfelBytes = ColumnGroup.HIT.bytesPerRow() + texelBytes + ColumnGroup.OWNER.bytesPerRow()
                 + ColumnGroup.TRANSPARENT.bytesPerRow() + layerBytes + SURFEL_BYTES
                 + (settings.isIndirect() && (settings.bounces() > 1 || settings.environment())
-                        ? (linkBytes + glowBytes) * settings.rays() / 4.0 : 0);
+                        ? (linkBytes + glowBytes) * settings.surfelRaysPerSide() * settings.surfelRaysPerSide() : 0);
         double rowBytes = ColumnGroup.HIT.bytesPerRow() + texelBytes + ColumnGroup.OWNER.bytesPerRow();
         return (long) Math.min(Long.MAX_VALUE / 4.0, candidates * (rowBytes + POINT_BYTES) + rays * (linkBytes + glowBytes + surfelBytes));
     }

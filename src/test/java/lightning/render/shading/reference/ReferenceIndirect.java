@@ -111,7 +111,7 @@ final class ReferenceIndirect {
 
     /** Casts the rays of all surfels that have none, then adds a surfel for each new cell that they hit. */
     private void castSurfelRays() {
-        DirectionTable directions = new DirectionTable(settings.raysPerSide() / 2);
+        DirectionTable directions = new DirectionTable(settings.surfelRaysPerSide());
         int known = surfelRays.size();
         for (Surfel surfel : surfels.subList(known, surfels.size())) {
             SurfacePoint at = surfel.at();
