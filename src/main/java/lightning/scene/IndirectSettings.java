@@ -26,7 +26,10 @@ public record IndirectSettings(int bounces, int rays, int spacing, boolean backg
     public static final int MAX_SPACING = 64;
     /** Allowed numbers of rays, ascending. All are squares. */
     public static final List<Integer> RAY_COUNTS = List.of(16, 64, 256, 1024);
+    /** Settings of a file that has indirect light but no values. */
     public static final IndirectSettings DEFAULT = new IndirectSettings(2, 64, 8, false);
+    /** Settings of indirect light that is switched on, or imported: as many bounces as Cycles has by default. */
+    public static final IndirectSettings INITIAL = new IndirectSettings(4, 64, 8, false);
 
     public static final SceneAttribute<IndirectSettings, Integer> BOUNCES = new SceneAttribute<>("bounces", "indirect bounces",
             NumericKind.integer(1, MAX_BOUNCES), DEFAULT.bounces, "diffuse bounces", IndirectSettings::bounces,

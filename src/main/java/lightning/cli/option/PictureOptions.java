@@ -74,7 +74,7 @@ public final class PictureOptions {
         if (indirect == Indirect.OFF) {
             picture = picture.withIndirect(Optional.empty());
         } else if (indirect == Indirect.ON && picture.indirect().isEmpty()) {
-            picture = picture.withIndirect(Optional.of(IndirectSettings.DEFAULT));
+            picture = picture.withIndirect(Optional.of(IndirectSettings.INITIAL));
         }
         SamplingSettings sceneSampling = picture.sampling();
         SamplingSettings sampling = new SamplingSettings(antialias == null ? sceneSampling.antialias() : antialias,

@@ -42,7 +42,7 @@ final class IndirectControls extends VBox {
         on.setId("world-indirect");
         on.setAccessibleText(Messages.tr("Indirect Light"));
         on.setMaxWidth(Double.MAX_VALUE);
-        on.setOnAction(_ -> edit(_ -> on.isSelected() ? Optional.of(IndirectSettings.DEFAULT) : Optional.empty(), null));
+        on.setOnAction(_ -> edit(_ -> on.isSelected() ? Optional.of(IndirectSettings.INITIAL) : Optional.empty(), null));
         bounces = number(Messages.tr("Bounces"), IndirectSettings.BOUNCES);
         spacing = number(Messages.tr("Gather Point Spacing"), IndirectSettings.SPACING);
         rays.setId("world-indirect-rays");

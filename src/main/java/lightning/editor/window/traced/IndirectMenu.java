@@ -55,7 +55,7 @@ public final class IndirectMenu {
     private MenuItem toggle(String title, boolean on) {
         return items.choice(Command.INDIRECT, ID + (on ? "on" : "off"), title,
                 editor.sceneProperty().map(s -> indirect(s).isPresent() == on),
-                () -> edit(now -> on ? Optional.of(now.orElse(IndirectSettings.DEFAULT)) : Optional.empty()));
+                () -> edit(now -> on ? Optional.of(now.orElse(IndirectSettings.INITIAL)) : Optional.empty()));
     }
 
     private <V> Menu values(Command command, List<V> values, Function<V, String> title, Function<IndirectSettings, V> getter,

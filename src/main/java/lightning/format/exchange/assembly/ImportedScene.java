@@ -78,7 +78,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
 
     /** Returns this scene with indirect light, of the default settings if the file has none. */
     public ImportedScene withIndirect() {
-        return hasIndirect() ? this : withPicture(unscaledScene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT)));
+        return hasIndirect() ? this : withPicture(unscaledScene.picture().withIndirect(Optional.of(IndirectSettings.INITIAL)));
     }
 
     /** Returns this scene without indirect light. */

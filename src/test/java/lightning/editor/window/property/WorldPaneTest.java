@@ -83,13 +83,13 @@ class WorldPaneTest extends EditorFixture {
         assertThat(isVisibleInWindow("world-indirect-bounces")).isFalse();
         robot.interact(() -> model().editor().liveProperty().set(false));
         robot.interact(() -> robot.lookup("#world-indirect").<javafx.scene.control.ToggleButton>query().fire());
-        assertThat(scene().picture().indirect()).contains(IndirectSettings.DEFAULT);
+        assertThat(scene().picture().indirect()).contains(IndirectSettings.INITIAL);
         assertThat(isVisibleInWindow("world-indirect-bounces")).isTrue();
         type("world-indirect-bounces", "3");
         type("world-indirect-spacing", "12");
         robot.interact(() -> robot.lookup("#world-indirect-rays").<ComboBox<Integer>>query().setValue(256));
         assertThat(scene().picture().indirect())
-                .contains(IndirectSettings.DEFAULT.withBounces(3).withSpacing(12).withRays(256));
+                .contains(IndirectSettings.INITIAL.withBounces(3).withSpacing(12).withRays(256));
         type("world-indirect-bounces", "2.5");
         type("world-indirect-bounces", "9");
         assertThat(scene().picture().indirect().orElseThrow().bounces()).as("invalid values are refused").isEqualTo(3);

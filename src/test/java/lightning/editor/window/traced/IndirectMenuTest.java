@@ -61,9 +61,9 @@ class IndirectMenuTest extends EditorFixture {
         assertThat(item("indirect-rays-64").isDisable()).isTrue();
         choose("indirect-on");
         assertThat(item("indirect-rays-64").isDisable()).isFalse();
-        assertThat(indirect()).contains(IndirectSettings.DEFAULT);
+        assertThat(indirect()).contains(IndirectSettings.INITIAL);
         choose("indirect-on");
-        assertThat(indirect()).contains(IndirectSettings.DEFAULT);
+        assertThat(indirect()).contains(IndirectSettings.INITIAL);
     }
 
     private Button warning() {
