@@ -3,6 +3,7 @@ package lightning.render.shading;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import lightning.render.trace.Refraction;
 import lightning.render.trace.ShadowRayBatch;
 import lightning.render.trace.Tracer;
@@ -26,8 +27,11 @@ public final class TransmittanceBatch {
     /** Red, green, blue of the latest ray, 0…1. */
     public final float[] rgb = new float[3];
 
-    /** @param thin true for a pane, which has no inside */
-    private record ClearSurface(float[] reflective, float[] color, InteriorTint interior, boolean thin) {
+    /**
+     * @param thin    true for a pane, which has no inside
+     * @param absorbs true if paths inside lose light; otherwise their transmittance is 1
+     */
+    private record ClearSurface(float[] reflective, float[] color, InteriorTint interior, boolean thin, boolean absorbs) {
         static ClearSurface of(Material material) {
             Transmission clarity = material.transmission();
             float[] reflective = new float[3];
@@ -36,7 +40,9 @@ public final class TransmittanceBatch {
                 reflective[c] = ClearMaterialShader.channel(material.reflective(), c);
                 color[c] = ClearMaterialShader.channel(clarity.color(), c);
             }
-            return new ClearSurface(reflective, color, new InteriorTint(clarity), clarity.thin());
+            InteriorTint interior = new InteriorTint(clarity);
+            boolean isTinted = IntStream.range(0, 3).anyMatch(c -> interior.log2(c) != 0);
+            return new ClearSurface(reflective, color, interior, clarity.thin(), isTinted && !clarity.thin());
         }
     }
 
@@ -82,13 +88,13 @@ public final class TransmittanceBatch {
         for (int i = hits.first(k); i != ShadowRayHits.END; i = hits.next(i)) {
             ClearSurface surface = surface(hits.primitive[i]);
             boolean isInside = hits.inside[i];
-            if (isInside && !surface.thin) {
+            if (isInside && surface.absorbs) {
                 addExponents(surface.interior, (float) ((hits.t[i] - last) * length));
             }
             entered = isInside || surface.thin ? null : surface;
             last = hits.t[i];
         }
-        if (rays.toPoints && entered != null) {
+        if (rays.toPoints && entered != null && entered.absorbs) {
             addExponents(entered.interior, (float) ((1 - last) * length));
         }
     }
@@ -115,7 +121,7 @@ public final class TransmittanceBatch {
             float share = hits.reflectance[i];
             float[] kr = surface.reflective;
             float[] kt = surface.color;
-            if (isInside && !surface.thin) {
+            if (isInside && surface.absorbs) {
                 red *= Refraction.transmitted(kr[0], share, kt[0]) * (float) power[p];
                 green *= Refraction.transmitted(kr[1], share, kt[1]) * (float) power[p + 1];
                 blue *= Refraction.transmitted(kr[2], share, kt[2]) * (float) power[p + 2];
@@ -127,7 +133,7 @@ public final class TransmittanceBatch {
             }
             entered = isInside || surface.thin ? null : surface;
         }
-        if (rays.toPoints && entered != null) {
+        if (rays.toPoints && entered != null && entered.absorbs) {
             red *= (float) power[p];
             green *= (float) power[p + 1];
             blue *= (float) power[p + 2];

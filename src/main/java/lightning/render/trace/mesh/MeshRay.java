@@ -226,21 +226,6 @@ final class MeshRay {
         return slots;
     }
 
-    /** Returns whether the padded ray may enter a box, whose first value is {@code box[i]}, at a distance up to {@code limit}. */
-    boolean entersBox(float[] box, int i, double limit) {
-        int x = inverseX > 0 ? i : i + 8;
-        int y = inverseY > 0 ? i + 16 : i + 24;
-        int z = inverseZ > 0 ? i + 32 : i + 40;
-        long in = Math.max(0, Double.doubleToRawLongBits((box[x] - nearX) * inverseX));
-        in = Math.max(in, Double.doubleToRawLongBits((box[y] - nearY) * inverseY));
-        in = Math.max(in, Double.doubleToRawLongBits((box[z] - nearZ) * inverseZ));
-        // Adding 0 makes −0 positive.
-        long out = Math.min(Double.doubleToRawLongBits(limit), Double.doubleToRawLongBits((box[2 * i + 8 - x] - farX) * inverseX + 0.0));
-        out = Math.min(out, Double.doubleToRawLongBits((box[2 * i + 40 - y] - farY) * inverseY + 0.0));
-        out = Math.min(out, Double.doubleToRawLongBits((box[2 * i + 72 - z] - farZ) * inverseZ + 0.0));
-        return in <= out;
-    }
-
     /**
      * Returns a lower bound on the distance of a point from a triangle: the larger of the distances from its box along an axis
      * and from its plane. 0 on the triangle, up to rounding.

@@ -78,14 +78,14 @@ public final class MeshRayQuery {
      * @param buffer light buffer of the mesh and the end
      */
     public void collectHits(LightBuffer buffer, MeshSolid newSolid, double ox, double oy, double oz, double dx, double dy, double dz) {
-        int cell = buffer.cell(ox, oy, oz, dx, dy, dz);
-        if (cell == LightBuffer.NO_CELL || cell >= 0 && buffer.start(cell) == buffer.start(cell + 1)) {
+        int place = buffer.place(ox, oy, oz, dx, dy, dz);
+        if (place == LightBuffer.NO_CELL || place >= 0 && traversal.findLeaves(buffer, place) == 0) {
             traversal.clearHits();
             return;
         }
         setRay(newSolid, ox, oy, oz, dx, dy, dz);
-        if (cell >= 0) {
-            traversal.collectHits(solid.tree, ray, buffer, cell, 1);
+        if (place >= 0) {
+            traversal.collectHits(solid.tree, ray);
         } else {
             traversal.collectHits(solid.tree, ray, 1);
         }

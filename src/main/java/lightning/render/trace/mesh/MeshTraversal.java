@@ -8,6 +8,9 @@ final class MeshTraversal {
     private int[] stack = new int[64];
     /** Entry distances of the nodes on the stack, as bits of non-negative doubles. */
     private long[] entryBits = new long[64];
+    /** Child references, in the lower half, of the leaves found by {@link #findLeaves}. */
+    private int[] leafReference = new int[64];
+    private int leafCount;
     /** Triangle found by {@link #nearest}. */
     int triangle;
     /** Hits found by {@link #collectHits}. */
@@ -88,16 +91,69 @@ final class MeshTraversal {
         }
     }
 
-    /** Adds all hits of a ray to a light buffer's point that is in one of its cells. */
-    void collectHits(MeshTree tree, MeshRay ray, LightBuffer buffer, int cell, double limit) {
-        hitCount = 0;
-        int end = buffer.start(cell + 1);
-        for (int i = buffer.start(cell); i < end; i++) {
-            int reference = buffer.reference(i);
-            if (ray.entersBox(tree.box, MeshTree.NODE_FLOATS * (reference >> 3) + (reference & 7), limit)) {
-                collectLeaf(tree, ray, ~tree.child[reference], limit);
+    /** Finds the leaves that a light buffer's place may show; returns their number. */
+    int findLeaves(LightBuffer buffer, int place) {
+        int cell = place >> LightBuffer.PART_BITS;
+        int part = 1 << LightBuffer.REFERENCE_BITS + (place & 15);
+        int[] entries = buffer.entries;
+        int end = buffer.start[cell + 1];
+        int from = buffer.start[cell];
+        if (leafReference.length < end - from) {
+            leafReference = new int[2 * (end - from)];
+        }
+        int[] found = leafReference;
+        int count = 0;
+        for (int i = from; i < end; i++) {
+            int entry = entries[i];
+            if ((entry & part) != 0) {
+                found[count++] = entry;
             }
         }
+        leafCount = count;
+        return count;
+    }
+
+    /** Adds all hits, at distances below 1, of a ray to a light buffer's point on the leaves of {@link #findLeaves}. */
+    void collectHits(MeshTree tree, MeshRay ray) {
+        hitCount = 0;
+        keepEntered(tree.box, ray);
+        for (int i = 0; i < leafCount; i++) {
+            collectLeaf(tree, ray, ~tree.child[leafReference[i]], 1);
+        }
+    }
+
+    /** Keeps only leaves whose boxes the padded ray may enter at a distance up to 1, by the test of {@link #push}. */
+    private void keepEntered(float[] box, MeshRay ray) {
+        int[] references = leafReference;
+        double nearX = ray.nearX;
+        double nearY = ray.nearY;
+        double nearZ = ray.nearZ;
+        double farX = ray.farX;
+        double farY = ray.farY;
+        double farZ = ray.farZ;
+        double inverseX = ray.inverseX;
+        double inverseY = ray.inverseY;
+        double inverseZ = ray.inverseZ;
+        int nearSideX = inverseX > 0 ? 0 : 8;
+        int nearSideY = inverseY > 0 ? 16 : 24;
+        int nearSideZ = inverseZ > 0 ? 32 : 40;
+        long limitBits = Double.doubleToRawLongBits(1);
+        int end = leafCount;
+        int count = 0;
+        for (int i = 0; i < end; i++) {
+            int reference = references[i] & -1 >>> LightBuffer.REFERENCE_BITS;
+            int at = MeshTree.NODE_FLOATS * (reference >> 3) + (reference & 7);
+            long in = Math.max(0, Double.doubleToRawLongBits((box[at + nearSideX] - nearX) * inverseX));
+            in = Math.max(in, Double.doubleToRawLongBits((box[at + nearSideY] - nearY) * inverseY));
+            in = Math.max(in, Double.doubleToRawLongBits((box[at + nearSideZ] - nearZ) * inverseZ));
+            // Adding 0 makes −0 positive.
+            long out = Math.min(limitBits, Double.doubleToRawLongBits((box[at + 8 - nearSideX] - farX) * inverseX + 0.0));
+            out = Math.min(out, Double.doubleToRawLongBits((box[at + 40 - nearSideY] - farY) * inverseY + 0.0));
+            out = Math.min(out, Double.doubleToRawLongBits((box[at + 72 - nearSideZ] - farZ) * inverseZ + 0.0));
+            references[count] = reference;
+            count += in <= out ? 1 : 0;
+        }
+        leafCount = count;
     }
 
     private void collectLeaf(MeshTree tree, MeshRay ray, int leaf, double limit) {
@@ -125,7 +181,15 @@ final class MeshTraversal {
     }
 
     private static double distance(MeshTree tree, MeshRay ray, int leaf, int slot) {
-        return ray.distance(tree.vertex, tree.corner(leaf, slot, 0), tree.corner(leaf, slot, 1), tree.corner(leaf, slot, 2),
+        int reference = tree.triangle[MeshTree.WIDTH * leaf + slot];
+        if (reference < 0) {
+            return MeshRay.MISS;
+        }
+        int last = MeshTree.lastCorner(reference);
+        int corner = MeshTree.LEAF_FLOATS * leaf + slot;
+        // The order of the other two corners does not change the distance.
+        return ray.distance(tree.vertex, corner + (last == 0 ? MeshTree.CORNER_FLOATS : 0),
+                corner + (last == 2 ? MeshTree.CORNER_FLOATS : 2 * MeshTree.CORNER_FLOATS), corner + MeshTree.CORNER_FLOATS * last,
                 MeshTree.AXIS_FLOATS);
     }
 

@@ -48,16 +48,25 @@ final class RayTrianglePairs {
             pairRays.dy[n] = rays.dy[ray];
             pairRays.dz[n] = rays.dz[ray];
             pairRays.padding[n] = rays.padding[ray];
-            for (int v = 0; v < 3; v++) {
-                int corner = tree.corner(leaf, s, v);
-                for (int axis = 0; axis < 3; axis++) {
-                    pairs.vertex[MeshTree.WIDTH * (3 * v + axis) + n] = tree.vertex[corner + MeshTree.AXIS_FLOATS * axis];
-                }
-            }
+            copyVertices(tree, MeshTree.LEAF_FLOATS * leaf + s, Math.min(2, MeshTree.lastCorner(tree.triangle[MeshTree.WIDTH * leaf + s])),
+                    n);
             if (pairCount == LeafTriangleLanes.RAYS) {
                 test();
             }
         }
+    }
+
+    /** Copies the vertices of a triangle, the last one last; the order of the others does not change the distance. */
+    private void copyVertices(MeshTree tree, int first, int last, int n) {
+        copyVertex(tree.vertex, first + (last == 0 ? MeshTree.CORNER_FLOATS : 0), n);
+        copyVertex(tree.vertex, first + (last == 2 ? MeshTree.CORNER_FLOATS : 2 * MeshTree.CORNER_FLOATS), 3 * MeshTree.WIDTH + n);
+        copyVertex(tree.vertex, first + MeshTree.CORNER_FLOATS * last, 6 * MeshTree.WIDTH + n);
+    }
+
+    private void copyVertex(float[] v, int from, int to) {
+        pairs.vertex[to] = v[from];
+        pairs.vertex[MeshTree.WIDTH + to] = v[from + MeshTree.AXIS_FLOATS];
+        pairs.vertex[2 * MeshTree.WIDTH + to] = v[from + 2 * MeshTree.AXIS_FLOATS];
     }
 
     /** Tests the pairs that are not tested yet. */

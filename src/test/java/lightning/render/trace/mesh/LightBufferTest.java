@@ -22,8 +22,33 @@ class LightBufferTest {
         for (int n = 0; n < 8; n++) {
             double far = Math.pow(10, random.nextInt(8) - 1);
             double[] end = {far * random.nextGaussian(), far * random.nextGaussian(), far * random.nextGaussian()};
-            LightBuffer buffer = LightBuffer.of(solid, end[0], end[1], end[2]);
+            LightBuffer buffer = LightBuffer.of(solid, point(end[0], end[1], end[2]));
             for (int i = 0; buffer != null && i < 40; i++) {
+                compare(solid, buffer, end, MeshRayQueryTest.aim(mesh, random), random);
+            }
+        }
+    }
+
+    @Property
+    void cellsOfNeighboringPoints_loseNoHit(@ForAll @IntRange(min = 0, max = 300) int triangles, @ForAll long seed) {
+        Random random = new Random(seed);
+        Mesh mesh = SampleMeshes.randomTriangles(triangles, seed);
+        MeshSolid solid = new MeshSolid(mesh);
+        for (int n = 0; n < 8; n++) {
+            double far = Math.pow(10, random.nextInt(5) - 1);
+            double[] points = new double[6];
+            for (int a = 0; a < 3; a++) {
+                points[a] = far * random.nextGaussian();
+                points[a + 3] = points[a] + (random.nextInt(4) == 0 ? 0 : far * Math.abs(random.nextGaussian()));
+            }
+            LightBuffer buffer = LightBuffer.of(solid, points);
+            for (int i = 0; buffer != null && i < 40; i++) {
+                double[] end = new double[3];
+                for (int a = 0; a < 3; a++) {
+                    // Corners are likely, because images are largest there.
+                    end[a] = random.nextInt(3) == 0 ? points[a] + random.nextDouble() * (points[a + 3] - points[a])
+                            : points[a + 3 * random.nextInt(2)];
+                }
                 compare(solid, buffer, end, MeshRayQueryTest.aim(mesh, random), random);
             }
         }
@@ -32,16 +57,16 @@ class LightBufferTest {
     @Test
     void pointWithinTheBox_hasNoBuffer() {
         MeshSolid ball = new MeshSolid(SampleMeshes.ball(12, 9, false));
-        assertThat(LightBuffer.of(ball, 0.1, 0.2, 0.3)).isNull();
-        assertThat(LightBuffer.of(ball, 0.1, 3, 0.3)).isNotNull();
+        assertThat(LightBuffer.of(ball, point(0.1, 0.2, 0.3))).isNull();
+        assertThat(LightBuffer.of(ball, point(0.1, 3, 0.3))).isNotNull();
     }
 
     @Test
     void rayToAnotherPoint_findsItsHits() {
         MeshSolid ball = new MeshSolid(SampleMeshes.ball(12, 9, false));
-        LightBuffer buffer = LightBuffer.of(ball, 0, 3, 0);
-        assertThat(buffer.cell(0, -3, 0, 0, 6, 0)).isNotNegative();
-        assertThat(buffer.cell(0, -3, 0, 1e-6, 6, 0)).isEqualTo(LightBuffer.OTHER_END);
+        LightBuffer buffer = LightBuffer.of(ball, point(0, 3, 0));
+        assertThat(buffer.place(0, -3, 0, 0, 6, 0)).isNotNegative();
+        assertThat(buffer.place(0, -3, 0, 1e-6, 6, 0)).isEqualTo(LightBuffer.OTHER_END);
         query.collectHits(buffer, ball, 0, -3, 0, 1, 6, 0.5);
         assertThat(query.hitCount()).isEqualTo(2);
     }
@@ -49,11 +74,11 @@ class LightBufferTest {
     @Test
     void rayThatMissesAllBoxes_testsNoLeaf() {
         MeshSolid ball = new MeshSolid(SampleMeshes.ball(12, 9, false));
-        LightBuffer buffer = LightBuffer.of(ball, 0, 3, 0);
-        assertThat(buffer.cell(5, -3, 0, -5, 6, 0)).isEqualTo(LightBuffer.NO_CELL);
+        LightBuffer buffer = LightBuffer.of(ball, point(0, 3, 0));
+        assertThat(buffer.place(5, -3, 0, -5, 6, 0)).isEqualTo(LightBuffer.NO_CELL);
         // The ray starts between the point and the mesh, or beyond the point.
-        assertThat(buffer.cell(0, 2.5, 0, 0, 0.5, 0)).isEqualTo(LightBuffer.NO_CELL);
-        assertThat(buffer.cell(0, 4, 0, 0, -1, 0)).isEqualTo(LightBuffer.NO_CELL);
+        assertThat(buffer.place(0, 2.5, 0, 0, 0.5, 0)).isEqualTo(LightBuffer.NO_CELL);
+        assertThat(buffer.place(0, 4, 0, 0, -1, 0)).isEqualTo(LightBuffer.NO_CELL);
     }
 
     private void compare(MeshSolid solid, LightBuffer buffer, double[] end, double[] through, Random random) {
@@ -79,5 +104,10 @@ class LightBufferTest {
             assertThat(hits.put(query.hitTriangle(i), query.hitDistance(i))).isNull();
         }
         return hits;
+    }
+
+    /** Returns the bounds of a single point. */
+    private static double[] point(double x, double y, double z) {
+        return new double[] {x, y, z, x, y, z};
     }
 }
