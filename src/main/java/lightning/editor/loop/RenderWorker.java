@@ -24,6 +24,7 @@ import lightning.render.relight.plan.UpdateMethod;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.RenderedScenes;
+import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 
@@ -126,8 +127,9 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private void renderScene(Scene scene, RenderQueue.CancelSignal signal) {
         PlannedUpdate planned = renderer.plan(scene);
         listener.started(planned.update());
-        boolean adds = addsIndirectLight(scene, planned.update());
-        boolean repeats = !adds && repeatsPaths(planned.update());
+        boolean isSeparable = canShowDirectLightAlone(scene);
+        boolean adds = isSeparable && addsIndirectLight(scene, planned.update());
+        boolean repeats = isSeparable && !adds && repeatsPaths(planned.update());
         if (!adds || renderer.state().hasPicture() && renderer.cache().indirect() != null) {
             pathsCache = null;
         }
@@ -162,6 +164,11 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
             slowUpdate = "";
         }
         return nanoseconds / 1e9;
+    }
+
+    /** Returns whether direct light can be shown first: it needs no paths, and indirect light does. */
+    private static boolean canShowDirectLightAlone(Scene scene) {
+        return scene.picture().indirect().isPresent() && GatherSettings.of(scene.withoutIndirect()).isEmpty();
     }
 
     /** Returns whether an update traces paths of indirect light again because objects changed, with mirrors that show them too. */

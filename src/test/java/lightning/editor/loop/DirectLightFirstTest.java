@@ -67,6 +67,17 @@ class DirectLightFirstTest {
         listener.expectNext(RecordingRenderListener.Event.IDLE);
     }
 
+    /** The light of an environment is gathered along the same paths, so direct light alone would take as long. */
+    @Test
+    void environment_isShownWithAllLightAtOnce() throws InterruptedException {
+        Scene lit = IndirectScenes.all().get("environment with a sun");
+        loop.render(lit);
+        RecordingRenderListener.Shown shown = next();
+        assertShows(shown, lit);
+        assertThat(shown.frame().step()).isEqualTo(Frame.Step.ALL_LIGHT);
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
+    }
+
     @Test
     void lightEdit_isOneStep() throws InterruptedException {
         loop.render(scene);
