@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import lightning.base.math.Rgb;
@@ -15,8 +16,12 @@ import lightning.format.jen.PropertyEdit;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Downscale;
 import lightning.render.image.Film;
+import lightning.sample.Nightly;
+import lightning.sample.PythonPrograms;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -29,23 +34,59 @@ class RoomTruthTest {
     private static final Path ROOMS = Path.of("src/test/rooms");
     private static final double HIGH = 0.95;
 
-    /** Bounds in percent: of the mean error, of the 95th percentile, and of the bias to either side. */
+    /**
+     * Bounds in percent: of the mean error, of the 95th percentile, and of the bias to either side. Targets are 3 and 8; where a room does not
+     * reach them, the bound is the next one that it reaches.
+     */
     @ParameterizedTest
     @CsvSource(textBlock = """
-            courtyard, 3, 8, 2
-            living-uniform, 4, 12, 2
+            attic, 4, 12, 1
+            cellar, 20, 52, 1
+            corridor, 4, 11, 1
+            courtyard, 3, 8, 1
+            living, 6, 15, 1
+            living-uniform, 4, 12, 1
+            niches, 3, 9, 1
             """)
     void indirectLight_isCloseToTruth(String room, double mean, double high, double bias) throws Exception {
         assertError(room, scene(room), mean, high, bias);
     }
 
+    /** Without indirect light: lights, whose shadows have edges, and a sky outdoors. */
     @ParameterizedTest
     @CsvSource(textBlock = """
-            courtyard, 3, 10, 2
+            corridor, 3, 8, 1
+            courtyard, 3, 8, 2
+            niches, 3, 10, 1
             """)
     void directLight_isCloseToTruth(String room, double mean, double high, double bias) throws Exception {
         Scene scene = scene(room);
         assertError(room + "-direct", scene.withPicture(scene.picture().withIndirect(Optional.empty())), mean, high, bias);
+    }
+
+    /** Without indirect light: skies through openings. {@link #indirectLight_isCloseToTruth} covers the same openings. */
+    @Nightly
+    @ParameterizedTest
+    @CsvSource(textBlock = """
+            attic, 7, 25, 1
+            cellar, 27, 100.1, 1
+            living, 10, 27, 1
+            living-uniform, 6, 23, 1
+            """)
+    void skyThroughOpening_isCloseToTruth(String room, double mean, double high, double bias) throws Exception {
+        directLight_isCloseToTruth(room, mean, high, bias);
+    }
+
+    /** The program that made the truth still makes it, within the noise of few samples: 256 instead of 8192. */
+    @Test
+    void program_repeatsTruth(@TempDir Path folder) throws Exception {
+        PythonPrograms.require("mitsuba", "numpy");
+        Path picture = folder.resolve("corridor.exr");
+        PythonPrograms.output(folder, List.of(Path.of("src/test/python/mitsuba_room.py").toAbsolutePath().toString(),
+                ROOMS.resolve("corridor.jen").toAbsolutePath().toString(), picture.toString(), "--samples", "256", "--direct"));
+        double[] truth = luminances(ImageFile.read(ROOMS.resolve("truth/corridor-direct.exr")));
+        RelativeErrors errors = RelativeErrors.of(luminances(ImageFile.read(picture)), truth);
+        assertThat(errors.mean()).isLessThan(0.05);
     }
 
     private static Scene scene(String room) throws Exception {
