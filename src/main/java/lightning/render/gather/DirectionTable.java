@@ -3,7 +3,7 @@ package lightning.render.gather;
 /**
  * Cosine-distributed directions around a normal, one in each cell of a square grid. Each cell of the grid is divided into 4×4 parts, and
  * a point has all its directions in the same part. Neighboring points have different parts ({@link CellKeys}), so together they have the
- * directions of a grid of four times the side. Within its part a direction is at a random place: there are four patterns for each part.
+ * directions of a grid of four times the side. Within its part a direction is at a random place: there are sixteen patterns for each part.
  *
  * <p>The grid is mapped to the disc by concentric rings (P. Shirley and K. Chiu, A low distortion map between disk and square, 1997), and
  * the disc is projected onto the hemisphere (Malley's method).
@@ -12,7 +12,7 @@ public final class DirectionTable {
     /** Parts of a cell along each axis. */
     private static final int PARTS = 4;
     /** Patterns of each part. */
-    private static final int VARIANTS = 4;
+    private static final int VARIANTS = 16;
     private static final int PATTERNS = PARTS * PARTS * VARIANTS;
     /** Smallest cosine to the normal. */
     private static final double MIN_COSINE = 1e-3;

@@ -14,9 +14,9 @@ final class PointPlacer {
     private static final int BATCH = 4096;
     private static final int NONE = -1;
     /** Radius of a point in sides of its cell. */
-    private static final float RADIUS = 1.5f;
+    private static final float RADIUS = 1.2f;
     /** Largest radius relative to the harmonic mean distance of the surfaces around. */
-    private static final float ACCURACY = 0.35f;
+    private static final float ACCURACY = 0.2f;
 
     private final WorkerPool workers;
     private final ProgressPart progress;

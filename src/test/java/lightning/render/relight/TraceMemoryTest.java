@@ -45,7 +45,7 @@ class TraceMemoryTest {
     @Test
     void densePaths_areRejectedWithSparserOnes() {
         Scene scene = room(400, 300);
-        long memory = MemoryEstimate.filmBytes(scene.picture()) + 3 * pathBytes(scene);
+        long memory = MemoryEstimate.filmBytes(scene.picture()) + 4 * pathBytes(scene);
         assertThatCode(() -> TraceMemory.check(scene, memory)).doesNotThrowAnyException();
         Scene dense = scene.withPicture(scene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT.withRays(1024))));
         assertThatThrownBy(() -> TraceMemory.check(dense, memory)).isInstanceOf(PictureTooLargeException.class)

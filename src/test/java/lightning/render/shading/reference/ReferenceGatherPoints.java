@@ -24,8 +24,8 @@ import lightning.scene.Scene;
 /** Chooses the gather points of a scene for {@link ReferenceTracer}, one surface after the other. */
 final class ReferenceGatherPoints {
     private static final int CANDIDATES_PER_SPACING = 4;
-    private static final float RADIUS = 1.5f;
-    private static final float ACCURACY = 0.35f;
+    private static final float RADIUS = 1.2f;
+    private static final float ACCURACY = 0.2f;
 
     private final Scene scene;
     private final Geometry geometry;
