@@ -63,6 +63,13 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
         return stage.materialsByName();
     }
 
+    /** Returns the lights that are rendered, with lights for all of the environment: for programs without environments. */
+    public List<Light> lightsForOtherPrograms() {
+        List<Light> all = new ArrayList<>(rig.effectiveLights().subList(0, lights().size()));
+        all.addAll(world.approximateLights(world.lightCount(), this::isNameUsed));
+        return all;
+    }
+
     public Optional<Light> light(String name) {
         return rig.light(name);
     }

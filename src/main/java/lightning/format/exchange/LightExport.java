@@ -52,7 +52,7 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
     public static LightExport toGltf(Path gltf, Scene scene, LightUnits units, Progress progress) throws IOException, MeshException {
         var notes = new ConversionNotes();
         List<GltfLightWriter.PlacedLight> lights = new ArrayList<>();
-        List<Light> effectiveLights = scene.rig().effectiveLights();
+        List<Light> effectiveLights = scene.lightsForOtherPrograms();
         for (int i = 0; i < effectiveLights.size(); i++) {
             Light effectiveLight = effectiveLights.get(i);
             // Environment lights come last; they have no block in the scene file.

@@ -84,7 +84,7 @@ public final class PovScene {
                     .append(PovFormat.matrix(shape.toWorld())).append("\n}\n");
         }
         var lights = new PovLightWriter(BoundingSphere.of(scene), warnings);
-        scene.rig().effectiveLights().forEach(light -> body.append(lights.text(scene, light)));
+        scene.lightsForOtherPrograms().forEach(light -> body.append(lights.text(scene, light)));
         return new PovScene(header(scene, warnings) + body, warnings, images, bumpMaps, environments);
     }
 

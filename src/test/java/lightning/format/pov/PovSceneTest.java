@@ -58,8 +58,10 @@ class PovSceneTest {
         String text = PovScene.of(scene, "x").text();
         assertThat(text.chars().filter(c -> c == '{').count()).isEqualTo(text.chars().filter(c -> c == '}').count());
         assertThat(text).doesNotContain("NaN", "Infinity");
+        int ofEnvironment = !scene.rig().isEnvironmentActive() ? 0
+                : scene.world().environment().orElseThrow().map().lights(scene.world().lightCount()).size();
         assertThat(text.lines().filter(line -> line.startsWith("light_source"))).hasSize(
-                (int) scene.rig().effectiveLights().stream().filter(scene::isActive).count());
+                (int) scene.lights().stream().filter(scene::isActive).count() + ofEnvironment);
         assertThat(text.lines().filter(line -> line.startsWith("  matrix"))).hasSize(scene.placedShapes().size());
     }
 
@@ -120,6 +122,16 @@ class PovSceneTest {
             environment.radiance(Math.cos(angle), 0, Math.sin(angle), rotation, direction);
             assertThat(direction[0]).isEqualTo(column + 1, within(1e-9));
         }
+    }
+
+    /** POV-Ray's surfaces gather no light of the sky: lights stand for all of it. */
+    @Test
+    void smoothEnvironment_isExportedAsLights() {
+        EnvironmentMap gray =
+                new EnvironmentMap(4, 2, new float[] {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1});
+        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("gray.hdr", gray))).withLightCount(8);
+        String text = PovScene.of(new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, world, List.of(), List.of(), List.of()), "x").text();
+        assertThat(text.split("light_source", -1)).hasSize(1 + 8);
     }
 
     @Test
