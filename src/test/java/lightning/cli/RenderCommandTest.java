@@ -94,7 +94,7 @@ class RenderCommandTest {
     void indirect_isSwitchedOnAndOff() throws Exception {
         String text = "material m { diffuse 0.8 0.8 0.8 }\nsphere a { material m }\nplane b { material m  at 0 -1 0  scale 9 1 9 }\n"
                 + "camera { from 0 2 4  to 0 0 0 }\nlight l point { at 0 3 1 }\n";
-        Path lit = Files.writeString(folder.resolve("lit.jen"), "jen 1\npicture { size 24 16  indirect {} }\n" + text);
+        Path lit = Files.writeString(folder.resolve("lit.jen"), "jen 1\npicture { size 24 16  indirect { bounces 4 } }\n" + text);
         Path plain = Files.writeString(folder.resolve("plain.jen"), "jen 1\npicture { size 24 16 }\n" + text);
         Path[] pictures = new Path[4];
         for (int i = 0; i < 4; i++) {

@@ -26,7 +26,7 @@ public final class NumericParameter {
     public static final NumericParameter ENVIRONMENT_GAIN = ofWorld(World.GAIN);
     /** Rotation of the environment. */
     public static final NumericParameter ENVIRONMENT_ROTATION = ofWorld(World.ROTATION);
-    /** Number of environment samples, an integer. */
+    /** Maximum number of lights for bright parts of an environment, an integer. */
     public static final NumericParameter ENVIRONMENT_LAMPS = ofWorld(World.LIGHT_COUNT);
     /** Spread of each sample over its part of the environment. */
     public static final NumericParameter ENVIRONMENT_SOFTNESS = ofWorld(World.SOFTNESS);

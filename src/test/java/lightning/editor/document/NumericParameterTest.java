@@ -108,7 +108,7 @@ class NumericParameterTest {
                 .map(NumericParameter::title).toList())
                 .containsExactlyInAnyOrder("spread", "width", "height", "environment intensity", "environment light gain",
                         "environment rotation",
-                        "environment samples",
+                        "environment bright lights",
                         "environment shadow smoothing");
     }
 

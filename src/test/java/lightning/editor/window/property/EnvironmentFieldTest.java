@@ -79,17 +79,16 @@ class EnvironmentFieldTest extends EditorFixture {
     }
 
     @Test
-    void firstEnvironment_getsSoftLights_laterOnesKeepTheSettings() throws IOException {
+    void laterEnvironment_keepsTheSettings() throws IOException {
         writeEnvironmentMap("a.hdr");
         writeEnvironmentMap("b.hdr");
         choose("a.hdr");
         waitFor("the file is read", () -> choiceText().equals("a.hdr"));
-        assertThat(world().lightCount()).isEqualTo(48);
-        assertThat(world().softness()).isEqualTo(1);
-        type("environment-samples", "16");
+        assertThat(world().lightCount()).isEqualTo(16);
+        type("environment-bright-lights", "20");
         choose("b.hdr");
         waitFor("the file is read", () -> choiceText().equals("b.hdr"));
-        assertThat(world().lightCount()).isEqualTo(16);
+        assertThat(world().lightCount()).isEqualTo(20);
     }
 
     private Tab tab(String id) {
@@ -158,7 +157,7 @@ class EnvironmentFieldTest extends EditorFixture {
 
     @Test
     void environmentNumbers_withoutEnvironment_areNotShown() throws IOException {
-        Stream.of("intensity", "rotation", "samples", "shadow-smoothing").map(n -> robot.lookup("#environment-" + n).<Node>query())
+        Stream.of("intensity", "rotation", "bright-lights", "shadow-smoothing").map(n -> robot.lookup("#environment-" + n).<Node>query())
                 .forEach(dial -> assertThat(dial.getParent().isVisible()).isFalse());
         writeEnvironmentMap("dusk.hdr");
         choose("dusk.hdr");
@@ -167,12 +166,12 @@ class EnvironmentFieldTest extends EditorFixture {
         type("environment-intensity", "2.5");
         type("environment-rotation", "-30");
         type("environment-shadow-smoothing", "0.5");
-        type("environment-samples", "7");
+        type("environment-bright-lights", "7");
         assertThat(world().intensity()).isEqualTo(2.5);
         assertThat(world().rotation()).isEqualTo(-30);
         assertThat(world().lightCount()).isEqualTo(7);
         assertThat(world().softness()).isEqualTo(0.5);
-        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("environment samples 48 → 7");
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("environment bright lights 16 → 7");
         choose("None");
         waitFor("the file is removed", () -> choiceText().isEmpty());
         assertThat(world().rotation()).as("rotation is kept").isEqualTo(-30);
