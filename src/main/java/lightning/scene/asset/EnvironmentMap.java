@@ -1,5 +1,6 @@
 package lightning.scene.asset;
 
+import java.lang.ref.SoftReference;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -19,7 +20,8 @@ public final class EnvironmentMap {
     private final Map<Integer, List<EnvironmentLight>> lights = new ConcurrentHashMap<>();
     private final Map<Integer, List<EnvironmentLight>> brightLights = new ConcurrentHashMap<>();
     private @Nullable Double limit;
-    private @Nullable SmoothGrid smoothGrid;
+    /** Its memory is larger than that of most maps, and it can be computed again. */
+    private SoftReference<SmoothGrid> smoothGrid = new SoftReference<>(null);
 
     /**
      * @param rgb {@code float[3 * width * height]}, row by row from the top, each 0 … {@link SceneLimits#MAX_EMISSION}; owned by the map,
@@ -146,8 +148,12 @@ public final class EnvironmentMap {
 
     /** Returns its smooth light on a grid. */
     public synchronized SmoothGrid smoothGrid() {
-        smoothGrid = smoothGrid == null ? SmoothGrid.of(this) : smoothGrid;
-        return smoothGrid;
+        SmoothGrid known = smoothGrid.get();
+        if (known == null) {
+            known = SmoothGrid.of(this);
+            smoothGrid = new SoftReference<>(known);
+        }
+        return known;
     }
 
     @Override

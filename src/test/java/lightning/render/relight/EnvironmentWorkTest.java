@@ -5,12 +5,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import lightning.base.work.Progress;
 import lightning.render.image.FilmAssert;
+import lightning.render.relight.paper.Accuracy;
 import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.plan.LightUpdate;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
+import lightning.scene.AntialiasMode;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.asset.Environment;
@@ -102,6 +107,18 @@ class EnvironmentWorkTest {
         Scene light = both.withWorld(both.world().withSolo(false));
         assertThat(light.rig().effectiveLights()).filteredOn(light::isActive).extracting(Light::name)
                 .containsExactly(scene.lights().getFirst().name());
+    }
+
+    /** The ratio method replaces layers for edge detection; surfels of paths without bounces have none. */
+    @Test
+    void ratioMethod_findsEdgesInTheLightOfAnEnvironment() {
+        Scene scene = studio.scene().withPicture(studio.scene().picture().withSampling(new SamplingSettings(AntialiasMode.EDGES, 2)));
+        RenderOptions options = new RenderOptions(Accuracy.RATIO, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1);
+        try (Renderer renderer = new Renderer(options)) {
+            renderer.render(scene, Progress.NONE);
+            renderer.render(scene.withWorld(scene.world().withRotation(70)), Progress.NONE);
+            assertThat(renderer.cache().indirect()).isNotNull();
+        }
     }
 
     @Test

@@ -134,7 +134,7 @@ final class IndirectBuilder {
 
     /** Returns the solver for lights with rounded weights. Layers of some methods contain the exact weights, so they are replaced by terms. */
     private SurfelSolver edgeSolver(SurfelSolver solver, GatherStructure structure, TileLevel[] surfels) {
-        if (job.options().method().isExact()) {
+        if (job.options().method().isExact() || structure.bounces() == 0) {
             return solver;
         }
         TileLevel[] terms = new TileLevel[surfels.length];
