@@ -10,7 +10,6 @@ import lightning.render.cache.CachedLight;
 import lightning.render.cache.CachedScene;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.FineTile;
-import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
@@ -44,14 +43,10 @@ import org.jspecify.annotations.Nullable;
  */
 record CacheConversion(PixelCache cache, RenderOptions options) {
 
-    /** Returns whether a cache can be converted: neither mirror levels stored as hit shapes, which have no rows, nor indirect light. */
+    /** Returns whether a cache can be converted: neither mirror levels stored as hit shapes, which have no rows, nor gathered light. */
     static boolean canConvert(PixelCache cache) {
-        return canConvert(cache.indirect()) && canConvert(cache.mirrored().indirect())
+        return cache.indirect() == null && cache.mirrored().indirect() == null
                 && cache.allTiles().stream().allMatch(CachedTile::storesRows);
-    }
-
-    private static boolean canConvert(@Nullable IndirectCache indirect) {
-        return indirect == null || !indirect.settings().isIndirect();
     }
 
     /** Returns the conversion as a plan. */
@@ -92,9 +87,9 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         return new Result(new PixelCache(cache.geometry(), tiles, fine, recomputed(cache.shown()), recomputed(cache.mirrored())), work);
     }
 
-    /** Returns the scene with stamps of layers that were just computed. The light of an environment has none. */
+    /** Returns the scene with stamps of layers that were just computed; only scenes without gathered light are converted. */
     private static CachedScene recomputed(CachedScene known) {
-        return new CachedScene(known.scene(), known.lights().stream().map(CachedLight::withComputedStamp).toList(), known.indirect());
+        return new CachedScene(known.scene(), known.lights().stream().map(CachedLight::withComputedStamp).toList(), null);
     }
 
     /** Lights of a scene that levels show: as they shine and as they are cached. */
@@ -116,7 +111,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
 
         TileLevel convert(TileLevel old, LevelLights lights) {
             return new TileLevel(old.rows(), lights.cachedLights().stream().map(light -> convert(old, light, lights.scene()))
-                    .toArray(LightLayer[]::new)).withWeights(old.weights());
+                    .toArray(LightLayer[]::new));
         }
 
         private @Nullable LightLayer convert(TileLevel old, CachedLight light, Scene scene) {
@@ -141,11 +136,6 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
             eye = new LayerConverter(cache.geometry(), to, engine);
             mirror = new LayerConverter(cache.mirroredGeometry(), to, engine);
             recomposer = new TileRecomposer(cache, engine, to.view());
-            recomposer.setIndirect(light(cache.indirect()), light(cache.mirrored().indirect()));
-        }
-
-        private static float @Nullable [][] light(@Nullable IndirectCache indirect) {
-            return indirect == null ? null : indirect.light().light();
         }
 
         CachedTile convert(SamplePositions places, CachedTile old, LevelLights top, LevelLights mirrors) {
