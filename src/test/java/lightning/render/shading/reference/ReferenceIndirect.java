@@ -50,14 +50,15 @@ final class ReferenceIndirect {
     private record Surfel(SurfacePoint at, float[] texel, float[] direct, float[] glow) {}
 
     /** @param directLight returns the lights' diffuse sum at a surface: red, green, blue */
-    ReferenceIndirect(Scene scene, Geometry geometry, GatherSettings settings, Function<SurfacePoint, float[]> directLight) {
+    ReferenceIndirect(Scene scene, Geometry geometry, GatherSettings settings, BackgroundLight leaving,
+            Function<SurfacePoint, float[]> directLight) {
         this.scene = scene;
         this.geometry = geometry;
         this.settings = settings;
         this.directLight = directLight;
         keys = new CellKeys(scene, settings);
         glows = settings.isIndirect() ? GlowShapes.of(geometry) : GlowShapes.none();
-        background = BackgroundLight.of(scene).cells(settings.environment() ? DirectionCells.COUNT : 1);
+        background = leaving.cells(settings.environment() ? DirectionCells.COUNT : 1);
         List<ReferenceGatherPoints.GatherPoint> points = new ReferenceGatherPoints(scene, geometry, keys, glows, settings).place();
         addSurfels(points.stream().flatMap(point -> point.rays().stream()).toList());
         int rounds = settings.isIndirect() && settings.environment() ? settings.bounces() + 1 : settings.bounces();

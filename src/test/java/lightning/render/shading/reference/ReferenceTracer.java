@@ -9,6 +9,7 @@ import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.image.Film;
 import lightning.render.shading.AreaSamples;
+import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.BackgroundShader;
 import lightning.render.shading.EdgeColors;
 import lightning.render.shading.EmittedLight;
@@ -214,7 +215,8 @@ public final class ReferenceTracer {
         if (GatherSettings.of(scene).isEmpty()) {
             return direct;
         }
-        indirect = indirect == null ? new ReferenceIndirect(scene, geometry, GatherSettings.of(scene).get(), this::directLight)
+        indirect = indirect == null ? new ReferenceIndirect(scene, geometry, GatherSettings.of(scene).get(),
+                forEdges ? BackgroundLight.of(scene).forEdges() : BackgroundLight.of(scene), this::directLight)
                 : indirect;
         float[] more = indirect.at(hit);
         return new float[] {direct[0] + more[0], direct[1] + more[1], direct[2] + more[2]};
