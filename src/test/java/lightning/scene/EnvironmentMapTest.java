@@ -173,7 +173,7 @@ class EnvironmentMapTest {
         assertThat(smooth[1]).isEqualTo(1, within(1e-6));
     }
 
-    /** What is no bright part is smooth light: together they are the whole map, whatever the pixels are. */
+    /** Bright parts and smooth light together are the whole map, for any pixels. */
     @Property(tries = 200)
     void brightPartsAndSmoothLight_areTheWholeMap(@ForAll @IntRange(min = 1, max = 300) int width,
             @ForAll @IntRange(min = 1, max = 60) int height, @ForAll @IntRange(min = 4, max = 64) int maxLights, @ForAll long seed) {
