@@ -2,6 +2,7 @@ package lightning.render.relight;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.Function;
 import lightning.base.math.Rgb;
@@ -21,7 +22,6 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
-import lightning.scene.World;
 import lightning.scene.light.FaceVisibility;
 import lightning.scene.light.Light;
 import lightning.scene.material.Bulb;
@@ -35,7 +35,8 @@ public final class LightImage {
     private LightImage() {}
 
     /**
-     * Returns the scene whose picture is a light's contribution; black if the light is off or muted by a solo light.
+     * Returns the scene whose picture is a light's contribution; black if the light is off or muted by a solo light. An environment stays,
+     * without light, so that gathering rays are those of the picture.
      *
      * @param light name of the light; the picture is black if no light has it
      */
@@ -51,7 +52,14 @@ public final class LightImage {
                 scene.stage().withMaterials(scene.materials().stream()
                         .map(m -> m.glow().isBlack() && m.bulb().light().isEmpty() ? m : m.withGlow(Rgb.BLACK).withBulb(Bulb.NONE))
                         .toList());
-        return new Scene(scene.picture(), scene.camera(), new World(0, Rgb.BLACK), stage, scene.rig().withLights(lights));
+        return new Scene(scene.picture(), scene.camera(), scene.world().withAmbience(0).withBackground(Rgb.BLACK).withIntensity(0), stage,
+                scene.rig().withLights(lights));
+    }
+
+    /** Returns the scene by whose values a contribution is composed: without the dark environment, whose colors would need ray directions. */
+    private static Scene composedScene(Scene scene, String light) {
+        Scene one = scene(scene, light);
+        return one.withWorld(one.world().withEnvironment(Optional.empty()));
     }
 
     /**
@@ -62,9 +70,9 @@ public final class LightImage {
      * @throws CancellationException if {@code progress} requested cancellation
      */
     static Film film(PixelCache cache, RenderOptions options, String light, WorkerPool workers, Progress progress) {
-        Scene scene = scene(cache.scene(), light);
+        Scene scene = composedScene(cache.scene(), light);
         WeightedLight[] top = WeightedLight.ofScene(scene);
-        WeightedLight[] mirrors = WeightedLight.ofScene(scene(cache.mirrored().scene(), light));
+        WeightedLight[] mirrors = WeightedLight.ofScene(composedScene(cache.mirrored().scene(), light));
         float[][] indirect = indirect(cache.indirect(), cache.geometry(), top, options, workers, progress);
         float[][] mirroredIndirect = cache.hasSameIndirectInMirrors() ? indirect
                 : indirect(cache.mirrored().indirect(), cache.mirroredGeometry(), mirrors, options, workers, progress);
@@ -96,7 +104,7 @@ public final class LightImage {
         if (!tile.storesRows()) {
             throw new IllegalStateException("mirror levels are stored as hit shapes");
         }
-        // The contribution has no environment map, whose colors alone would need ray directions.
+        // Without an environment map, no color needs ray directions.
         return recomposer.composeFilm(tile.levels[0], top, scene, SamplePositions.centers(0, 0),
                 recomposer.composeImages(tile.levels, mirrors, scene.world()));
     }

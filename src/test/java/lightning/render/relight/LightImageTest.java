@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
+import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.fulltrace.TraditionalTracer;
@@ -18,6 +19,9 @@ import lightning.sample.IndirectScenes;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
+import lightning.scene.World;
+import lightning.scene.light.Emission;
+import lightning.scene.light.IntensityUnit;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import net.jqwik.api.Arbitrary;
@@ -81,6 +85,33 @@ class LightImageTest {
                         step,
                         light.name());
             }
+        }
+    }
+
+    @Test
+    void onlyLightOfScene_isThePictureForEachUnitOfLength() {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        Light key = scene.light(StudioScene.KEY).orElseThrow();
+        Scene alone = scene.withLights(List.of(key.withEmission(Emission.DEFAULT.withUnit(IntensityUnit.CANDELA))))
+                .withWorld(new World(0, Rgb.BLACK).withMeters(0.01));
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(alone, Progress.NONE);
+            Film share = renderer.lightImage(StudioScene.KEY, Progress.NONE);
+            assertThat(share.hasSameBits(renderer.film())).isTrue();
+            assertThat(share.hasSameBits(Film.black(share.width(), share.height()))).isFalse();
+        }
+    }
+
+    @Test
+    void indirectLightBelowEnvironment_takesItsPaths() {
+        Scene scene = IndirectScenes.all().get("environment with a sun");
+        Scene one = LightImage.scene(scene, "panel");
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1));
+                WorkerPool workers = new WorkerPool(1)) {
+            renderer.render(scene, Progress.NONE);
+            Film share = renderer.lightImage("panel", Progress.NONE);
+            Film traced = new TraditionalTracer(one).trace(workers, Progress.NONE).film();
+            assertThat(share.hasSameBits(traced)).isTrue();
         }
     }
 
