@@ -13,6 +13,7 @@ import lightning.scene.asset.Texture;
 import lightning.scene.light.AreaShape;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
+import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -34,6 +35,10 @@ import org.jspecify.annotations.Nullable;
  * sample, n being the light's samples ({@link lightning.scene.light.AreaShape#samples}). On a disc, the patch is as large, in the square
  * around the disc that the image covers. Beyond the edges the image is mirrored. Seen from where the light shines, the image is upright.
  *
+ * <p>Rows in a penumbra, from which some of the n samples are visible and others blocked, use up to {@value #REFINEMENT} times as many: the
+ * first n, and the same ones moved by half the basis vectors of their lattice, (1/n, 0.618…) and (0, 1), and by both. All together are a
+ * lattice of the same shape with half the spacing.
+ *
  * <p>A row of a pixel center uses all n samples, in one of {@link #ROTATIONS} rotations, chosen by a hash of its point. A finer
  * sample of a pixel uses a part of the samples: every k-th of k·m, where k is the number of parts ({@link SamplePattern}) and m is
  * {@link SamplingSettings#lightSamples}.
@@ -41,12 +46,15 @@ import org.jspecify.annotations.Nullable;
 public final class AreaSamples {
     /** Number of rotations of pixel centers. */
     public static final int ROTATIONS = 16;
+    /** Largest ratio of the samples in a penumbra to those of other rows. */
+    public static final int REFINEMENT = 4;
 
     private static final double GOLDEN = 0.6180339887498949;
     private static final double PLASTIC = 0.7548776662466927;
     private static final double PLASTIC_SQUARED = 0.5698402909980532;
 
     private final int count;
+    private final int refinedCount;
     /** Number of patterns: rotations, for finer samples times parts. */
     public final int patterns;
     /** Coordinates of sample s in pattern t at {@code patterns·s + t}; must not be modified. */
@@ -59,9 +67,10 @@ public final class AreaSamples {
     private final Vec3 min;
     private final Vec3 max;
 
-    private AreaSamples(Vec3 center, Vec3[] offsets, int patterns, float @Nullable [][] colors) {
+    private AreaSamples(Vec3 center, Vec3[] offsets, int count, int patterns, float @Nullable [][] colors) {
         this.patterns = patterns;
-        count = offsets.length / patterns;
+        this.count = count;
+        refinedCount = offsets.length / patterns;
         x = new double[offsets.length];
         y = new double[offsets.length];
         z = new double[offsets.length];
@@ -110,15 +119,15 @@ public final class AreaSamples {
         // A ball and a cone of directions look the same for every up vector.
         Vec3 right = (light.type().isSurface() ? area : AreaShape.DEFAULT).right(axis);
         Vec3 top = right.cross(axis);
-        Vec3[] offsets = new Vec3[n * patterns];
+        Vec3[] offsets = new Vec3[refined(n) * patterns];
         SummedAreaTable image = light.faceImage().map(Texture::areas).orElse(null);
         float[][] colors = image == null ? null : new float[3][offsets.length];
         for (int pattern = 0; pattern < patterns; pattern++) {
             int t = pattern / parts;
-            for (int i = 0; i < n; i++) {
-                int s = parts * i + pattern % parts;
+            for (int i = 0; i < refined(n); i++) {
+                double s = parts * (i % n) + pattern % parts + 0.5 * (i / n % 2);
                 double u = fraction((s + 0.5) / (n * parts) + t * PLASTIC);
-                double v = fraction(s * GOLDEN + t * PLASTIC_SQUARED);
+                double v = fraction(s * GOLDEN + t * PLASTIC_SQUARED + 0.5 * (i / n / 2));
                 offsets[patterns * i + pattern] = switch (light.type()) {
                     case RECT -> right.times((u - 0.5) * area.width()).plus(top.times((v - 0.5) * area.height()));
                     case DISC -> onCircle(right, top, area.radius() * Math.sqrt(u), v);
@@ -143,7 +152,7 @@ public final class AreaSamples {
                 }
             }
         }
-        return new AreaSamples(source, offsets, patterns, colors);
+        return new AreaSamples(source, offsets, n, patterns, colors);
     }
 
     private static Vec3 onCircle(Vec3 right, Vec3 top, double radius, double rotation) {
@@ -179,6 +188,16 @@ public final class AreaSamples {
     /** Returns the number of samples of a row. */
     public int samples() {
         return count;
+    }
+
+    /** Returns the number of samples of a row in a penumbra; the first ones are those of other rows. */
+    public int refinedSamples() {
+        return refinedCount;
+    }
+
+    /** Returns the number of samples in a penumbra of a light with n samples elsewhere. */
+    public static int refined(int n) {
+        return n * Math.min(REFINEMENT, SceneLimits.MAX_LIGHT_SAMPLES / n);
     }
 
     /** Returns the position of sample {@code s} in a pattern. */

@@ -8,9 +8,11 @@ import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
+import lightning.render.cache.TileLevel;
 import lightning.render.image.Film;
 import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.relight.paper.ReflectionMode;
+import lightning.render.shading.layer.LightLayer;
 import lightning.render.shading.layer.LightRows;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
@@ -182,10 +184,35 @@ class AreaLightWorkTest {
         }
     }
 
+    /** The floor faces all samples of a light above it. */
+    @Test
+    void onlyRowsInPenumbra_useFurtherSamples() {
+        try (StudioRenderer studio = studio(LightType.POINT)) {
+            int plain = 0;
+            int refined = 0;
+            for (int t = 0; t < studio.renderer().cache().tileCount(); t++) {
+                TileLevel level = studio.renderer().cache().tile(t).levels[0];
+                LightLayer layer = level.layers()[0];
+                for (int i = 0; i < level.rows().count; i++) {
+                    if (level.rows().ny[i] == 1) {
+                        int seen = layer.visibleSamples() == null ? 0 : layer.visibleSamples()[0][i] & (1 << SAMPLES) - 1;
+                        boolean isPenumbra = seen != 0 && seen != (1 << SAMPLES) - 1;
+                        assertThat((layer.states()[i] & LightRows.REFINED) != 0).isEqualTo(isPenumbra);
+                        plain += isPenumbra ? 0 : 1;
+                        refined += isPenumbra ? 1 : 0;
+                    }
+                }
+            }
+            assertThat(plain).isPositive();
+            assertThat(refined).isPositive();
+        }
+    }
+
     @Test
     void visibleSamples_useTwoBytesPerSixteen() {
-        assertThat(LightRows.columns(areaLight(StudioScene.key(LightType.POINT)), false, false)).contains(LightRows.Column.SEEN_0)
-                .doesNotContain(LightRows.Column.SEEN_1, LightRows.Column.FALLOFF);
+        assertThat(LightRows.columns(areaLight(StudioScene.key(LightType.POINT)), false, false))
+                .as("8 samples, 32 in a penumbra").contains(LightRows.Column.SEEN_0, LightRows.Column.SEEN_1)
+                .doesNotContain(LightRows.Column.SEEN_2, LightRows.Column.FALLOFF);
         Light fine = StudioScene.key(LightType.POINT).withArea(new AreaShape(1, 0, 0, 0, Vec3.Y, 33));
         assertThat(LightRows.columns(fine, false, false)).contains(LightRows.Column.SEEN_2).doesNotContain(LightRows.Column.SEEN_3);
         assertThat(LightRows.columns(StudioScene.key(LightType.POINT), false, false)).containsExactlyInAnyOrder(LightRows.Column.STATE,

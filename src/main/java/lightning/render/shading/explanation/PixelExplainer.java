@@ -188,7 +188,7 @@ public final class PixelExplainer {
     /** Returns the means of a light's samples. If no sample reaches the point, the state is that of the sample that passed most tests. */
     private LightReport areaReport(WeightedLight light, SurfacePoint hit, @Nullable NormalSteps normals) {
         AreaSamples area = requireNonNull(light.source().centerSamples());
-        int samples = area.samples();
+        int samples = isPenumbra(light.source(), hit) ? area.refinedSamples() : area.samples();
         double diffuse = 0;
         double specular = 0;
         double grazing = 0;
@@ -324,6 +324,25 @@ public final class PixelExplainer {
             return casting.nearest(new Ray(point, source.position()));
         }
         return casting.blocker(point, shadowRayTargets.computeIfAbsent(source.position(), geometry::shadowRayTarget));
+    }
+
+    /** Returns whether a point in the cone of an area light sees some of its first samples, and others that it faces are blocked. */
+    private boolean isPenumbra(LightSource area, SurfacePoint hit) {
+        boolean isSeen = false;
+        boolean isBlocked = false;
+        boolean isInside = false;
+        for (int s = 0; s < requireNonNull(area.centerSamples()).samples(); s++) {
+            LightSource sample = sample(area, hit, s);
+            var equation = new LightingEquation(sample);
+            equation.moveTo(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz());
+            if (equation.cosine(hit.nx(), hit.ny(), hit.nz()) > 0 && (!area.type().isSurface() || equation.insideCone())) {
+                boolean isFree = blocker(sample, hit) < 0;
+                isSeen |= isFree;
+                isBlocked |= !isFree;
+                isInside |= equation.insideCone();
+            }
+        }
+        return isSeen && isBlocked && isInside;
     }
 
     /** Returns a sample of an area light as a row of a pixel center uses it. */

@@ -16,11 +16,13 @@ import org.jspecify.annotations.Nullable;
  * thread.
  *
  * <p>As soon as one sample has a row in its cone, shadow rays are cast to all samples that the row faces. The results are stored,
- * so that a later edit of the cone or the falloff casts none of them again.
+ * so that a later edit of the cone or the falloff casts none of them again. If some are blocked and others not, the row is <em>refined</em>: rays
+ * are cast to the further samples of penumbras too ({@link AreaSamples#refinedSamples}).
  */
 final class AreaLightKernel {
     private static final int MAX_SAMPLES = SceneLimits.MAX_LIGHT_SAMPLES;
     private static final int[] ALL_ROWS = allRows();
+    private static final int[] NO_ROWS = RowBits.allocate();
 
     private final LightLinks links;
     /** Casts the shadow rays to the current light. */
@@ -43,13 +45,23 @@ final class AreaLightKernel {
     private final int[] anyInside = RowBits.allocate();
     private final int[] anyUnblocked = RowBits.allocate();
     private final int[] anyLit = RowBits.allocate();
+    /** Rows with a blocked shadow ray among those just cast to the first samples. */
+    private final int[] anyBlocked = RowBits.allocate();
+    /** Rows that use all samples. */
+    private final int[] refined = RowBits.allocate();
+    private final int[] newlyRefined = RowBits.allocate();
+    private final boolean refines;
+    /** Samples that any row of the current tile uses. */
+    private int usedSamples;
     private final float[] cosine = new float[TermKernel.MAX_ROWS];
     private final VisibleSampleColumns sampleColumns = new VisibleSampleColumns();
     /** Sums of the tints of unblocked shadow rays; allocated on first use. */
     private double @Nullable [][] tintSum;
     private boolean hasTint;
 
-    AreaLightKernel(LightLinks links, Tracer tracer, TermKernel terms, TermColumnWriter writer, RequiredWork required) {
+    /** @param refines whether rows in penumbras use more samples */
+    AreaLightKernel(LightLinks links, Tracer tracer, TermKernel terms, TermColumnWriter writer, RequiredWork required, boolean refines) {
+        this.refines = refines;
         this.links = links;
         shadowCaster = links.unrestrictedCaster();
         this.tracer = tracer;
@@ -84,10 +96,10 @@ final class AreaLightKernel {
         }
         begin(rows, source);
         findVisibleSamples(rows, source);
-        for (int s = 0; s < source.samples(rows).samples(); s++) {
+        for (int s = 0; s < source.samples(rows).refinedSamples(); s++) {
             Arrays.fill(unblocked[s], 0);
         }
-        castAll(rows, source, anyInside);
+        castAll(rows, source, anyInside, anyInside);
         return layerFromStates(rows, source, state, anyInside, columns).withTint(tintColumns(rows, source, anyInside, null, columns));
     }
 
@@ -98,15 +110,27 @@ final class AreaLightKernel {
         sums.begin(rows, source);
         shadowCaster.aim(rows, source, shadowRays);
         beginTints();
+        Arrays.fill(anyBlocked, 0);
         for (int s = 0; s < source.samples(rows).samples(); s++) {
             aim(rows, source, s, mayFace);
             findVisibleRows(rows, source, s);
             castSample(rows, source, s, inside[s]);
             for (int b = 0; b < words; b++) {
                 unblocked[s][b] = inside[s][b] & ~blocked[b];
+                anyBlocked[b] |= inside[s][b] & blocked[b];
                 // For a row whose shadow rays are all blocked, it is enough to know that a sample in front of it has it in its
                 // cone.
                 mayFace[b] &= ~(shadowCaster.fullyOccluded()[b] & anyInside[b]);
+            }
+            sums.add(rows, source, s, unblocked[s], cosine, shadowRays);
+        }
+        refine(rows, source, anyInside);
+        for (int s = source.samples(rows).samples(); s < usedSamples; s++) {
+            aim(rows, source, s, refined);
+            findFurtherRows(rows, source, s);
+            castSample(rows, source, s, inside[s]);
+            for (int b = 0; b < words; b++) {
+                unblocked[s][b] = inside[s][b] & ~blocked[b];
             }
             sums.add(rows, source, s, unblocked[s], cosine, shadowRays);
         }
@@ -119,6 +143,7 @@ final class AreaLightKernel {
     private void begin(HitRows rows, LightSource source) {
         Arrays.fill(anyFacing, 0);
         Arrays.fill(anyInside, 0);
+        Arrays.fill(refined, 0);
         terms.addPossiblyFacing(rows, source, mayFace);
     }
 
@@ -137,7 +162,8 @@ final class AreaLightKernel {
         findVisibleSamples(rows, source);
         byte[] state = columns.states(rows.count);
         System.arraycopy(before.state, 0, state, 0, rows.count);
-        sampleColumns.read(rows, before.visibleSamples, source.samples(rows).samples(), unblocked);
+        sampleColumns.read(rows, before.visibleSamples, source.samples(rows).refinedSamples(), unblocked);
+        addRefined(before.state, rows.count);
         Arrays.fill(queried, 0);
         // Rows that were tested before keep their results.
         for (int i = 0; i < rows.count; i++) {
@@ -145,7 +171,7 @@ final class AreaLightKernel {
                 RowBits.add(queried, i);
             }
         }
-        castAll(rows, source, queried);
+        castAll(rows, source, queried, ALL_ROWS);
         return layerFromStates(rows, source, state, queried, columns).withTint(tintColumns(rows, source, queried, before.tint, columns));
     }
 
@@ -165,13 +191,17 @@ final class AreaLightKernel {
             mayFace[b] &= queried[b];
         }
         findVisibleSamples(rows, source);
-        sampleColumns.read(rows, before.visibleSamples, source.samples(rows).samples(), unblocked);
-        for (int s = 0; s < source.samples(rows).samples(); s++) {
+        sampleColumns.read(rows, before.visibleSamples, source.samples(rows).refinedSamples(), unblocked);
+        for (int s = 0; s < source.samples(rows).refinedSamples(); s++) {
             for (int b = 0; b < words; b++) {
                 unblocked[s][b] &= ~queried[b];
             }
         }
-        castAll(rows, source, queried);
+        addRefined(before.state, rows.count);
+        for (int b = 0; b < words; b++) {
+            refined[b] &= ~queried[b];
+        }
+        castAll(rows, source, queried, queried);
         byte[] state = columns.states(rows.count);
         System.arraycopy(before.state, 0, state, 0, rows.count);
         short[][] visibleSamples = writeStates(rows, source, state, queried, queried, columns);
@@ -227,7 +257,7 @@ final class AreaLightKernel {
             return LightRows.unlit(before.states(), before.visibleSamples()).withTint(before.tint());
         }
         AreaSamples.writePatterns(rows, shadowRays);
-        sampleColumns.read(rows, before.visibleSamples(), source.samples(rows).samples(), unblocked);
+        sampleColumns.read(rows, before.visibleSamples(), source.samples(rows).refinedSamples(), unblocked);
         RowBits.selectState(before.states(), rows.count, LightRows.LIT, anyLit);
         return meanTerms(rows, source, before.states(), before.visibleSamples(), columns).withTint(before.tint());
     }
@@ -251,42 +281,111 @@ final class AreaLightKernel {
     /** Finds the rows that face sample {@code s}, which was aimed at, and are in its cone. */
     private void findVisibleRows(HitRows rows, LightSource source, int s) {
         int words = RowBits.words(rows.count);
-        if (source.hasCone()) {
-            terms.selectInside(facing[s], rows.count, source.cosAngle(), inside[s]);
-        } else {
-            System.arraycopy(facing[s], 0, inside[s], 0, words);
-        }
+        selectInside(rows, source, s);
         for (int b = 0; b < words; b++) {
             anyFacing[b] |= facing[s][b];
-            // Rows behind a sample of a surface cast no ray to it: its half-space moves only with the light.
-            facing[s][b] = source.type().isSurface() ? inside[s][b] : facing[s][b];
         }
+        excludeBehind(rows, source, s);
         links.retainLit(source, rows, inside[s]);
         for (int b = 0; b < words; b++) {
             anyInside[b] |= inside[s][b];
         }
     }
 
-    /** Casts shadow rays from a set of rows to all samples that they face; adds the unblocked ones to the known ones. */
-    private void castAll(HitRows rows, LightSource source, int[] rowSet) {
-        int words = RowBits.words(rows.count);
-        if (RowBits.count(rowSet, rows.count) == 0) {
-            hasTint = false;
-            return;
+    /** Finds the refined rows that face a further sample, which was aimed at, and are in its cone: of those in the cone of a first sample. */
+    private void findFurtherRows(HitRows rows, LightSource source, int s) {
+        selectInside(rows, source, s);
+        excludeBehind(rows, source, s);
+        for (int b = 0; b < RowBits.words(rows.count); b++) {
+            inside[s][b] &= anyInside[b];
         }
-        shadowCaster.aim(rows, source, shadowRays);
-        beginTints();
-        for (int s = 0; s < source.samples(rows).samples(); s++) {
-            for (int b = 0; b < words; b++) {
-                chosen[b] = facing[s][b] & rowSet[b];
+    }
+
+    private void selectInside(HitRows rows, LightSource source, int s) {
+        if (source.hasCone()) {
+            terms.selectInside(facing[s], rows.count, source.cosAngle(), inside[s]);
+        } else {
+            System.arraycopy(facing[s], 0, inside[s], 0, RowBits.words(rows.count));
+        }
+    }
+
+    /** Rows behind a sample of a surface cast no ray to it: its half-space moves only with the light. */
+    private void excludeBehind(HitRows rows, LightSource source, int s) {
+        if (source.type().isSurface()) {
+            System.arraycopy(inside[s], 0, facing[s], 0, RowBits.words(rows.count));
+        }
+    }
+
+    /**
+     * Casts shadow rays from a set of rows to all samples that they face; adds the unblocked ones to the known ones.
+     *
+     * @param known rows whose place relative to the light is known, which include these
+     */
+    private void castAll(HitRows rows, LightSource source, int[] rowSet, int[] known) {
+        int words = RowBits.words(rows.count);
+        boolean casts = RowBits.count(rowSet, rows.count) > 0;
+        hasTint = false;
+        Arrays.fill(newlyRefined, 0);
+        if (casts) {
+            shadowCaster.aim(rows, source, shadowRays);
+            beginTints();
+            Arrays.fill(anyBlocked, 0);
+            for (int s = 0; s < source.samples(rows).samples(); s++) {
+                castKnown(rows, source, s, rowSet);
+                for (int b = 0; b < words; b++) {
+                    anyBlocked[b] |= chosen[b] & blocked[b];
+                }
             }
-            castSample(rows, source, s, chosen);
+        }
+        refine(rows, source, casts ? rowSet : NO_ROWS);
+        for (int s = source.samples(rows).samples(); s < usedSamples; s++) {
             for (int b = 0; b < words; b++) {
-                chosen[b] &= ~blocked[b];
-                unblocked[s][b] |= chosen[b];
+                chosen[b] = refined[b] & known[b];
+            }
+            aim(rows, source, s, chosen);
+            findFurtherRows(rows, source, s);
+            if (casts) {
+                castKnown(rows, source, s, newlyRefined);
             }
         }
         sumTints(rows, source, rowSet);
+    }
+
+    /** Casts shadow rays to sample {@code s} from the rows of a set that face it. */
+    private void castKnown(HitRows rows, LightSource source, int s, int[] rowSet) {
+        int words = RowBits.words(rows.count);
+        for (int b = 0; b < words; b++) {
+            chosen[b] = facing[s][b] & rowSet[b];
+        }
+        castSample(rows, source, s, chosen);
+        for (int b = 0; b < words; b++) {
+            unblocked[s][b] |= chosen[b] & ~blocked[b];
+        }
+    }
+
+    /** Adds the rows that need further samples to {@link #refined}, of rows whose rays to the first samples were just cast. */
+    private void refine(HitRows rows, LightSource source, int[] rowSet) {
+        AreaSamples samples = source.samples(rows);
+        int words = RowBits.words(rows.count);
+        boolean canRefine = refines && samples.refinedSamples() > samples.samples();
+        for (int b = 0; b < words && canRefine; b++) {
+            int seen = 0;
+            for (int s = 0; s < samples.samples(); s++) {
+                seen |= unblocked[s][b];
+            }
+            newlyRefined[b] = seen & anyBlocked[b] & rowSet[b];
+            refined[b] |= newlyRefined[b];
+        }
+        usedSamples = RowBits.count(refined, rows.count) > 0 ? samples.refinedSamples() : samples.samples();
+    }
+
+    /** Adds the rows that use all samples by their states. */
+    private void addRefined(byte[] state, int count) {
+        for (int i = 0; i < count; i++) {
+            if ((state[i] & LightRows.REFINED) != 0) {
+                RowBits.add(refined, i);
+            }
+        }
     }
 
     private void beginTints() {
@@ -297,7 +396,7 @@ final class AreaLightKernel {
     private void sumTints(HitRows rows, LightSource source, int[] recomputed) {
         if (hasTint) {
             tintSum = tintSum == null ? new double[3][TermKernel.MAX_ROWS] : tintSum;
-            shadowCaster.sumTints(rows, shadowRays.pattern, source.samples(rows), recomputed, unblocked, tintSum);
+            shadowCaster.sumTints(rows, shadowRays.pattern, source.samples(rows), usedSamples, recomputed, unblocked, tintSum);
         }
     }
 
@@ -310,7 +409,7 @@ final class AreaLightKernel {
         float[][] to = TintTracer.startColumns(rows, before, columns);
         for (int i = 0; i < rows.count; i++) {
             int freeCount = 0;
-            for (int s = 0; hasTint && s < source.samples(rows).samples() && RowBits.contains(recomputed, i); s++) {
+            for (int s = 0; hasTint && s < usedSamples && RowBits.contains(recomputed, i); s++) {
                 freeCount += RowBits.contains(unblocked[s], i) ? 1 : 0;
             }
             for (int c = 0; c < 3 && RowBits.contains(recomputed, i); c++) {
@@ -359,7 +458,7 @@ final class AreaLightKernel {
         Arrays.fill(anyLit, 0);
         Arrays.fill(anyUnblocked, 0);
         int words = RowBits.words(rows.count);
-        for (int s = 0; s < source.samples(rows).samples(); s++) {
+        for (int s = 0; s < usedSamples; s++) {
             for (int b = 0; b < words; b++) {
                 anyUnblocked[b] |= unblocked[s][b];
                 anyLit[b] |= unblocked[s][b] & inside[s][b];
@@ -369,14 +468,15 @@ final class AreaLightKernel {
             if (!RowBits.contains(written, i)) {
                 continue;
             }
-            int rayState = RowBits.contains(recomputed, i) ? RowBits.contains(anyUnblocked, i) ? LightRows.UNBLOCKED : LightRows.BLOCKED
+            int rayState = RowBits.contains(recomputed, i) ? RowBits.contains(refined, i) ? LightRows.UNBLOCKED | LightRows.REFINED
+                    : RowBits.contains(anyUnblocked, i) ? LightRows.UNBLOCKED : LightRows.BLOCKED
                     : state[i] & LightRows.SHADOW_RAY_MASK;
             state[i] = (byte) (rayState | (!RowBits.contains(anyFacing, i) ? LightRows.FACING_AWAY
                     : !RowBits.contains(anyInside, i) ? LightRows.OUTSIDE_CONE
                     : RowBits.contains(anyLit, i) ? LightRows.LIT : LightRows.SHADOWED));
         }
         return RowBits.count(anyUnblocked, rows.count) == 0 ? null
-                : sampleColumns.write(rows, unblocked, source.samples(rows).samples(), columns);
+                : sampleColumns.write(rows, unblocked, usedSamples, columns);
     }
 
     /** Computes the mean terms over all samples, whose visibility is known, for the rows in {@link #anyLit}. */
@@ -385,10 +485,17 @@ final class AreaLightKernel {
         if (RowBits.count(anyLit, rows.count) == 0) {
             return LightRows.unlit(state, visibleSamples);
         }
-        int samples = source.samples(rows).samples();
+        Arrays.fill(refined, 0);
+        addRefined(state, rows.count);
+        for (int b = 0; b < RowBits.words(rows.count); b++) {
+            refined[b] &= anyLit[b];
+        }
+        int first = source.samples(rows).samples();
+        int samples = RowBits.count(refined, rows.count) > 0 ? source.samples(rows).refinedSamples() : first;
         sums.begin(rows, source);
         for (int s = 0; s < samples; s++) {
-            aim(rows, source, s, anyLit);
+            int[] used = s < first ? anyLit : refined;
+            aim(rows, source, s, used);
             if (source.hasCone()) {
                 terms.selectInside(unblocked[s], rows.count, source.cosAngle(), chosen);
             } else {
@@ -396,7 +503,7 @@ final class AreaLightKernel {
             }
             for (int b = 0; b < RowBits.words(rows.count); b++) {
                 // Excludes rows that the light does not illuminate, whose visibility may be known.
-                chosen[b] &= anyLit[b];
+                chosen[b] &= used[b];
             }
             sums.add(rows, source, s, chosen, cosine, shadowRays);
         }

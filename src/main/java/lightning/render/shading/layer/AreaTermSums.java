@@ -149,10 +149,10 @@ final class AreaTermSums {
         if (lit == 0) {
             return LightRows.unlit(state, visibleSamples);
         }
-        int samples = source.samples(rows).samples();
-        LightRows layer = LightRows.lit(state, new LightRows.Terms(meanColumn(diffuseSum, samples, rows, columns),
-                hasSpecular ? meanColumn(specularSum, samples, rows, columns) : null,
-                hasMetallic ? meanColumn(grazingSum, samples, rows, columns) : null, null), lit)
+        AreaSamples samples = source.samples(rows);
+        LightRows layer = LightRows.lit(state, new LightRows.Terms(meanColumn(diffuseSum, state, samples, rows, columns),
+                hasSpecular ? meanColumn(specularSum, state, samples, rows, columns) : null,
+                hasMetallic ? meanColumn(grazingSum, state, samples, rows, columns) : null, null), lit)
                 .withVisibleSamples(visibleSamples);
         return source.samples(rows).color == null || diffuseColor == null || specularColor == null || specularWeight == null ? layer
                 : layer.withFaceColors(meanColors(diffuseColor, diffuseSum, rows, columns),
@@ -170,10 +170,10 @@ final class AreaTermSums {
         return mean;
     }
 
-    private static float[] meanColumn(double[] sum, int samples, HitRows rows, ColumnAllocator columns) {
+    private static float[] meanColumn(double[] sum, byte[] state, AreaSamples samples, HitRows rows, ColumnAllocator columns) {
         float[] mean = columns.floats(rows.count);
         for (int i = 0; i < rows.count; i++) {
-            mean[i] = LightingEquation.mean(sum[i], samples);
+            mean[i] = LightingEquation.mean(sum[i], (state[i] & LightRows.REFINED) == 0 ? samples.samples() : samples.refinedSamples());
         }
         return mean;
     }

@@ -48,7 +48,10 @@ public final class LightKernel {
         this(geometry, tracer, terms, view, false);
     }
 
-    /** Returns a kernel whose layers have no specular terms, for surfels: they send light diffusely only. */
+    /**
+     * Returns a kernel whose layers have no specular terms, for surfels: they send light diffusely only, and the mean over many of them needs
+     * no more samples in penumbras.
+     */
     public static LightKernel diffuseOnly(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view) {
         return new LightKernel(geometry, tracer, terms, view, true);
     }
@@ -63,7 +66,8 @@ public final class LightKernel {
     }
 
     private AreaLightKernel areaKernel() {
-        areaKernel = areaKernel == null ? new AreaLightKernel(links, tracer, terms, columnWriter, requiredWork) : areaKernel;
+        areaKernel =
+                areaKernel == null ? new AreaLightKernel(links, tracer, terms, columnWriter, requiredWork, !isDiffuseOnly) : areaKernel;
         return areaKernel;
     }
 

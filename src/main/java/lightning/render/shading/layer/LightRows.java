@@ -10,6 +10,7 @@ import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnSet;
 import lightning.render.column.ColumnWriter;
 import lightning.render.column.ElementType;
+import lightning.render.shading.AreaSamples;
 import lightning.render.shading.TermKernel;
 import lightning.render.shading.Transmittance;
 import lightning.scene.light.Light;
@@ -35,8 +36,10 @@ public final class LightRows implements LightLayer {
     /** Flags of a known shadow ray result; independent of the state. */
     public static final int UNBLOCKED = 4;
     public static final int BLOCKED = 8;
-    /** Mask of the shadow ray flags; both are 0 if no shadow ray was cast. */
-    static final int SHADOW_RAY_MASK = UNBLOCKED | BLOCKED;
+    /** Flag of a row in the penumbra of an area light, which uses all samples; only with {@link #UNBLOCKED}. */
+    public static final int REFINED = 16;
+    /** Mask of the shadow ray flags; all are 0 if no shadow ray was cast. */
+    static final int SHADOW_RAY_MASK = UNBLOCKED | BLOCKED | REFINED;
     /** Number of samples per column of visible samples. */
     static final int SAMPLES_PER_COLUMN = 16;
 
@@ -134,7 +137,7 @@ public final class LightRows implements LightLayer {
     public final float @Nullable [] grazing;
     /** atten·spot; only for kind {@link Kind#SEPARATE}, and null there if it is 1. */
     public final float @Nullable [] falloff;
-    /** Columns of visible samples, as many as the light needs; null if it has one sample or no row sees any. */
+    /** Columns of visible samples, more than the light's own only if a row is refined; null if it has one sample or no row sees any. */
     final short @Nullable [][] visibleSamples;
     /** Red, green and blue tints of unblocked shadow rays; null if all are 1. */
     public final float @Nullable [][] tint;
@@ -231,9 +234,9 @@ public final class LightRows implements LightLayer {
         return columns;
     }
 
-    /** Returns the number of sample columns of a light; 0 for a point light. */
+    /** Returns the largest number of sample columns of a light; 0 for a point light. */
     public static int sampleColumnCount(Light light) {
-        return light.isArea() ? (light.area().samples() - 1) / SAMPLES_PER_COLUMN + 1 : 0;
+        return light.isArea() ? (AreaSamples.refined(light.area().samples()) - 1) / SAMPLES_PER_COLUMN + 1 : 0;
     }
 
     /** Creates a layer without lit rows. */

@@ -15,12 +15,12 @@ final class VisibleSampleColumns {
     /**
      * Reads the rows that see each sample.
      *
-     * @param columns  null if no row sees any
+     * @param columns  null if no row sees any; samples beyond them are visible from no row
      * @param unblocked receives a set of rows for each sample
      */
     void read(HitRows rows, short @Nullable [][] columns, int samples, int[][] unblocked) {
         for (int first = 0; first < samples; first += LightRows.SAMPLES_PER_COLUMN) {
-            short[] column = columns == null ? null : columns[first / LightRows.SAMPLES_PER_COLUMN];
+            short[] column = LightRows.sampleColumn(columns, first / LightRows.SAMPLES_PER_COLUMN);
             for (int b = 0; b < RowBits.words(rows.count); b++) {
                 int row = b * RowBits.WIDTH;
                 for (int i = row; i < row + RowBits.WIDTH; i++) {
@@ -57,7 +57,7 @@ final class VisibleSampleColumns {
 
     /** Returns whether all rows see the same samples in both; null means that no row sees any. */
     static boolean areEqual(HitRows rows, short @Nullable [][] a, short @Nullable [][] b) {
-        boolean isEqual = a == null == (b == null);
+        boolean isEqual = a == null || b == null ? a == b : a.length == b.length;
         for (int k = 0; isEqual && a != null && b != null && k < a.length; k++) {
             isEqual = Arrays.equals(a[k], 0, rows.count, b[k], 0, rows.count);
         }

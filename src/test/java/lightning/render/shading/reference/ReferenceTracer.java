@@ -224,7 +224,7 @@ public final class ReferenceTracer {
 
     /** Returns the lights' diffuse sum at a surface outside pixels: red, green, blue. */
     private float[] directLight(SurfacePoint hit) {
-        float[][] terms = terms(hit, NO_PATTERN);
+        float[][] terms = terms(hit, NO_PATTERN, false);
         return new float[] {sum(terms, DIFFUSE, 0), sum(terms, DIFFUSE, 1), sum(terms, DIFFUSE, 2)};
     }
 
@@ -252,10 +252,14 @@ public final class ReferenceTracer {
      * it does not reach the point.
      */
     private float[][] terms(SurfacePoint hit, int pattern) {
+        return terms(hit, pattern, true);
+    }
+
+    private float[][] terms(SurfacePoint hit, int pattern, boolean refines) {
         float[][] terms = new float[lights.length][TERMS];
         for (int l = 0; l < lights.length; l++) {
             LightSource source = lights[l].source();
-            terms[l] = source.isArea() ? meanTerms(source, hit, pattern) : terms(source, hit, targets[l]);
+            terms[l] = source.isArea() ? meanTerms(source, hit, pattern, refines) : terms(source, hit, targets[l]);
             if (!source.light().contribution().gains().isNone()) {
                 float gain = gain(source.light(), geometry.shape(hit.primitive()).name());
                 for (int c = DIFFUSE_FACTOR; c < TERMS; c++) {
@@ -287,10 +291,10 @@ public final class ReferenceTracer {
     }
 
     /** Returns the means over an area light's samples, falloff included. */
-    private float[] meanTerms(LightSource source, SurfacePoint hit, int pattern) {
+    private float[] meanTerms(LightSource source, SurfacePoint hit, int pattern, boolean refines) {
         AreaSamples area = pattern == NO_PATTERN ? source.centerSamples() : source.fineSamples();
         int used = pattern == NO_PATTERN ? AreaSamples.rotation(hit.px(), hit.py(), hit.pz()) : pattern;
-        int samples = area.samples();
+        int samples = refines && isPenumbra(source, area, hit, used) ? area.refinedSamples() : area.samples();
         double diffuse = 0;
         double specular = 0;
         double grazing = 0;
@@ -302,8 +306,7 @@ public final class ReferenceTracer {
         for (int s = 0; s < samples; s++) {
             LightSource sample = source.at(area.position(used, s));
             // A visible sample counts even outside the cone, but not behind a surface.
-            if (equation(sample, hit).cosine(hit.nx(), hit.ny(), hit.nz()) > 0
-                    && (!source.type().isSurface() || equation(sample, hit).insideCone()) && isVisible(sample, sampleTarget(sample), hit)) {
+            if (isBefore(sample, hit) && isVisible(sample, sampleTarget(sample), hit)) {
                 float[] one = Transmittance.ofShadowRay(geometry, sample, sampleTarget(sample), hit);
                 tint[0] += one[0];
                 tint[1] += one[1];
@@ -332,6 +335,29 @@ public final class ReferenceTracer {
             mean[SPECULAR_FACTOR + c] = area.color == null ? tinted : tinted * LightingEquation.weightedMean(highlight[c], highlightWeight);
         }
         return mean;
+    }
+
+    /** Returns whether a point in a light's cone sees some of its first samples, but not all before which it is. */
+    private boolean isPenumbra(LightSource source, AreaSamples area, SurfacePoint hit, int pattern) {
+        boolean isSeen = false;
+        boolean isBlocked = false;
+        boolean isInside = false;
+        for (int s = 0; s < area.samples(); s++) {
+            LightSource sample = source.at(area.position(pattern, s));
+            if (isBefore(sample, hit)) {
+                boolean visible = isVisible(sample, sampleTarget(sample), hit);
+                isSeen |= visible;
+                isBlocked |= !visible;
+                isInside |= equation(sample, hit).insideCone();
+            }
+        }
+        return isSeen && isBlocked && isInside;
+    }
+
+    /** Returns whether a point faces a sample and, if that is on a surface, is in its half-space. */
+    private static boolean isBefore(LightSource sample, SurfacePoint hit) {
+        LightingEquation equation = equation(sample, hit);
+        return equation.cosine(hit.nx(), hit.ny(), hit.nz()) > 0 && (!sample.type().isSurface() || equation.insideCone());
     }
 
     private ShadowRayTarget sampleTarget(LightSource sample) {
