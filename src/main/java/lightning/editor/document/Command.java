@@ -217,7 +217,7 @@ public enum Command {
             Messages.key("Choose whether the background lights the scene where a ray leaves it"), "mdi2i-image-outline", "",
             DisabledReasons::noIndirectLight),
     INDIRECT_ACCURACY(Messages.key("Measure Accuracy…"),
-            Messages.key("Compare the time and accuracy of indirect light for several spacings and rays"), "mdi2c-chart-scatter-plot"),
+            Messages.key("Compare the time and accuracy of settings of indirect light and soft shadows"), "mdi2c-chart-scatter-plot"),
 
     ONLY_SELECTED(Messages.key("Isolate Selected Light"), Messages.key("Show only the selected light's contribution, reflections included"),
             "mdi2f-filter-outline", "Shortcut+I"),

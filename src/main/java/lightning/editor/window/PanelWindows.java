@@ -16,7 +16,7 @@ import lightning.editor.window.command.CommandKeys;
 import lightning.editor.window.link.LinkPane;
 import lightning.editor.window.measure.AccuracyPane;
 import lightning.editor.window.measure.EffectsPane;
-import lightning.editor.window.measure.IndirectAccuracyPane;
+import lightning.editor.window.measure.SettingAccuracyPane;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.PanelWindow;
@@ -32,7 +32,7 @@ final class PanelWindows implements AutoCloseable {
             Command.EFFECTS_PANEL,
             new PanelSpec(760, 680,
                     m -> new EffectsPane(m.editor(), m.workbench(), m.accuracyModeProperty(), m.pictureDisplay().effectsProperty())),
-            Command.INDIRECT_ACCURACY, new PanelSpec(920, 470, m -> new IndirectAccuracyPane(m.editor(), m.accuracyModeProperty())),
+            Command.INDIRECT_ACCURACY, new PanelSpec(920, 470, m -> new SettingAccuracyPane(m.editor(), m.accuracyModeProperty())),
             Command.KEYS, new PanelSpec(880, 720, m -> new ShortcutsPane(m.commands())),
             Command.LIGHT_LINKS, new PanelSpec(760, 520, m -> new LinkPane(m.editor(), m.files().windowExecutor())));
 

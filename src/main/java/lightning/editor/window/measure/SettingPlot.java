@@ -17,14 +17,13 @@ import javafx.util.StringConverter;
 import lightning.base.text.Messages;
 import lightning.editor.window.model.StatusText;
 import lightning.editor.window.widget.PercentText;
-import lightning.render.measure.IndirectSweep;
-import lightning.scene.IndirectSettings;
+import lightning.render.measure.SettingSweep;
 
 /**
  * Plot of mean difference against time, a point for each setting of indirect light. A dashed line marks the Pareto front: no other setting is
  * both faster and more accurate. A click on a point selects it.
  */
-final class IndirectPlot extends LineChart<Number, Number> {
+final class SettingPlot extends LineChart<Number, Number> {
     private static final PseudoClass SELECTED = PseudoClass.getPseudoClass("selected");
     private static final PseudoClass OPTIMAL = PseudoClass.getPseudoClass("optimal");
     /** Factor from the shortest and longest time to the ends of the axis. */
@@ -35,15 +34,15 @@ final class IndirectPlot extends LineChart<Number, Number> {
     private static final double LABEL_X = 9;
     private static final double LABEL_Y = -13;
 
-    private final SelectionModel<IndirectSweep.Point> selection;
-    private final Map<IndirectSweep.Point, Region> symbols = new HashMap<>();
+    private final SelectionModel<SettingSweep.Point> selection;
+    private final Map<SettingSweep.Point, Region> symbols = new HashMap<>();
 
     /** @param selection  selected setting, which the plot marks and sets */
-    IndirectPlot(SelectionModel<IndirectSweep.Point> selection) {
+    SettingPlot(SelectionModel<SettingSweep.Point> selection) {
         super(new TimeAxis(), differenceAxis());
         this.selection = selection;
         getXAxis().setLabel(Messages.tr("Time"));
-        setId("indirect-chart");
+        setId("setting-chart");
         setAccessibleText(Messages.tr("Difference against time of each setting"));
         setLegendVisible(false);
         setAnimated(false);
@@ -74,17 +73,17 @@ final class IndirectPlot extends LineChart<Number, Number> {
     }
 
     /** Shows the settings that fit into memory. */
-    void show(IndirectSweep sweep) {
+    void show(SettingSweep sweep) {
         symbols.clear();
-        List<IndirectSweep.Point> fitting = sweep.points().stream().filter(IndirectSweep.Point::fits).toList();
+        List<SettingSweep.Point> fitting = sweep.points().stream().filter(SettingSweep.Point::fits).toList();
         if (fitting.isEmpty()) {
             getData().clear();
             return;
         }
         setBounds(fitting);
-        List<IndirectSweep.Point> front = sweep.front();
+        List<SettingSweep.Point> front = sweep.front();
         var settings = new XYChart.Series<Number, Number>();
-        for (IndirectSweep.Point point : fitting) {
+        for (SettingSweep.Point point : fitting) {
             Region symbol = symbol(point);
             symbol.pseudoClassStateChanged(OPTIMAL, front.contains(point));
             symbol.pseudoClassStateChanged(SELECTED, point.equals(selection.getSelectedItem()));
@@ -92,22 +91,22 @@ final class IndirectPlot extends LineChart<Number, Number> {
             settings.getData().add(data(time(point), point.meanDifference(), symbol));
         }
         // Keeps the uppermost label below the edge, where the chart clips.
-        double largest = fitting.stream().mapToDouble(IndirectSweep.Point::meanDifference).max().orElseThrow();
+        double largest = fitting.stream().mapToDouble(SettingSweep.Point::meanDifference).max().orElseThrow();
         settings.getData().add(data(time(fitting.getFirst()), LABEL_MARGIN * largest, hidden()));
         getData().setAll(List.of(steps(front), settings));
     }
 
-    private void setBounds(List<IndirectSweep.Point> points) {
+    private void setBounds(List<SettingSweep.Point> points) {
         var times = (TimeAxis) getXAxis();
         times.setAutoRanging(false);
-        times.setLowerBound(points.stream().mapToDouble(IndirectPlot::time).min().orElseThrow() / TIME_MARGIN);
-        times.setUpperBound(points.stream().mapToDouble(IndirectPlot::time).max().orElseThrow() * TIME_MARGIN);
+        times.setLowerBound(points.stream().mapToDouble(SettingPlot::time).min().orElseThrow() / TIME_MARGIN);
+        times.setUpperBound(points.stream().mapToDouble(SettingPlot::time).max().orElseThrow() * TIME_MARGIN);
     }
 
     /** Returns the line of the least difference that each time buys. */
-    private static XYChart.Series<Number, Number> steps(List<IndirectSweep.Point> front) {
+    private static XYChart.Series<Number, Number> steps(List<SettingSweep.Point> front) {
         var steps = new XYChart.Series<Number, Number>();
-        for (IndirectSweep.Point point : front) {
+        for (SettingSweep.Point point : front) {
             if (!steps.getData().isEmpty()) {
                 steps.getData().add(data(time(point), steps.getData().getLast().getYValue().doubleValue(), hidden()));
             }
@@ -116,7 +115,7 @@ final class IndirectPlot extends LineChart<Number, Number> {
         return steps;
     }
 
-    private static double time(IndirectSweep.Point point) {
+    private static double time(SettingSweep.Point point) {
         return Math.max(MIN_MILLISECONDS, point.milliseconds());
     }
 
@@ -132,11 +131,10 @@ final class IndirectPlot extends LineChart<Number, Number> {
         return node;
     }
 
-    private Region symbol(IndirectSweep.Point point) {
-        IndirectSettings settings = point.settings();
+    private Region symbol(SettingSweep.Point point) {
         var dot = new StackPane();
-        dot.setId("indirect-point-" + settings.spacing() + "-" + settings.rays());
-        var label = new Label(settings.spacing() + ", " + settings.rays());
+        dot.setId("setting-point-" + SettingText.id(point.setting()));
+        var label = new Label(SettingText.label(point.setting()));
         // Takes no place, so that the point stays where it is measured.
         label.setManaged(false);
         label.setMouseTransparent(true);
@@ -145,8 +143,8 @@ final class IndirectPlot extends LineChart<Number, Number> {
         label.needsLayoutProperty().subscribe(label::autosize);
         dot.getChildren().add(label);
         dot.setOnMouseClicked(_ -> selection.select(point));
-        String text = Messages.tr("Spacing {0}, {1} rays: {2}, difference {3}", settings.spacing(), settings.rays(),
-                StatusText.time(point.milliseconds()), PercentText.format(point.meanDifference()));
+        String text = Messages.tr("{0}: {1}, difference {2}", SettingText.text(point.setting()), StatusText.time(point.milliseconds()),
+                PercentText.format(point.meanDifference()));
         dot.setAccessibleText(text);
         Tooltip.install(dot, new Tooltip(text));
         return dot;
