@@ -103,6 +103,7 @@ public final class Harness {
         }
         if (settings.indirect()) {
             new IndirectBench(settings, ledger).parts(originals).forEach(part -> groups.add(new PartGroup(List.of(part), () -> {})));
+            new SoftShadowBench(settings, ledger).parts(originals).forEach(part -> groups.add(new PartGroup(List.of(part), () -> {})));
         }
         predictedMs = groups.stream().flatMap(g -> g.parts().stream()).mapToDouble(BenchPart::predictedMs).sum();
         run = new BenchRun(Instant.now().truncatedTo(ChronoUnit.SECONDS).toString(), MachineInfo.commit(), arguments, MachineInfo.machine(),

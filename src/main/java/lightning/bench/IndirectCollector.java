@@ -9,13 +9,15 @@ import lightning.bench.result.IndirectAccuracy;
 import lightning.bench.result.IndirectCost;
 import lightning.bench.result.IndirectGrowth;
 import lightning.bench.result.IndirectResults;
+import lightning.bench.result.SoftShadowAccuracy;
 
-/** Collector of the results of indirect light so far. */
+/** Collector of the results of indirect light and soft shadows so far. */
 final class IndirectCollector {
     private final List<IndirectAccuracy> accuracy = new ArrayList<>();
     private final List<IndirectCost> costs = new ArrayList<>();
     private final Map<String, IndirectGrowth> growths = new LinkedHashMap<>();
     private final List<IndirectAbsence> absence = new ArrayList<>();
+    private final List<SoftShadowAccuracy> softShadows = new ArrayList<>();
 
     void add(IndirectAccuracy measured) {
         accuracy.add(measured);
@@ -29,6 +31,10 @@ final class IndirectCollector {
         absence.add(measured);
     }
 
+    void add(SoftShadowAccuracy measured) {
+        softShadows.add(measured);
+    }
+
     /** Adds a point to a growth curve. */
     void add(String along, String scene, IndirectGrowth.Point point) {
         List<IndirectGrowth.Point> points = new ArrayList<>(growths.containsKey(along) ? growths.get(along).points() : List.of());
@@ -37,6 +43,6 @@ final class IndirectCollector {
     }
 
     IndirectResults result() {
-        return new IndirectResults(accuracy, costs, List.copyOf(growths.values()), absence);
+        return new IndirectResults(accuracy, costs, List.copyOf(growths.values()), absence, softShadows);
     }
 }

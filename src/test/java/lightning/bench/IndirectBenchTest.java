@@ -14,6 +14,7 @@ import lightning.bench.result.IndirectAccuracy;
 import lightning.bench.result.IndirectCost;
 import lightning.bench.result.IndirectGrowth;
 import lightning.bench.result.SampleResults;
+import lightning.bench.result.SoftShadowAccuracy;
 import lightning.bench.result.TimeSamples;
 import lightning.sample.Nightly;
 import lightning.scene.IndirectSettings;
@@ -41,6 +42,11 @@ class IndirectBenchTest {
         assertThat(accuracy.byBounces()).extracting(IndirectAccuracy.Point::bounces).containsExactly(1, 2, 4);
         assertThat(accuracy.byBounces()).extracting(p -> p.error().missing()).isSortedAccordingTo((a, b) -> Double.compare(b, a));
         assertThat(accuracy.initial().orElseThrow().error().mean()).isBetween(0.0, 0.2);
+        assertThat(results.indirect().softShadows()).singleElement().satisfies(shadows -> {
+            assertThat(shadows.scene()).isEqualTo(IndirectBench.ROOM);
+            assertThat(shadows.points()).extracting(SoftShadowAccuracy.Point::samples).containsExactly(4, 8, 16, 32, 64);
+            assertThat(shadows.points().getFirst().mean()).isGreaterThan(2 * shadows.points().getLast().mean()).isBetween(0.0, 0.5);
+        });
         IndirectCost cost = results.indirect().costs().getFirst();
         assertThat(cost.edits()).extracting(IndirectCost.Edit::edit).contains(ModernCases.COLOR, ModernCases.INTENSITY,
                 ModernCases.POSITION, ModernCases.MATERIAL_COLOR, ModernCases.SHAPE_MOVED);

@@ -16,11 +16,13 @@ final class IndirectSection {
         }
         page.open("section", "id", "indirect");
         page.element("h2", "Indirect light");
-        page.element("p", "Errors are relative, at random pixels, against brute force by the same tracer. Labels are spacing and rays; the "
-                + "dashed line is the Pareto front.", "class", "lead");
+        page.element("p", "Errors are relative, at random pixels, against brute force by the same tracer. Labels are spacing and rays; "
+                + "the default is filled, and the dashed line is the Pareto front.", "class", "lead");
         page.open("div", "class", "charts");
         indirect.accuracy().forEach(scene -> SceneSection.figure(page, scene.scene(),
                 "Mean error against the time of the first pass (ms).", IndirectCharts.svg(scene)));
+        indirect.softShadows().forEach(scene -> SceneSection.figure(page, scene.scene() + ", area lights",
+                "Mean error against the time of the first pass (ms); labels are samples.", IndirectCharts.svg(scene)));
         if (!indirect.accuracy().isEmpty()) {
             SceneSection.figure(page, "Bounces", "Share of the light of eight bounces that is missing, against bounces.",
                     IndirectCharts.bounces(indirect));

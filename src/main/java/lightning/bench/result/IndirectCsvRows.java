@@ -2,7 +2,6 @@ package lightning.bench.result;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.render.measure.IndirectError;
 import lightning.render.measure.PictureError;
 
 /** CSV rows of indirect light. Kinds start with {@code indirect-}; errors are relative. */
@@ -16,7 +15,11 @@ final class IndirectCsvRows {
         for (IndirectAccuracy scene : results.accuracy()) {
             scene.points().forEach(point -> rows.add(row("error", scene.scene(), scene.width(), scene.height(), "",
                     "spacing " + point.spacing() + ", rays " + point.rays() + ", bounces " + point.bounces(), point.time(),
-                    error(point.error()))));
+                    error(point.error().mean()))));
+        }
+        for (SoftShadowAccuracy scene : results.softShadows()) {
+            scene.points().forEach(point -> rows.add(row("shadow-error", scene.scene(), scene.width(), scene.height(), "",
+                    "samples " + point.samples(), point.time(), error(point.mean()))));
         }
         for (IndirectCost scene : results.costs()) {
             rows.add(cost(scene, "first-pass", "", "", scene.first()));
@@ -42,8 +45,8 @@ final class IndirectCsvRows {
         return rows;
     }
 
-    private static PictureError error(IndirectError error) {
-        return new PictureError(0, 0, 0, Double.NaN, error.mean(), Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
+    private static PictureError error(double mean) {
+        return new PictureError(0, 0, 0, Double.NaN, mean, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
     }
 
     private static CsvRow cost(IndirectCost scene, String kind, String edit, String value, TimeSamples time) {

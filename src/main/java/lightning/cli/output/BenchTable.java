@@ -21,6 +21,7 @@ import lightning.bench.result.ModernPicture;
 import lightning.bench.result.ModernScene;
 import lightning.bench.result.RayThroughput;
 import lightning.bench.result.SceneResult;
+import lightning.bench.result.SoftShadowAccuracy;
 import lightning.bench.result.SweepPointResult;
 import lightning.bench.result.SystemLoad;
 import lightning.render.measure.AccuracySetting;
@@ -119,6 +120,7 @@ public final class BenchTable {
         }
         results.modern().forEach(this::printModern);
         results.indirect().accuracy().forEach(this::printIndirectErrors);
+        results.indirect().softShadows().forEach(this::printSoftShadows);
         results.indirect().costs().forEach(this::printIndirectCost);
         results.indirect().growth().forEach(this::printIndirectGrowth);
         results.editing().forEach(e -> console.print("%s", editing(e)));
@@ -162,6 +164,12 @@ public final class BenchTable {
                 Console.count(scene.pixels(), "pixel"), scene.points().stream().map(p -> Console.text(
                         "spacing %d, rays %d, bounces %d: %.1f ms, mean error %.1f %%", p.spacing(), p.rays(), p.bounces(),
                         p.time().median(), 100 * p.error().mean())).collect(Collectors.joining("; ")));
+    }
+
+    private void printSoftShadows(SoftShadowAccuracy scene) {
+        console.print("%s at %d x %d, %s: %s", scene.scene(), scene.width(), scene.height(), Console.count(scene.lights(), "area light"),
+                scene.points().stream().map(p -> Console.text("%d samples: %.1f ms, mean error %.1f %%", p.samples(), p.time().median(),
+                        100 * p.mean())).collect(Collectors.joining("; ")));
     }
 
     private void printIndirectCost(IndirectCost scene) {

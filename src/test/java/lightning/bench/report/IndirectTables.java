@@ -14,6 +14,7 @@ import lightning.bench.result.IndirectAccuracy;
 import lightning.bench.result.IndirectCost;
 import lightning.bench.result.IndirectGrowth;
 import lightning.bench.result.IndirectResults;
+import lightning.bench.result.SoftShadowAccuracy;
 
 /** Named Markdown tables and lists of indirect light for documents, made from the results only. */
 public final class IndirectTables {
@@ -27,6 +28,9 @@ public final class IndirectTables {
         tables.put("indirect charts", () -> images("Error against time", this.results.accuracy().stream(), IndirectAccuracy::scene,
                 IndirectCharts::fileName));
         tables.put("indirect errors", this::errors);
+        tables.put("area light charts", () -> images("Error of area lights against time", this.results.softShadows().stream(),
+                SoftShadowAccuracy::scene, IndirectCharts::fileName));
+        tables.put("area light errors", this::softShadows);
         tables.put("indirect bounces chart",
                 () -> this.results.accuracy().isEmpty() ? ""
                         : "![Missing light against bounces](pictures/" + IndirectCharts.BOUNCES + ")\n");
@@ -73,6 +77,14 @@ public final class IndirectTables {
                         Integer.toString(p.gatherPoints()), Integer.toString(p.surfels()), percent(p.error().mean()),
                         percent(p.error().median()), percent(p.error().high()), percent(p.error().bias()),
                         IndirectCharts.front(scene).contains(p) ? "yes" : ""))));
+    }
+
+    private String softShadows() {
+        return results.softShadows().isEmpty() ? "" : MarkdownTables.table(
+                List.of("scene", "area lights", "samples", "first pass ms", "mean error", "95th percentile"),
+                results.softShadows().stream().flatMap(scene -> scene.points().stream().map(p -> List.of(scene.scene(),
+                        Integer.toString(scene.lights()), Integer.toString(p.samples()), MarkdownTables.median(p.time()),
+                        percent(p.mean()), percent(p.high())))));
     }
 
     private String bounces() {
