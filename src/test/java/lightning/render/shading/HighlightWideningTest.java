@@ -69,7 +69,7 @@ class HighlightWideningTest {
             @ForAll @DoubleRange(min = 0.1, max = 90) double spread) {
         LightSource source = source(sun(spread, 16));
         double alpha = alpha(roughness);
-        double a = alpha * alpha + 2 * Math.PI * (1 - Math.cos(Math.toRadians(spread))) / 16 / 8;
+        double a = Math.min(1, alpha * alpha + 2 * Math.PI * (1 - Math.cos(Math.toRadians(spread))) / 16 / 8);
         double integral = 0;
         int steps = 2000;
         for (int i = 0; i < steps; i++) {
