@@ -168,6 +168,10 @@ shader("Transmission Weight").default_value = 1
 check("glass", True)
 shader("IOR").default_value = 1.7
 check("index of glass")
+shader("Base Color").default_value = (0.9, 0.25, 0.04, 1)
+check("color of glass")
+shader("Transmission Weight").default_value = 0.5
+check("half as much glass", True)
 shader("Transmission Weight").default_value = 0
 check("no glass", True)
 scene.camera.location.z += 0.5

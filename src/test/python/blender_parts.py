@@ -44,7 +44,7 @@ def link(to, node_name: str, image, socket: str, output: str = "Color"):
     return node
 
 
-water = material("water", Transmission_Weight=1, IOR=1.33, Roughness=0, Base_Color=(1, 1, 1, 1))
+water = material("water", Transmission_Weight=1, IOR=1.33, Roughness=0, Base_Color=(1, 0.36, 0.09, 1))
 absorption = water.node_tree.nodes.new("ShaderNodeVolumeAbsorption")
 absorption.inputs["Color"].default_value = (0.25, 0.5, 1, 1)
 absorption.inputs["Density"].default_value = 2

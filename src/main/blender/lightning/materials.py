@@ -6,6 +6,8 @@ import math
 import bpy
 import numpy
 
+from . import model
+
 
 def add_glass(root: dict, shapes: list, messages: list[str]) -> None:
     """Adds volumes, absorption and Glass BSDFs to the materials of a glTF file, which show a snapshot's shapes."""
@@ -26,8 +28,11 @@ def add_glass(root: dict, shapes: list, messages: list[str]) -> None:
             volume = extensions.setdefault("KHR_materials_volume", {})
             if material.name in open_meshes:
                 messages.append(f"{material.name}: the glass of an open mesh became a thin sheet")
-            elif not volume.get("thicknessFactor"):
-                volume["thicknessFactor"] = 1
+            else:
+                volume["thicknessFactor"] = volume.get("thicknessFactor") or 1
+                factors = entry.get("pbrMetallicRoughness", {})
+                if surface is not None and surface == model.principled(material) and "baseColorFactor" in factors:
+                    factors["baseColorFactor"] = model.color_of_surface(entry, factors["baseColorFactor"])
             _add_absorption(material, volume, messages)
         if not extensions:
             del entry["extensions"]

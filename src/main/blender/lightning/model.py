@@ -172,8 +172,19 @@ def _emission(color, strength: float) -> list:
 _CONVERSIONS = {"color": _color, "emission": _emission}
 
 
+def color_of_surface(entry: dict, color: list) -> list:
+    """Returns the color of each surface of a material, from that of a Principled BSDF.
+
+    Light through a body has the color of a Principled BSDF once in Cycles, but that of glTF at both surfaces. So each has the root.
+    """
+    extensions = entry.get("extensions", {})
+    transmitted = extensions.get("KHR_materials_transmission", {}).get("transmissionFactor")
+    is_body = transmitted == 1 and extensions.get("KHR_materials_volume", {}).get("thicknessFactor", 0) > 0
+    return [math.sqrt(c) for c in color[:3]] + color[3:] if is_body else color
+
+
 def _write_color(entry: dict, value: list) -> None:
-    _write_factor("baseColorFactor", [1, 1, 1, 1])(entry, value)
+    _write_factor("baseColorFactor", [1, 1, 1, 1])(entry, color_of_surface(entry, value))
     entry.pop("alphaMode", None)
     if value[3] != 1:
         entry["alphaMode"] = "BLEND"
@@ -208,8 +219,9 @@ def _always(_before, _after) -> bool:
     return True
 
 
-def _neither_starts_nor_ends(before: float, after: float) -> bool:
-    return before != 0 and after != 0
+def _stays_partial(before: float, after: float) -> bool:
+    # Glass that transmits all light has another color (color_of_surface).
+    return before not in (0, 1) and after not in (0, 1)
 
 
 # For each simple value: its sockets, the function that writes it, and a test for changes that leave other values as they are.
@@ -219,7 +231,7 @@ PROPERTIES = {
     "roughness": (("Roughness",), _write_factor("roughnessFactor"), _always),
     "emission": (("Emission Color", "Emission Strength"), _write_emission, _always),
     "index": (("IOR",), _write_extension("KHR_materials_ior", "ior", 1.5), _always),
-    "transmission": (("Transmission Weight",), _write_extension("KHR_materials_transmission", "transmissionFactor", 0.0), _neither_starts_nor_ends),
+    "transmission": (("Transmission Weight",), _write_extension("KHR_materials_transmission", "transmissionFactor", 0.0), _stays_partial),
 }
 
 

@@ -115,6 +115,9 @@ class BlenderAddOnTest {
         Material water = material(scene, "water");
         assertThat(water.transmission().thin()).isFalse();
         assertNear(water.transmission().ior(), 1.33);
+        // Light through both surfaces has the color of a Principled BSDF once, and that of a Glass BSDF twice.
+        assertNear(water.transmission().color().g(), 0.6);
+        assertNear(water.transmission().color().b(), 0.3);
         // Light falls by exp(−(1 − color) · density · distance).
         assertNear(Math.pow(water.transmission().tint().r(), 1 / water.transmission().tintDistance()), Math.exp(-0.75 * 2));
         assertNear(Math.pow(water.transmission().tint().g(), 1 / water.transmission().tintDistance()), Math.exp(-0.5 * 2));

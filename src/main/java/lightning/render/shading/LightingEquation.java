@@ -39,7 +39,8 @@ public final class LightingEquation {
     private double lx;
     private double ly;
     private double lz;
-    private double distance;
+    /** 1 for a directional light. */
+    private double distance = 1;
     private final @Nullable AngularMask angularMask;
     private double maskFactor;
 
@@ -113,6 +114,16 @@ public final class LightingEquation {
         return (float) (nl * (1 - pow5(1 - nl)) * (1 - pow5(1 - nv)));
     }
 
+    /** Returns α² of a highlight, widened by the light of one sample (see {@link LightSource#highlightWidening}), at most 1. */
+    private double widenedSquare(double alpha) {
+        double widening = source.highlightWidening();
+        if (widening == 0) {
+            return alpha * alpha;
+        }
+        double widened = alpha * alpha + widening / (distance * distance);
+        return widened < 1 ? widened : 1;
+    }
+
     /**
      * Returns N·L·D·V of a metallic material, for a row that faces the light; D without its 1/π. N and H are normalized for their
      * angle. The lengths of the others are off by 2⁻²³, which is not visible.
@@ -120,7 +131,7 @@ public final class LightingEquation {
      * <p>Apart from roundings it is at most 1/(2α³): D is at most 1/α², and V at most 1/(2·N·L·α). That is 6.1e7 for the smallest
      * effective roughness.
      *
-     * @param alpha the width of the highlight, above 0
+     * @param alpha the width of the highlight before it is widened, above 0
      */
     private double microfacetTerm(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
         double hx = lx - vx;
@@ -135,7 +146,7 @@ public final class LightingEquation {
         double nl = nx * lx + ny * ly + nz * lz;
         double nv = -((double) nx * vx + (double) ny * vy + (double) nz * vz);
         nv = nv > 0 ? nv : 0;
-        double a = alpha * alpha;
+        double a = widenedSquare(alpha);
         double t = c * (a - 1) + 1;
         double gl = nl + Math.sqrt(a + (1 - a) * (nl * nl));
         double gv = nv + Math.sqrt(a + (1 - a) * (nv * nv));

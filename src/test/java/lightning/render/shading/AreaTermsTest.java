@@ -59,6 +59,30 @@ class AreaTermsTest {
     }
 
     @Property
+    void metallicTermsOfSample_matchEquation(@ForAll Random random, @ForAll boolean scalar, @ForAll LightType type) {
+        LightSource source = draw(random, type);
+        TermKernel terms = (scalar ? Engines.SCALAR : Engines.LANES).terms();
+        int s = random.nextInt(SAMPLES);
+        int[] all = RowBits.allocate();
+        RowBits.add(all, 0, COUNT);
+        int[] facing = RowBits.allocate();
+        terms.aim(rows, source, s, ways, all, new float[TermKernel.MAX_ROWS], facing);
+        float[] specular = new float[TermKernel.MAX_ROWS];
+        float[] grazing = new float[TermKernel.MAX_ROWS];
+        double alpha = StrictMath.pow(10, -3 * random.nextDouble());
+        terms.metallicSpeculars(rows, 0, COUNT, facing, alpha, specular, grazing);
+        for (int i = 0; i < COUNT; i++) {
+            if (RowBits.contains(facing, i)) {
+                LightingEquation equation = equation(source, i, s);
+                assertThat(specular[i]).isEqualTo(
+                        equation.metallicSpecular(rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i], rows.vz[i], alpha));
+                assertThat(grazing[i]).isEqualTo(
+                        equation.metallicGrazing(rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i], rows.vz[i], alpha));
+            }
+        }
+    }
+
+    @Property
     void rowOutsideFacingBound_facesNoSample(@ForAll Random random, @ForAll LightType type) {
         LightSource source = draw(random, type);
         Engines.LANES.terms().addPossiblyFacing(rows, source, may);

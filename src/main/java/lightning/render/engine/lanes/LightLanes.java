@@ -32,7 +32,11 @@ final class LightLanes implements TermKernel {
     private final double[] lx = new double[MAX_ROWS];
     private final double[] ly = new double[MAX_ROWS];
     private final double[] lz = new double[MAX_ROWS];
+    /** Distance of each row from a light with a position, or from its sample; 1 for samples of a directional light. */
     private final double[] distance = new double[MAX_ROWS];
+    private double highlightWidening;
+    /** α² of the rows of a word, widened by the light of one sample. */
+    private final double[] squaredWidth = new double[RowBits.WIDTH];
     /** Cosine from the cone's axis, −1…1. */
     private final double[] axisCosine = new double[MAX_ROWS];
     private final double[] power = new double[MAX_ROWS];
@@ -49,6 +53,7 @@ final class LightLanes implements TermKernel {
 
     @Override
     public void aim(HitRows rows, LightSource source) {
+        highlightWidening = source.highlightWidening();
         double x = source.position().x();
         double y = source.position().y();
         double z = source.position().z();
@@ -63,6 +68,7 @@ final class LightLanes implements TermKernel {
 
     @Override
     public void aim(HitRows rows, LightSource source, int s, RowShadowRays patterns, int[] rowSet, float[] cosine, int[] facing) {
+        highlightWidening = source.highlightWidening();
         AreaSamples area = source.samples(rows);
         RowBits.forEachRun(rowSet, rows.count, source.type().hasPosition()
                 ? (from, to) -> aimAtPoints(rows, from, to, area, s, patterns, cosine)
@@ -112,6 +118,7 @@ final class LightLanes implements TermKernel {
             x.intoArray(lx, i);
             y.intoArray(ly, i);
             z.intoArray(lz, i);
+            one().intoArray(distance, i);
             FloatVector c = (FloatVector) ColumnLanes.load(rows.nx, i).mul(x).add(ColumnLanes.load(rows.ny, i).mul(y))
                     .add(ColumnLanes.load(rows.nz, i).mul(z)).castShape(F, 0);
             c.intoArray(cosine, i);
@@ -452,23 +459,37 @@ final class LightLanes implements TermKernel {
             int bits = rowSet[b] & RowBits.rangeBits(b, from, to);
             if (bits != 0) {
                 int row = b * RowBits.WIDTH;
-                writeFacetTerms(rows, row, alpha);
+                writeSquaredWidths(row, alpha * alpha);
+                writeFacetTerms(rows, row);
                 mergeRows(b, bits, specularTerms, row, gloss);
                 mergeRows(b, bits, grazingTerms, row, grazing);
             }
         }
     }
 
+    /** Writes {@link #squaredWidth} of a word's rows. */
+    private void writeSquaredWidths(int row, double square) {
+        if (highlightWidening == 0) {
+            java.util.Arrays.fill(squaredWidth, square);
+            return;
+        }
+        for (int i = 0; i < RowBits.WIDTH; i += LANES) {
+            DoubleVector d = DoubleVector.fromArray(D, distance, row + i);
+            DoubleVector widened = DoubleVector.broadcast(D, highlightWidening).div(d.mul(d)).add(square);
+            one().blend(widened, widened.compare(VectorOperators.LT, 1)).intoArray(squaredWidth, i);
+        }
+    }
+
     /** Writes both terms of a word's rows to {@link #specularTerms} and {@link #grazingTerms}. */
-    private void writeFacetTerms(HitRows rows, int row, double alpha) {
+    private void writeFacetTerms(HitRows rows, int row) {
         for (int i = row; i < row + RowBits.WIDTH; i += LANES) {
-            writeMicrofacetTerm(rows, i, alpha);
+            writeMicrofacetTerm(rows, i, i - row);
             splitBySchlick(rows, i);
         }
     }
 
     /** Writes N·L·D·V to {@link #power}. */
-    private void writeMicrofacetTerm(HitRows rows, int i, double alpha) {
+    private void writeMicrofacetTerm(HitRows rows, int i, int inWord) {
         DoubleVector nx = ColumnLanes.load(rows.nx, i);
         DoubleVector ny = ColumnLanes.load(rows.ny, i);
         DoubleVector nz = ColumnLanes.load(rows.nz, i);
@@ -479,14 +500,14 @@ final class LightLanes implements TermKernel {
         DoubleVector lengths = nx.mul(nx).add(ny.mul(ny)).add(nz.mul(nz)).mul(hx.mul(hx).add(hy.mul(hy)).add(hz.mul(hz)));
         DoubleVector c = clampToUnit(nh.mul(nh).div(lengths));
         DoubleVector nl = lightCosine(rows, i);
-        double a = alpha * alpha;
-        DoubleVector t = c.mul(a - 1).add(1);
+        DoubleVector a = DoubleVector.fromArray(D, squaredWidth, inWord);
+        DoubleVector t = c.mul(a.sub(1)).add(1);
         DoubleVector visibility = smithTerm(nl, a).mul(smithTerm(viewCosine(rows, i), a));
         nl.mul(a).div(t.mul(t).mul(visibility)).intoArray(power, i);
     }
 
-    private static DoubleVector smithTerm(DoubleVector cosine, double a) {
-        return cosine.add(cosine.mul(cosine).mul(1 - a).add(a).lanewise(VectorOperators.SQRT));
+    private static DoubleVector smithTerm(DoubleVector cosine, DoubleVector a) {
+        return cosine.add(cosine.mul(cosine).mul(one().sub(a)).add(a).lanewise(VectorOperators.SQRT));
     }
 
     /** Splits the values in {@link #power} by (1 − V·H)⁵. */

@@ -18,12 +18,15 @@ final class ScalarTerms implements TermKernel {
     private final double[] lx = new double[MAX_ROWS];
     private final double[] ly = new double[MAX_ROWS];
     private final double[] lz = new double[MAX_ROWS];
+    /** Distance of each row from a light with a position, or from its sample; 1 for samples of a directional light. */
     private final double[] distance = new double[MAX_ROWS];
+    private double highlightWidening;
     /** Cosine from the cone's axis, −1…1. */
     private final double[] axisCosine = new double[MAX_ROWS];
 
     @Override
     public void aim(HitRows rows, LightSource source) {
+        highlightWidening = source.highlightWidening();
         double x = source.position().x();
         double y = source.position().y();
         double z = source.position().z();
@@ -40,6 +43,7 @@ final class ScalarTerms implements TermKernel {
 
     @Override
     public void aim(HitRows rows, LightSource source, int s, RowShadowRays patterns, int[] rowSet, float[] cosine, int[] facing) {
+        highlightWidening = source.highlightWidening();
         AreaSamples area = source.samples(rows);
         for (int i = 0; i < rows.count; i++) {
             int k = area.index(s, patterns.pattern[i]);
@@ -49,6 +53,7 @@ final class ScalarTerms implements TermKernel {
                 lx[i] = area.x[k];
                 ly[i] = area.y[k];
                 lz[i] = area.z[k];
+                distance[i] = 1;
             }
         }
         cosines(rows, cosine);
@@ -213,6 +218,15 @@ final class ScalarTerms implements TermKernel {
         return square * square * x;
     }
 
+    /** Returns α², widened by the light of one sample. */
+    private double widenedSquare(int i, double alpha) {
+        if (highlightWidening == 0) {
+            return alpha * alpha;
+        }
+        double widened = alpha * alpha + highlightWidening / (distance[i] * distance[i]);
+        return widened < 1 ? widened : 1;
+    }
+
     /** Returns N·L·D·V. */
     private double microfacetTerm(HitRows rows, int i, double alpha) {
         double nx = rows.nx[i];
@@ -226,7 +240,7 @@ final class ScalarTerms implements TermKernel {
         c = c > 0 ? c > 1 ? 1 : c : 0;
         double nl = lightCosine(rows, i);
         double nv = viewCosine(rows, i);
-        double a = alpha * alpha;
+        double a = widenedSquare(i, alpha);
         double t = c * (a - 1) + 1;
         double gl = nl + Math.sqrt(a + (1 - a) * (nl * nl));
         double gv = nv + Math.sqrt(a + (1 - a) * (nv * nv));
