@@ -207,7 +207,8 @@ public final class PixelExplainer {
             // half-space that does not.
             LightSource sample = sample(light.source(), hit, s);
             boolean isBehind = light.source().type().isSurface() && one.state() == LightReport.State.OUTSIDE;
-            if (one.state() != LightReport.State.AWAY && !isBehind && (one.state() == LightReport.State.LIT || blocker(sample, hit) < 0)) {
+            if (s < area.samples() && one.state() != LightReport.State.AWAY && !isBehind
+                    && (one.state() == LightReport.State.LIT || blocker(sample, hit) < 0)) {
                 float[] passed = tint(sample, hit);
                 for (int c = 0; c < 3; c++) {
                     tints[c] += passed[c];

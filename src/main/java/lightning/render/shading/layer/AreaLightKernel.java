@@ -392,11 +392,14 @@ final class AreaLightKernel {
         hasTint = shadowCaster.canBeTinted();
     }
 
-    /** Sums the tints of the unblocked shadow rays of recomputed rows. */
+    /**
+     * Sums the tints of the unblocked shadow rays to the first samples of recomputed rows. A refined row sees at least one of them, and tints
+     * vary less than visibility.
+     */
     private void sumTints(HitRows rows, LightSource source, int[] recomputed) {
         if (hasTint) {
             tintSum = tintSum == null ? new double[3][TermKernel.MAX_ROWS] : tintSum;
-            shadowCaster.sumTints(rows, shadowRays.pattern, source.samples(rows), usedSamples, recomputed, unblocked, tintSum);
+            shadowCaster.sumTints(rows, shadowRays.pattern, source.samples(rows), recomputed, unblocked, tintSum);
         }
     }
 
@@ -409,7 +412,7 @@ final class AreaLightKernel {
         float[][] to = TintTracer.startColumns(rows, before, columns);
         for (int i = 0; i < rows.count; i++) {
             int freeCount = 0;
-            for (int s = 0; hasTint && s < usedSamples && RowBits.contains(recomputed, i); s++) {
+            for (int s = 0; hasTint && s < source.samples(rows).samples() && RowBits.contains(recomputed, i); s++) {
                 freeCount += RowBits.contains(unblocked[s], i) ? 1 : 0;
             }
             for (int c = 0; c < 3 && RowBits.contains(recomputed, i); c++) {

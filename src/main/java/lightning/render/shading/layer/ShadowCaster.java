@@ -262,13 +262,12 @@ final class ShadowCaster {
      * Writes the sums of the tints of unblocked shadow rays to the samples of the current area, whose rays may be tinted.
      *
      * @param patterns sample pattern of each row
-     * @param samples  number of samples that rows use
      * @param rowSet   rows to write
      * @param unblocked rows with an unblocked ray, for each sample
      * @param sums     receives red, green and blue
      */
-    void sumTints(HitRows rows, int[] patterns, AreaSamples area, int samples, int[] rowSet, int[][] unblocked, double[][] sums) {
-        requireNonNull(tintTracer).sumTints(rows, patterns, area, samples, hasPointTargets, rowSet, unblocked, sums);
+    void sumTints(HitRows rows, int[] patterns, AreaSamples area, int[] rowSet, int[][] unblocked, double[][] sums) {
+        requireNonNull(tintTracer).sumTints(rows, patterns, area, hasPointTargets, rowSet, unblocked, sums);
     }
 
     /** Returns whether shadow rays to the current area may pass through clear shapes. */

@@ -87,17 +87,16 @@ final class TintTracer {
     }
 
     /**
-     * Writes the sums of the tints of the unblocked shadow rays of rows to the samples of an area, added in the order of the
+     * Writes the sums of the tints of the unblocked shadow rays of rows to the first samples of an area, added in the order of the
      * samples.
      *
      * @param patterns  sample pattern of each row
-     * @param samples   number of samples that rows use
      * @param toPoints  false for a directional light
      * @param rowSet    rows to write
      * @param unblocked rows with an unblocked ray, for each sample
      * @param sums      receives red, green and blue
      */
-    void sumTints(HitRows rows, int[] patterns, AreaSamples area, int samples, boolean toPoints, int[] rowSet, int[][] unblocked,
+    void sumTints(HitRows rows, int[] patterns, AreaSamples area, boolean toPoints, int[] rowSet, int[][] unblocked,
             double[][] sums) {
         for (double[] sum : sums) {
             Arrays.fill(sum, 0, rows.count, 0);
@@ -109,7 +108,7 @@ final class TintTracer {
         rays.lightBuffers = toPoints && targets == OPEN ? lightBuffers(area) : null;
         int words = RowBits.words(rows.count);
         for (int from = 0; from < words; from += WORDS_PER_BLOCK) {
-            for (int s = 0; s < samples; s++) {
+            for (int s = 0; s < area.samples(); s++) {
                 for (int b = from; b < Math.min(words, from + WORDS_PER_BLOCK); b++) {
                     if (rays.count > ShadowRayBatch.MAX_RAYS - RowBits.WIDTH) {
                         addTints(sums);

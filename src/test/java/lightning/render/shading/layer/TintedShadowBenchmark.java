@@ -167,7 +167,7 @@ final class TintedShadowBenchmark {
 
     private long sumTints(ShadowCaster caster, HitRows rows, AreaSamples samples, int[][] rays) {
         long start = THREADS.getCurrentThreadCpuTime();
-        caster.sumTints(rows, shadowRays.pattern, samples, samples.samples(), everyRow, rays, sums);
+        caster.sumTints(rows, shadowRays.pattern, samples, everyRow, rays, sums);
         return THREADS.getCurrentThreadCpuTime() - start;
     }
 }

@@ -305,8 +305,8 @@ public final class ReferenceTracer {
         int freeCount = 0;
         for (int s = 0; s < samples; s++) {
             LightSource sample = source.at(area.position(used, s));
-            // A visible sample counts even outside the cone, but not behind a surface.
-            if (isBefore(sample, hit) && isVisible(sample, sampleTarget(sample), hit)) {
+            // A visible sample counts even outside the cone, but not behind a surface. Further samples of a penumbra do not count.
+            if (s < area.samples() && isBefore(sample, hit) && isVisible(sample, sampleTarget(sample), hit)) {
                 float[] one = Transmittance.ofShadowRay(geometry, sample, sampleTarget(sample), hit);
                 tint[0] += one[0];
                 tint[1] += one[1];
