@@ -117,7 +117,8 @@ public final class GatherBuilder {
                 new SurfelBuilder(workers, new ProgressPart(progress, POINTS_SHARE, surfelsEnd), keys, surfelCaster, memo, memory,
                         surfelBytes(), glows);
         surfels.build(placer.sources, placer.links, pointCaster, settings.bounces());
-        RimLinks rims = settings.environment() ? castThroughRims(directions, placer, surfels, memory) : RimLinks.none();
+        RimCaster rimCaster = new RimCaster(keys, directions, glows, placer.sources, placer.links, surfels.cells(), memo);
+        RimLinks rims = settings.environment() ? castThroughRims(rimCaster, placer, surfels, memory) : RimLinks.none();
         PointGroups groups = new PointGroups(placer.points, placer.radius);
         Barriers barriers =
                 Barriers.of(placer.sources, placer.radius, placer.links, surfels.surfels(), geometry, directions, workers, progress);
@@ -125,7 +126,7 @@ public final class GatherBuilder {
                 new FilterBuilder(placer.points, placer.radius, groups, barriers, placer.harmonic, placer.side).build(workers, progress);
         long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + pointCaster.rayCount()
                 + surfelCaster.rayCount() + Arrays.stream(surfels.blocks).mapToLong(block -> block.count).sum()
-                + rims.rayCount();
+                + rimCaster.rayCount();
         placer.sources.packNormals();
         return new GatherStructure(
                 new GatherPoints(placer.sources, placer.inverseLengths, placer.radius, groups, barriers, filter),
@@ -143,11 +144,10 @@ public final class GatherBuilder {
         return memo == null || before == null ? null : PointChanges.between(before, after, memo.points());
     }
 
-    private RimLinks castThroughRims(DirectionTable directions, PointPlacer placer, SurfelBuilder surfels, PathMemory memory) {
+    private RimLinks castThroughRims(RimCaster caster, PointPlacer placer, SurfelBuilder surfels, PathMemory memory) {
         Progress part = new ProgressPart(progress, SURFELS_SHARE, 1);
         RimCells rims = new RimCells(keys, placer.points, placer.links, surfels.surfels(), surfels.links, workers, part.cancellationOnly());
-        return new RimCaster(keys, directions, glows, placer.sources, placer.links, surfels.cells()).cast(rims, geometry, scene, tracers,
-                workers, memory, part);
+        return caster.cast(rims, geometry, scene, tracers, workers, memory, part);
     }
 
     private PathCaster caster(DirectionTable directions, PathMemory memory, boolean ofPoints) {

@@ -1,18 +1,21 @@
 package lightning.render.gather;
 
 import java.util.Arrays;
+import java.util.BitSet;
+import java.util.concurrent.atomic.LongAdder;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RayBatch;
 import lightning.render.trace.Tracer;
+import lightning.render.trace.tree.BoxRay;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Casts the additional rays of gather points through cells of directions that contain the rim of an opening. They find no new surfels: one that
- * hits a cell without a surfel counts what the next of the point's own rays hits.
+ * hits a cell without a surfel counts what the next of the point's own rays hits. After an edit, rays that a memo knows are not cast.
  */
 final class RimCaster {
     private static final int BATCH = 256;
@@ -23,6 +26,8 @@ final class RimCaster {
     private final RaySources points;
     private final RayLinks links;
     private final CellTable surfels;
+    private final @Nullable PathMemo memo;
+    private final LongAdder rays = new LongAdder();
     /** First cell and first ray of each point, and the numbers of all. */
     private final int[] firstCell;
     private final int[] firstRay;
@@ -35,8 +40,11 @@ final class RimCaster {
      * @param points  gather points
      * @param links   finished links of these
      * @param surfels numbers of the surfels by cell
+     * @param memo    paths before an edit
      */
-    RimCaster(CellKeys keys, DirectionTable directions, GlowShapes glows, RaySources points, RayLinks links, CellTable surfels) {
+    RimCaster(CellKeys keys, DirectionTable directions, GlowShapes glows, RaySources points, RayLinks links, CellTable surfels,
+            @Nullable PathMemo memo) {
+        this.memo = memo;
         this.keys = keys;
         this.directions = directions;
         this.glows = glows;
@@ -78,7 +86,11 @@ final class RimCaster {
         Batch[] batches = new Batch[tracers.length];
         Arrays.setAll(batches, worker -> new Batch(new RayBatch(geometry, scene, tracers[worker])));
         workers.run(jobs(), (worker, job) -> batches[worker].cast(job * BATCH, end(job)), progress);
-        return new RimLinks(firstCell, firstRay, cell, links.withRays(number, tint));
+        BitSet substituted = new BitSet();
+        for (Batch batch : batches) {
+            substituted.or(batch.substituted);
+        }
+        return new RimLinks(firstCell, firstRay, cell, links.withRays(number, tint), substituted.stream().toArray());
     }
 
     private int jobs() {
@@ -87,6 +99,11 @@ final class RimCaster {
 
     private int end(int job) {
         return Math.min(links.points(), job * BATCH + BATCH);
+    }
+
+    /** Returns the number of rays cast so far. */
+    long rayCount() {
+        return rays.sum();
     }
 
     private synchronized float[][] allocateTints() {
@@ -103,13 +120,16 @@ final class RimCaster {
     /** Rays of one thread. */
     private final class Batch {
         private final RayBatch batch;
-        /** Point and cell of each ray. */
+        /** Each ray to cast, its point and its cell. */
+        private final int[] rayOf = new int[RayBatch.MAX_RAYS];
         private final int[] pointOf = new int[RayBatch.MAX_RAYS];
-        private final int[] cellOf = new int[RayBatch.MAX_RAYS];
+        private final char[] cellOf = new char[RayBatch.MAX_RAYS];
+        private final BoxRay boxRay = new BoxRay();
         /** Directions around one point with a turn. */
         private final double[] x = new double[directions.rays()];
         private final double[] y = new double[directions.rays()];
         private final double[] z = new double[directions.rays()];
+        private final BitSet substituted = new BitSet();
         private int count;
 
         Batch(RayBatch batch) {
@@ -117,62 +137,89 @@ final class RimCaster {
         }
 
         void cast(int from, int to) {
-            int done = firstRay[from];
             for (int p = from; p < to; p++) {
                 int cells = firstCell[p + 1] - firstCell[p];
                 int added = cells == 0 ? 0 : (firstRay[p + 1] - firstRay[p]) / cells;
-                if (count + cells * added > RayBatch.MAX_RAYS) {
-                    flush(done);
-                    done = firstRay[p];
-                }
-                for (int e = 1; e <= added; e++) {
-                    points.writeDirections(p, directions, RimAim.turn(e), x, y, z, 0);
+                int old = memo == null || added == 0 ? KnownRays.UNKNOWN : memo.points().find(points, p);
+                for (int turn = 1; turn <= added; turn++) {
+                    points.writeDirections(p, directions, RimAim.turn(turn), x, y, z, 0);
                     for (int i = 0; i < cells; i++) {
-                        set(count + i * added + e - 1, p, cell[firstCell[p] + i]);
+                        char k = cell[firstCell[p] + i];
+                        int ray = firstRay[p] + i * added + turn - 1;
+                        if (old < 0 || !repeat(ray, p, k, old, turn)) {
+                            add(ray, p, k);
+                        }
                     }
                 }
-                count += cells * added;
             }
-            flush(done);
+            flush();
         }
 
-        private void set(int ray, int p, int k) {
-            pointOf[ray] = p;
-            cellOf[ray] = k;
-            batch.startX[ray] = points.surface.px[p];
-            batch.startY[ray] = points.surface.py[p];
-            batch.startZ[ray] = points.surface.pz[p];
-            batch.directionX[ray] = x[k];
-            batch.directionY[ray] = y[k];
-            batch.directionZ[ray] = z[k];
+        /** Takes what a ray hit before an edit; returns whether it is known. */
+        private boolean repeat(int ray, int p, char k, int old, int turn) {
+            assert memo != null;
+            int known = memo.rims().find(old, k, turn);
+            boxRay.setRay(points.surface.px[p], points.surface.py[p], points.surface.pz[p], x[k], y[k], z[k]);
+            if (known < 0 || memo.mayChange(boxRay)) {
+                return false;
+            }
+            int surfel = memo.rims().surfel(known);
+            if (surfel == RayLinks.MISS) {
+                number[ray] = links.missNumber(x[k], y[k], z[k]);
+            } else {
+                setHit(ray, memo.key(surfel), memo.places().primitive[surfel], p, k);
+            }
+            return true;
         }
 
-        /** @param first first ray of the batch among all */
-        private void flush(int first) {
+        private void add(int ray, int p, char k) {
+            if (count == RayBatch.MAX_RAYS) {
+                flush();
+            }
+            rayOf[count] = ray;
+            pointOf[count] = p;
+            cellOf[count] = k;
+            batch.startX[count] = points.surface.px[p];
+            batch.startY[count] = points.surface.py[p];
+            batch.startZ[count] = points.surface.pz[p];
+            batch.directionX[count] = x[k];
+            batch.directionY[count] = y[k];
+            batch.directionZ[count++] = z[k];
+        }
+
+        private void flush() {
             if (count == 0) {
                 return;
             }
             batch.trace(count);
+            rays.add(count);
             HitRows rows = batch.rowsWithoutTexels();
             for (int row = 0; row < rows.count; row++) {
-                int ray = rows.parent[row];
-                int primitive = batch.primitive(ray);
-                int surfel = surfels.number(keys.surfelKey(rows, row, primitive, batch.distance(ray)));
-                number[first + ray] = surfel < 0 ? nextHit(pointOf[ray], cellOf[ray])
-                        : links.number(surfel, glows.isAimed(primitive, points.surface, pointOf[ray]));
+                int i = rows.parent[row];
+                setHit(rayOf[i], keys.surfelKey(rows, row, batch.primitive(i), batch.distance(i)), batch.primitive(i), pointOf[i],
+                        cellOf[i]);
             }
-            for (int ray = 0; ray < count; ray++) {
-                if (batch.primitive(ray) < 0) {
-                    number[first + ray] = links.missNumber(batch.directionX[ray], batch.directionY[ray], batch.directionZ[ray]);
+            float[][] tints = batch.isTinted() ? allocateTints() : null;
+            for (int i = 0; i < count; i++) {
+                if (batch.primitive(i) < 0) {
+                    number[rayOf[i]] = links.missNumber(batch.directionX[i], batch.directionY[i], batch.directionZ[i]);
                 }
-            }
-            if (batch.isTinted()) {
-                float[][] all = allocateTints();
-                for (int c = 0; c < 3; c++) {
-                    System.arraycopy(batch.tint[c], 0, all[c], first, count);
+                for (int c = 0; tints != null && c < 3; c++) {
+                    tints[c][rayOf[i]] = batch.tint[c][i];
                 }
             }
             count = 0;
+        }
+
+        /** @param key of the cell that a ray hits */
+        private void setHit(int ray, long key, int primitive, int p, char k) {
+            int surfel = surfels.number(key);
+            if (surfel < 0) {
+                substituted.set(ray);
+                number[ray] = nextHit(p, k);
+            } else {
+                number[ray] = links.number(surfel, glows.isAimed(primitive, points.surface, p));
+            }
         }
 
         /** Returns the number of the first of a point's own rays, from ray {@code k} on, that hits a surface; that of ray {@code k} if none does. */

@@ -1,13 +1,15 @@
 package lightning.render.gather;
 
 import java.io.IOException;
+import java.util.Arrays;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 
 /** What the additional rays of gather points meet, through cells of directions that contain the rim of an opening. Immutable. */
 public final class RimLinks {
-    /** Maximum bytes of an additional ray: its number while it is found and afterwards, its tint twice, and its cell. */
-    public static final int BUILD_BYTES = 4 + 4 + 12 + 16 + 2;
+    /** Maximum bytes of an additional ray: its number while it is found and afterwards, its tint twice, its cell, and a substitution. */
+    public static final int BUILD_BYTES = 4 + 4 + 12 + 16 + 2 + 4;
+    static final int NONE = -1;
 
     /** First cell and first ray of each point, and the numbers of all; empty if there are none. */
     private final int[] firstCell;
@@ -15,8 +17,11 @@ public final class RimLinks {
     /** Cells in the grid of directions, ascending for each point. */
     private final char[] cell;
     private final RayLinks rays;
+    /** Rays that hit a cell without a surfel, so that they have the number of another ray; ascending. */
+    private final int[] substituted;
 
-    RimLinks(int[] firstCell, int[] firstRay, char[] cell, RayLinks rays) {
+    RimLinks(int[] firstCell, int[] firstRay, char[] cell, RayLinks rays, int[] substituted) {
+        this.substituted = substituted;
         this.firstCell = firstCell;
         this.firstRay = firstRay;
         this.cell = cell;
@@ -25,7 +30,7 @@ public final class RimLinks {
 
     /** Returns links without rays. */
     static RimLinks none() {
-        return new RimLinks(new int[0], new int[0], new char[0], new RayLinks(1, 1, null));
+        return new RimLinks(new int[0], new int[0], new char[0], new RayLinks(1, 1, null), new int[0]);
     }
 
     void writeTo(ColumnWriter out) throws IOException {
@@ -33,15 +38,37 @@ public final class RimLinks {
         out.writeArray(firstRay);
         out.writeArray(cell);
         rays.writeTo(out);
+        out.writeArray(substituted);
     }
 
     static RimLinks readFrom(ColumnReader in) throws IOException {
-        return new RimLinks(in.readInts(), in.readInts(), in.readChars(), RayLinks.readFrom(in));
+        return new RimLinks(in.readInts(), in.readInts(), in.readChars(), RayLinks.readFrom(in), in.readInts());
     }
 
-    /** Returns the number of additional rays. */
-    public int rayCount() {
-        return rays.rayCount();
+    /**
+     * Returns an additional ray of a point; {@link #NONE} if there is no such ray, or if it hit a cell without a surfel.
+     *
+     * @param itsCell cell of the grid of directions
+     * @param turn    number of the ray in the cell, 1 or more
+     */
+    int find(int point, char itsCell, int turn) {
+        int at = firstCell.length == 0 ? NONE : Arrays.binarySearch(cell, firstCell[point], firstCell[point + 1], itsCell);
+        int added = at < 0 ? 0 : added(point);
+        if (turn > added) {
+            return NONE;
+        }
+        int ray = firstRay[point] + (at - firstCell[point]) * added + turn - 1;
+        return Arrays.binarySearch(substituted, ray) < 0 ? ray : NONE;
+    }
+
+    /** Returns the surfel that an additional ray hit; {@link RayLinks#MISS} for none. */
+    int surfel(int ray) {
+        return rays.surfel(ray);
+    }
+
+    /** Returns the number of additional rays in each cell of a point that has such cells. */
+    private int added(int point) {
+        return (firstRay[point + 1] - firstRay[point]) / (firstCell[point + 1] - firstCell[point]);
     }
 
     /**
@@ -55,7 +82,7 @@ public final class RimLinks {
         if (firstCell.length == 0 || firstCell[point] == firstCell[point + 1]) {
             return;
         }
-        int added = (firstRay[point + 1] - firstRay[point]) / (firstCell[point + 1] - firstCell[point]);
+        int added = added(point);
         float[] own = new float[3];
         float[] others = new float[3];
         for (int i = firstCell[point], ray = firstRay[point]; i < firstCell[point + 1]; i++, ray += added) {
@@ -69,6 +96,6 @@ public final class RimLinks {
 
     /** Returns the bytes of the links. */
     long bytes() {
-        return 4L * firstCell.length + 4L * firstRay.length + 2L * cell.length + rays.bytes();
+        return 4L * firstCell.length + 4L * firstRay.length + 2L * cell.length + 4L * substituted.length + rays.bytes();
     }
 }
