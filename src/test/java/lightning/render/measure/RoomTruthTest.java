@@ -54,6 +54,7 @@ class RoomTruthTest {
     @ParameterizedTest
     @CsvSource(textBlock = """
             attic, 3, 8, 1
+            bath, 7, 18, 1
             cellar, 9, 25, 1
             living, 4, 11, 1
             """)
