@@ -99,6 +99,15 @@ public final class IndirectScenes {
                 sphere glass { material glass  at -0.4 -0.6 0.4  scale 0.3 0.3 0.3 }
                 light panel rect { at 0 0.9 0  direction 0 -1 0  width 0.6  height 0.4  samples 4 }
                 """, new IndirectSettings(2, 16, 4, false))));
+        scenes.put("environment through an opening", withEnvironment(scene("size 32 20  depth 1", """
+                camera { from 0 0.3 0.9  to 0 -0.3 -1  fov 80 }
+                world { ambience 0 }
+                """ + ROOM + """
+                plane front { material white  at 0 -0.1 1  rotate 90 0 0  scale 2 1 1.8 }
+                plane beside { material white  at 0.2 0.9 1  rotate 90 0 0  scale 1.6 1 0.2 }
+                plane pane { material glass  at -0.8 0.9 1.1  rotate 90 0 0  scale 0.2 1 1 }
+                sphere ball { material blue  at 0.3 -0.6 -0.2  scale 0.4 0.4 0.4 }
+                """, new IndirectSettings(2, 64, 4, false))));
         scenes.put("environment on bumps", withBumps(withEnvironment(scene("size 24 16  depth 1", CAMERA + ROOM + """
                 material mirrored { diffuse 0.3 0.3 0.3  reflective 0.5 0.5 0.5 }
                 sphere ball { material mirrored  at 0.2 -0.5 -0.2  scale 0.5 0.5 0.5 }

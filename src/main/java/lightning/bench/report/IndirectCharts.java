@@ -11,8 +11,6 @@ import lightning.bench.result.IndirectGrowth;
 import lightning.bench.result.IndirectResults;
 import lightning.bench.result.SoftShadowAccuracy;
 import lightning.render.measure.ParetoFront;
-import lightning.scene.IndirectSettings;
-import lightning.scene.light.AreaShape;
 
 /** Charts of indirect light: error against time with the Pareto front, missing light against time, and growth. */
 public final class IndirectCharts {
@@ -58,10 +56,6 @@ public final class IndirectCharts {
         return ParetoFront.of(scene.grid(), point -> point.time().median(), point -> point.error().mean());
     }
 
-    private static boolean isDefault(IndirectAccuracy.Point point) {
-        return point.spacing() == IndirectSettings.DEFAULT.spacing() && point.rays() == IndirectSettings.DEFAULT.rays();
-    }
-
     /**
      * Returns the chart of a scene: mean error against the milliseconds of the first pass; a color per number of rays, and the default is
      * filled.
@@ -69,7 +63,7 @@ public final class IndirectCharts {
     static String svg(IndirectAccuracy scene) {
         List<Integer> rays = scene.grid().stream().map(IndirectAccuracy.Point::rays).distinct().sorted().toList();
         List<ParetoChart.Point> points = scene.grid().stream().map(point -> new ParetoChart.Point(point.spacing() + ", " + point.rays(),
-                PlotColor.of(rays.indexOf(point.rays())), PlotStyle.shape(rays.indexOf(point.rays())), isDefault(point),
+                PlotColor.of(rays.indexOf(point.rays())), PlotStyle.shape(rays.indexOf(point.rays())), point.usesDefault(),
                 point.time().lowerQuartile(),
                 point.time().median(), point.time().upperQuartile(), point.error().mean())).toList();
         return ParetoChart.svg("Mean error of indirect light against time (ms), " + scene.scene(), points, WIDTH, HEIGHT,
@@ -79,7 +73,7 @@ public final class IndirectCharts {
     /** Returns the chart of a scene's area lights: mean error against the milliseconds of the first pass; the default is filled. */
     static String svg(SoftShadowAccuracy scene) {
         List<ParetoChart.Point> points = scene.points().stream().map(point -> new ParetoChart.Point(Integer.toString(point.samples()),
-                PlotColor.OURS, PlotStyle.shape(0), point.samples() == AreaShape.DEFAULT.samples(), point.time().lowerQuartile(),
+                PlotColor.OURS, PlotStyle.shape(0), point.usesDefault(), point.time().lowerQuartile(),
                 point.time().median(), point.time().upperQuartile(), point.mean())).toList();
         return ParetoChart.svg("Mean error of area lights against time (ms), " + scene.scene(), points, WIDTH, HEIGHT,
                 IndirectCharts::percent);

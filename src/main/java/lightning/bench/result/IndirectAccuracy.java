@@ -29,7 +29,12 @@ public record IndirectAccuracy(String scene, int width, int height, int pixels, 
      * @param gatherPoints number of gather points
      * @param surfels      number of surfels
      */
-    public record Point(int spacing, int rays, int bounces, TimeSamples time, int gatherPoints, int surfels, IndirectError error) {}
+    public record Point(int spacing, int rays, int bounces, TimeSamples time, int gatherPoints, int surfels, IndirectError error) {
+        /** Returns whether spacing and rays are the default. */
+        public boolean usesDefault() {
+            return spacing == IndirectSettings.DEFAULT.spacing() && rays == IndirectSettings.DEFAULT.rays();
+        }
+    }
 
     /** Returns the settings with the default number of bounces. */
     public List<Point> grid() {
@@ -38,8 +43,7 @@ public record IndirectAccuracy(String scene, int width, int height, int pixels, 
 
     /** Returns the settings with the default spacing and rays, which differ in bounces. */
     public List<Point> byBounces() {
-        return points.stream().filter(point -> point.spacing() == IndirectSettings.DEFAULT.spacing()
-                && point.rays() == IndirectSettings.DEFAULT.rays()).sorted((a, b) -> a.bounces() - b.bounces()).toList();
+        return points.stream().filter(Point::usesDefault).sorted((a, b) -> a.bounces() - b.bounces()).toList();
     }
 
     /** Returns the point with default settings; empty if not measured. */

@@ -1,6 +1,7 @@
 package lightning.bench.result;
 
 import java.util.List;
+import lightning.scene.light.AreaShape;
 
 /**
  * Time against error of area lights on one scene, for several numbers of samples.
@@ -22,5 +23,10 @@ public record SoftShadowAccuracy(String scene, int width, int height, int lights
      * @param mean mean relative error
      * @param high 95th percentile of the errors
      */
-    public record Point(int samples, TimeSamples time, double mean, double high) {}
+    public record Point(int samples, TimeSamples time, double mean, double high) {
+        /** Returns whether it is the default. */
+        public boolean usesDefault() {
+            return samples == AreaShape.DEFAULT.samples();
+        }
+    }
 }

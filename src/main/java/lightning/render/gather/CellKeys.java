@@ -26,6 +26,8 @@ public final class CellKeys {
     private static final float OBLIQUE = 0.38f;
     private static final double MIN_DISTANCE = 1e-150;
     private static final long ANY_SURFACE = -1;
+    /** Logarithm of the width of a wide cell in sides of the largest cells of gather points. */
+    private static final int WIDE = 4;
 
     private final double originX;
     private final double originY;
@@ -93,6 +95,11 @@ public final class CellKeys {
         int normal = ax >= ay && ax >= az ? 10 * side(nx) + 3 * third(ny) + third(nz)
                 : ay >= az ? 20 + 10 * side(ny) + 3 * third(nx) + third(nz) : 40 + 10 * side(nz) + 3 * third(nx) + third(ny);
         return key(x, y, z, Math.scalb(pointSide, octave), octave, 64 * surface + normal);
+    }
+
+    /** Returns the key of a wide cell, sixteen times as wide as the largest cell of gather points there. It may contain several surfaces. */
+    public long wideKey(float x, float y, float z, float nx, float ny, float nz) {
+        return pointCell(x, y, z, nx, ny, nz, ANY_SURFACE, octave(x, y, z) + WIDE);
     }
 
     /**

@@ -56,15 +56,21 @@ public final class DirectionTable {
         return rays;
     }
 
+    /** Writes the usual directions around a normal, as below. */
+    public void write(long seed, float nx, float ny, float nz, double[] toX, double[] toY, double[] toZ, int at) {
+        write(seed, 0, nx, ny, nz, toX, toY, toZ, at);
+    }
+
     /**
      * Writes the directions around a normal to elements {@code at … at + rays() − 1}. The tangents follow T. Duff and others, Building an
      * orthonormal basis, revisited, 2017.
      *
      * @param seed its lowest four bits are the part, the others select one of its patterns
+     * @param turn bits of the part to change: 0 for the usual directions, up to 15 for those in the other parts
      * @param toX  receives the components x, as {@code toY} and {@code toZ}
      */
-    public void write(long seed, float nx, float ny, float nz, double[] toX, double[] toY, double[] toZ, int at) {
-        int part = (int) (seed & PARTS * PARTS - 1);
+    public void write(long seed, int turn, float nx, float ny, float nz, double[] toX, double[] toY, double[] toZ, int at) {
+        int part = (int) (seed & PARTS * PARTS - 1) ^ turn;
         int from = (int) (part * VARIANTS + (Hash64.mix(seed) & VARIANTS - 1)) * rays;
         double sign = Math.copySign(1.0, nz);
         double a = -1 / (sign + nz);

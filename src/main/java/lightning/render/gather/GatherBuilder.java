@@ -25,6 +25,8 @@ public final class GatherBuilder {
     /** Usual shares of the time after the candidates and the rays of gather points. */
     private static final double CANDIDATES_SHARE = 0.1;
     private static final double POINTS_SHARE = 0.5;
+    /** The same after the surfels, if additional rays follow. */
+    private static final double SURFELS_SHARE = 0.9;
 
     /** Bytes of a surfel's key, seed, place and normal, and of its light while it is solved. */
     private static final int BYTES_BESIDE_ROW = 160;
@@ -110,20 +112,25 @@ public final class GatherBuilder {
                 new PointPlacer(workers, new ProgressPart(progress, CANDIDATES_SHARE, POINTS_SHARE), keys, pointCaster, memory);
         placer.place(candidates);
         PathCaster surfelCaster = caster(new DirectionTable(settings.surfelRaysPerSide()), memory, false);
-        SurfelBuilder surfels = new SurfelBuilder(workers, new ProgressPart(progress, POINTS_SHARE, 1), keys, surfelCaster, memo, memory,
-                surfelBytes(), glows);
+        double surfelsEnd = settings.environment() ? SURFELS_SHARE : 1;
+        SurfelBuilder surfels =
+                new SurfelBuilder(workers, new ProgressPart(progress, POINTS_SHARE, surfelsEnd), keys, surfelCaster, memo, memory,
+                        surfelBytes(), glows);
         surfels.build(placer.sources, placer.links, pointCaster, settings.bounces());
+        RimCaster rimCaster = new RimCaster(keys, directions, glows, placer.sources, placer.links, surfels.cells(), memo);
+        RimLinks rims = settings.environment() ? castThroughRims(rimCaster, placer, surfels, memory) : RimLinks.none();
         PointGroups groups = new PointGroups(placer.points, placer.radius);
         Barriers barriers =
                 Barriers.of(placer.sources, placer.radius, placer.links, surfels.surfels(), geometry, directions, workers, progress);
         PointFilter filter =
                 new FilterBuilder(placer.points, placer.radius, groups, barriers, placer.harmonic, placer.side).build(workers, progress);
         long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + pointCaster.rayCount()
-                + surfelCaster.rayCount() + Arrays.stream(surfels.blocks).mapToLong(block -> block.count).sum();
+                + surfelCaster.rayCount() + Arrays.stream(surfels.blocks).mapToLong(block -> block.count).sum()
+                + rimCaster.rayCount();
         placer.sources.packNormals();
         return new GatherStructure(
                 new GatherPoints(placer.sources, placer.inverseLengths, placer.radius, groups, barriers, filter),
-                placer.links, surfels.links, new SurfelRows(surfels.blocks, surfels.numbers, surfels.near, surfels.count()),
+                placer.links, rims, surfels.links, new SurfelRows(surfels.blocks, surfels.numbers, surfels.near, surfels.count()),
                 surfels.packNormals(), new GlowPaths(glows, pointCaster.glowLinks(), surfelCaster.glowLinks(), surfels.glowing),
                 surfels.kept, settings.bounces(), rays);
     }
@@ -135,6 +142,12 @@ public final class GatherBuilder {
      */
     public @Nullable PointChanges changes(GatherStructure after) {
         return memo == null || before == null ? null : PointChanges.between(before, after, memo.points());
+    }
+
+    private RimLinks castThroughRims(RimCaster caster, PointPlacer placer, SurfelBuilder surfels, PathMemory memory) {
+        Progress part = new ProgressPart(progress, SURFELS_SHARE, 1);
+        RimCells rims = new RimCells(keys, placer.points, placer.links, surfels.surfels(), surfels.links, workers, part.cancellationOnly());
+        return caster.cast(rims, geometry, scene, tracers, workers, memory, part);
     }
 
     private PathCaster caster(DirectionTable directions, PathMemory memory, boolean ofPoints) {

@@ -17,6 +17,7 @@ import org.jspecify.annotations.Nullable;
 public final class GatherStructure {
     private final GatherPoints points;
     private final RayLinks pointLinks;
+    private final RimLinks rims;
     private final RayLinks surfelLinks;
     private final SurfelRows surfels;
     /** Normals of the surfaces of surfels that cast rays. */
@@ -27,11 +28,13 @@ public final class GatherStructure {
     private final long rays;
 
     /** @param kept for each surfel before an edit its number now, −1 if its row is not the same; null after a first build */
-    GatherStructure(GatherPoints points, RayLinks pointLinks, RayLinks surfelLinks, SurfelRows surfels, TiltedNormals surfelNormals,
+    GatherStructure(GatherPoints points, RayLinks pointLinks, RimLinks rims, RayLinks surfelLinks, SurfelRows surfels,
+            TiltedNormals surfelNormals,
             GlowPaths glow, int @Nullable [] kept, int bounces, long rays) {
         this.glow = glow;
         this.points = points;
         this.pointLinks = pointLinks;
+        this.rims = rims;
         this.surfelLinks = surfelLinks;
         this.surfels = surfels;
         this.surfelNormals = surfelNormals;
@@ -57,6 +60,7 @@ public final class GatherStructure {
     public void writeTo(ColumnWriter out) throws IOException {
         points.writeTo(out);
         pointLinks.writeTo(out);
+        rims.writeTo(out);
         surfelLinks.writeTo(out);
         surfels.writeTo(out);
         surfelNormals.writeTo(out);
@@ -71,7 +75,8 @@ public final class GatherStructure {
      * @throws IOException if the data is truncated
      */
     public static GatherStructure readFrom(ColumnReader in, Metadata metadata) throws IOException {
-        return new GatherStructure(GatherPoints.readFrom(in, metadata.keys), RayLinks.readFrom(in), RayLinks.readFrom(in),
+        return new GatherStructure(GatherPoints.readFrom(in, metadata.keys), RayLinks.readFrom(in), RimLinks.readFrom(in),
+                RayLinks.readFrom(in),
                 SurfelRows.readFrom(in), TiltedNormals.readFrom(in), GlowPaths.readFrom(in, metadata.shapes), null, in.readInt(),
                 in.readLong());
     }
@@ -83,7 +88,7 @@ public final class GatherStructure {
      * @param numbers surfel of each parent in each block
      */
     public GatherStructure withSurfels(HitRows[] rows, int[][] numbers) {
-        return new GatherStructure(points, pointLinks, surfelLinks, new SurfelRows(rows, numbers, surfels.near(), surfels.count()),
+        return new GatherStructure(points, pointLinks, rims, surfelLinks, new SurfelRows(rows, numbers, surfels.near(), surfels.count()),
                 surfelNormals, glow, null, bounces, rays);
     }
 
@@ -139,6 +144,11 @@ public final class GatherStructure {
         return pointLinks;
     }
 
+    /** Returns what additional rays of gather points meet, through the rims of openings. */
+    public RimLinks rims() {
+        return rims;
+    }
+
     /** Returns the surfels that the rays of the first surfels hit; later surfels have no rays. */
     public RayLinks surfelLinks() {
         return surfelLinks;
@@ -190,7 +200,8 @@ public final class GatherStructure {
 
     /** Returns the bytes of the gather points, their filter and their links. */
     public long pointBytes() {
-        return pointLinks.bytes() + points.filter().bytes() + points.groups().bytes() + points.barriers().bytes() + 40L * points.count()
+        return pointLinks.bytes() + rims.bytes() + points.filter().bytes() + points.groups().bytes() + points.barriers().bytes()
+                + 40L * points.count()
                 + points.sources().normalBytes() + glow.pointBytes();
     }
 

@@ -25,6 +25,7 @@ public final class PathMemo {
     private final BoxSet changes;
     private final KnownRays points;
     private final KnownRays surfels;
+    private final RimLinks rims;
     private final long[] inverseLengths;
     /** Surfels by number; primitives have their new numbers, −1 for changed ones. */
     private final SurfaceColumns places;
@@ -35,6 +36,7 @@ public final class PathMemo {
     private PathMemo(GatherStructure before, HitRows[] rows, Geometry geometry, ShapeChange shapes, CellKeys cells, BoxSet changes) {
         this.geometry = geometry;
         this.changes = changes;
+        rims = before.rims();
         inverseLengths = before.points().inverseLengths();
         int count = before.surfelCount();
         places = new SurfaceColumns(count);
@@ -138,6 +140,11 @@ public final class PathMemo {
 
     KnownRays surfels() {
         return surfels;
+    }
+
+    /** Returns the additional rays of the points. */
+    RimLinks rims() {
+        return rims;
     }
 
     /** Returns the sum of {@link InverseLengths} of a gather point. */

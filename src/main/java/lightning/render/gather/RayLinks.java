@@ -93,7 +93,7 @@ public final class RayLinks {
      * @param x direction, with {@code y} and {@code z}
      */
     void setMiss(int ray, double x, double y, double z) {
-        keys[ray] = misses == 1 ? 0 : DirectionCells.of(x, y, z);
+        keys[ray] = missCell(x, y, z);
     }
 
     /** Sets the tints of rays {@code from … from + count − 1}. */
@@ -135,8 +135,7 @@ public final class RayLinks {
     /** Replaces keys by the numbers of the cells. Threads may resolve parts that start at multiples of {@link RayNumbers#ALIGNMENT}. */
     void resolve(CellTable cells, int from, int to) {
         for (int ray = from; ray < to; ray++) {
-            int number = hit[ray] == NOTHING ? miss + (int) keys[ray] : cells.number(keys[ray]);
-            surfel.set(ray, hit[ray] == DARK_SURFEL ? miss + misses + Arrays.binarySearch(dark, number) : number);
+            surfel.set(ray, hit[ray] == NOTHING ? miss + (int) keys[ray] : number(cells.number(keys[ray]), hit[ray] == DARK_SURFEL));
         }
     }
 
@@ -201,6 +200,44 @@ public final class RayLinks {
         return rays;
     }
 
+    /** Returns the number of what a ray hit, among those of {@link #sum(int, float[], float[])}. */
+    int number(int ray) {
+        return surfel.get(ray);
+    }
+
+    /** Returns the number of a surfel, as above; {@code isAimed} as in {@link #setKey}. */
+    int number(int itsSurfel, boolean isAimed) {
+        return isAimed ? miss + misses + Arrays.binarySearch(dark, itsSurfel) : itsSurfel;
+    }
+
+    /** Returns the number of a ray that hits nothing, as above. */
+    int missNumber(double x, double y, double z) {
+        return miss + missCell(x, y, z);
+    }
+
+    private int missCell(double x, double y, double z) {
+        return misses == 1 ? 0 : DirectionCells.of(x, y, z);
+    }
+
+    /**
+     * Returns links of other rays among the same numbers.
+     *
+     * @param numbers  number of each ray
+     * @param itsTints red, green and blue tint of each; null if none is tinted
+     */
+    RayLinks withRays(int[] numbers, float @Nullable [][] itsTints) {
+        var links = new RayLinks(1, misses, null);
+        links.rays = numbers.length;
+        links.miss = miss;
+        links.dark = dark;
+        links.surfel = new RayNumbers(numbers.length, miss + misses + dark.length);
+        for (int ray = 0; ray < numbers.length; ray++) {
+            links.surfel.set(ray, numbers[ray]);
+        }
+        links.tints = itsTints == null ? null : RayTints.of(itsTints, numbers.length);
+        return links;
+    }
+
     /** Returns the surfel that a ray hit; {@link #MISS} for none. */
     int surfel(int ray) {
         int number = surfel.get(ray);
@@ -215,20 +252,24 @@ public final class RayLinks {
      * @param to    receives red, green and blue
      */
     public void sum(int point, float[] light, float[] to) {
-        int from = point * raysPerPoint;
+        sum(point * raysPerPoint, raysPerPoint, light, to);
+    }
+
+    /** Adds up the light that rays {@code from … from + count − 1} meet, as above. */
+    void sum(int from, int count, float[] light, float[] to) {
         int nextTint = tints == null ? 0 : tints.firstFrom(from);
-        if (tints == null || nextTint == tints.count() || tints.ray()[nextTint] >= from + raysPerPoint) {
-            surfel.sum(from, raysPerPoint, light, to);
+        if (tints == null || nextTint == tints.count() || tints.ray()[nextTint] >= from + count) {
+            surfel.sum(from, count, light, to);
         } else {
-            sumTinted(from, nextTint, light, to);
+            sumTinted(from, count, nextTint, light, to);
         }
     }
 
-    private void sumTinted(int from, int firstTint, float[] light, float[] to) {
+    private void sumTinted(int from, int count, int firstTint, float[] light, float[] to) {
         Arrays.fill(to, 0);
         assert tints != null;
         int tinted = firstTint;
-        for (int ray = from; ray < from + raysPerPoint; ray++) {
+        for (int ray = from; ray < from + count; ray++) {
             int at = 4 * surfel.get(ray);
             boolean isTinted = tinted < tints.count() && tints.ray()[tinted] == ray;
             for (int c = 0; c < 3; c++) {

@@ -103,13 +103,20 @@ final class RaySources {
         return level;
     }
 
+    /** Writes the usual directions of a point's rays, as below. */
+    void writeDirections(int p, DirectionTable directions, double[] toX, double[] toY, double[] toZ, int at) {
+        writeDirections(p, directions, 0, toX, toY, toZ, at);
+    }
+
     /**
      * Writes the directions of a point's rays to elements {@code at …}: cosine-distributed around the normal by which the point is
      * shaded. Bump maps and vertex normals tilt that normal, so some directions would go below the surface. They are reflected at its
      * plane: the light from above stands for the light that the tilted surface would meet.
+     *
+     * @param turn as in {@link DirectionTable#write}
      */
-    void writeDirections(int p, DirectionTable directions, double[] toX, double[] toY, double[] toZ, int at) {
-        directions.write(seed(p), surface.nx[p], surface.ny[p], surface.nz[p], toX, toY, toZ, at);
+    void writeDirections(int p, DirectionTable directions, int turn, double[] toX, double[] toY, double[] toZ, int at) {
+        directions.write(seed(p), turn, surface.nx[p], surface.ny[p], surface.nz[p], toX, toY, toZ, at);
         int normal = normal(p);
         if (normal < 0) {
             return;

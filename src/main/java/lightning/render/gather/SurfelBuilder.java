@@ -68,6 +68,11 @@ final class SurfelBuilder {
         return surfels.count;
     }
 
+    /** Returns the numbers of the surfels by cell. */
+    CellTable cells() {
+        return cells;
+    }
+
     /** Returns the places of the surfels, by number. */
     SurfaceColumns surfels() {
         return surfels;

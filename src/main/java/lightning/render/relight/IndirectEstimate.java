@@ -6,6 +6,7 @@ import lightning.render.gather.GatherBuilder;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.GlowLinks;
 import lightning.render.gather.RayLinks;
+import lightning.render.gather.RimLinks;
 import lightning.render.image.Film;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.scene.GatherSettings;
@@ -29,10 +30,10 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         double buildFactor) {
     static final IndirectEstimate NONE = new IndirectEstimate(0, 0, 0, 0, 1, 1);
     /**
-     * Bytes of a point without its links: place, normal, lengths, light, an entry of the table of known points, and a filter of 256
+     * Bytes of a point without its links: place, normal, lengths, light, its additional rays, an entry of the table of known points, and a filter of 256
      * neighbors, several times the usual number, both before and after it is packed.
      */
-    private static final int POINT_BYTES = 56 + 8 + 16 + (8 + 2) * 256;
+    private static final int POINT_BYTES = 56 + 8 + 16 + 8 + (8 + 2) * 256;
     /** Bytes of a surfel besides its row: its number, and while an edit is made its place, cell, first ray and entry in a table. */
     private static final int SURFEL_BYTES = 4 + 28 + 8 + 4 + 16;
 
@@ -114,12 +115,15 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         double candidates = (double) Film.tilesAlong(picture.width()) * Film.tilesAlong(picture.height()) * along * along * (1 + levels);
         double rays = candidates * settings.rays();
         int linkBytes = RayLinks.BUILD_BYTES + RayLinks.TINT_BUILD_BYTES + Integer.BYTES;
+        // Additional rays are at most half as many.
+        double rimBytes = settings.environment() ? 0.5 * RimLinks.BUILD_BYTES : 0;
         double glowBytes = glows ? GlowLinks.BUILD_BYTES : 0;
         double surfelBytes = ColumnGroup.HIT.bytesPerRow() + texelBytes + ColumnGroup.OWNER.bytesPerRow()
                 + ColumnGroup.TRANSPARENT.bytesPerRow() + layerBytes + SURFEL_BYTES
                 + (settings.isIndirect() && (settings.bounces() > 1 || settings.environment())
                         ? (linkBytes + glowBytes) * settings.surfelRaysPerSide() * settings.surfelRaysPerSide() : 0);
         double rowBytes = ColumnGroup.HIT.bytesPerRow() + texelBytes + ColumnGroup.OWNER.bytesPerRow();
-        return (long) Math.min(Long.MAX_VALUE / 4.0, candidates * (rowBytes + POINT_BYTES) + rays * (linkBytes + glowBytes + surfelBytes));
+        return (long) Math.min(Long.MAX_VALUE / 4.0,
+                candidates * (rowBytes + POINT_BYTES) + rays * (linkBytes + rimBytes + glowBytes + surfelBytes));
     }
 }

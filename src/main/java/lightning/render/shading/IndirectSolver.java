@@ -7,6 +7,7 @@ import lightning.render.gather.GatherStructure;
 import lightning.render.gather.GlowPaths;
 import lightning.render.gather.GlowShapes;
 import lightning.render.gather.RayLinks;
+import lightning.render.gather.RimLinks;
 
 /**
  * Computes the light at gather points from the direct light of surfels, by look-ups along the paths of a {@link GatherStructure}.
@@ -19,6 +20,8 @@ import lightning.render.gather.RayLinks;
  *
  * <p>Rays that leave the scene meet the {@link BackgroundLight}. S is the mean of those of an environment over the surfel's rays. Without
  * bounces they alone meet light.
+ *
+ * <p>Where a point casts additional rays through the rim of an opening ({@link RimLinks}), their mean replaces the light of one ray.
  *
  * <p>G is the light of small glowing objects, at which rays of their own are aimed ({@link GlowPaths}). The other rays that meet these
  * objects do not count their glow.
@@ -62,6 +65,7 @@ public final class IndirectSolver {
             float[] mean = new float[3];
             for (int p = from; p < to; p++) {
                 links.sum(p, radiosity, mean);
+                structure.rims().add(p, links, radiosity, mean);
                 glowPaths.ofPoints().add(p, objects, mean);
                 System.arraycopy(mean, 0, gathered, STRIDE * p, 3);
             }

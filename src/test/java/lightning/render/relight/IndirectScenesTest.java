@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.format.jen.JenException;
@@ -124,6 +125,21 @@ class IndirectScenesTest {
             renderer.render(red, Progress.NONE);
             FilmAssert.assertSameBits(renderer.film(), new TraditionalTracer(red).trace(workers, Progress.NONE).film(),
                     "indirect background");
+        }
+    }
+
+    /** Rays through the rim of the opening are known too, unless they may meet the ball or the pane. */
+    @Test
+    void objectMovedInRoomWithOpening_givesPictureOfFirstPassWithFewerRays() {
+        Scene scene = IndirectScenes.all().get("environment through an opening");
+        Scene moved = scene.withNodes(scene.nodes().stream().map(node -> node.name().equals("ball")
+                ? node.withPlacement(node.placement().withPosition(new Vec3(0.4, -0.6, -0.2))) : node).toList());
+        try (WorkerPool workers = new WorkerPool(1); Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            long first = renderer.render(scene, Progress.NONE).rays().total();
+            for (Scene edited : new Scene[] {moved, scene}) {
+                assertThat(renderer.render(edited, Progress.NONE).rays().total()).isLessThan(first);
+                FilmAssert.assertSameBits(renderer.film(), new TraditionalTracer(edited).trace(workers, Progress.NONE).film(), "opening");
+            }
         }
     }
 

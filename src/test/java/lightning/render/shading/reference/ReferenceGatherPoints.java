@@ -46,13 +46,15 @@ final class ReferenceGatherPoints {
      * Point at which light is gathered.
      *
      * @param at       its surface
+     * @param seed     of the directions of its rays
      * @param rays     rays by which it gathers light
      * @param glow     light of each small glowing object there: red, green, blue
      * @param harmonic harmonic mean length of the rays
      * @param radius   distance at which its weight is 0, scene units
      * @param side     side of the largest cell there, scene units
      */
-    record GatherPoint(SurfacePoint at, List<ReferenceGatherRay> rays, List<float[]> glow, float harmonic, float radius, float side) {}
+    record GatherPoint(SurfacePoint at, long seed, List<ReferenceGatherRay> rays, List<float[]> glow, float harmonic, float radius,
+            float side) {}
 
     ReferenceGatherPoints(Scene scene, Geometry geometry, CellKeys keys, GlowShapes glows, GatherSettings settings) {
         this.glows = glows;
@@ -125,7 +127,7 @@ final class ReferenceGatherPoints {
             if (!rays.containsKey(first)) {
                 chosen.add(first);
                 firstLevel.put(first, level);
-                rays.put(first, ReferenceGatherRay.cast(geometry, keys, glows, directions, seed(first, level), first));
+                rays.put(first, ReferenceGatherRay.cast(geometry, keys, glows, directions, seed(first, level), 0, first));
             }
             smallest.put(first, level);
             if (ACCURACY * ReferenceGatherRay.harmonicMean(rays.get(first), keys.side(first.px(), first.py(), first.pz(), 0))
@@ -153,8 +155,8 @@ final class ReferenceGatherPoints {
     }
 
     private GatherPoint point(SurfacePoint at) {
-        return new GatherPoint(at, rays.get(at),
-                new ReferenceGlow(geometry, keys, glows, settings.rays()).at(at, seed(at, firstLevel.get(at))),
+        long seed = seed(at, firstLevel.get(at));
+        return new GatherPoint(at, seed, rays.get(at), new ReferenceGlow(geometry, keys, glows, settings.rays()).at(at, seed),
                 ReferenceGatherRay.harmonicMean(rays.get(at), keys.side(at.px(), at.py(), at.pz(), 0)),
                 radius(at), side(at, 0));
     }

@@ -34,13 +34,13 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
         boolean dark) {
     // Arrays in a record: written once by their creator, never after.
 
-    /** Casts the rays of a point. */
+    /** Casts the rays of a point, in directions of {@link DirectionTable#write}. */
     static List<ReferenceGatherRay> cast(Geometry geometry, CellKeys keys, GlowShapes glows, DirectionTable directions, long seed,
-            SurfacePoint from) {
+            int turn, SurfacePoint from) {
         double[] x = new double[directions.rays()];
         double[] y = new double[directions.rays()];
         double[] z = new double[directions.rays()];
-        directions.write(seed, from.nx(), from.ny(), from.nz(), x, y, z, 0);
+        directions.write(seed, turn, from.nx(), from.ny(), from.nz(), x, y, z, 0);
         Vec3 start = new Vec3(from.px(), from.py(), from.pz());
         Vec3 surface = surfaceNormal(geometry, start, from);
         List<ReferenceGatherRay> rays = new ArrayList<>();

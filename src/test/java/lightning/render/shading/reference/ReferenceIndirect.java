@@ -117,7 +117,7 @@ final class ReferenceIndirect {
         for (Surfel surfel : surfels.subList(known, surfels.size())) {
             SurfacePoint at = surfel.at();
             long seed = keys.surfelSeed(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz());
-            surfelRays.add(ReferenceGatherRay.cast(geometry, keys, glows, directions, seed, at));
+            surfelRays.add(ReferenceGatherRay.cast(geometry, keys, glows, directions, seed, 0, at));
             surfelGlow.add(new ReferenceGlow(geometry, keys, glows, directions.rays()).at(at, seed));
         }
         addSurfels(surfelRays.subList(known, surfelRays.size()).stream().flatMap(List::stream).toList());
@@ -126,13 +126,50 @@ final class ReferenceIndirect {
     /** Returns the light at each point: red, green, blue. */
     private float[][] gather(List<ReferenceGatherPoints.GatherPoint> points) {
         float[][] gathered = new float[points.size()][3];
+        List<Map<Integer, List<ReferenceGatherRay>>> rims = rims(points);
         for (int c = 0; c < 3; c++) {
             float[] scattered = scattered(c);
+            int channel = c;
             for (int p = 0; p < points.size(); p++) {
-                gathered[p][c] = light(points.get(p).rays(), points.get(p).glow(), scattered, c);
+                float[] value = {light(points.get(p).rays(), List.of(), scattered, c)};
+                List<ReferenceGatherRay> own = points.get(p).rays();
+                rims.get(p).forEach((cell, added) -> value[0] += rimChange(own, cell, added, scattered, channel));
+                for (float[] object : points.get(p).glow()) {
+                    value[0] += object[c];
+                }
+                gathered[p][c] = value[0];
             }
         }
         return gathered;
+    }
+
+    /** Returns the additional rays of each point. */
+    private List<Map<Integer, List<ReferenceGatherRay>>> rims(List<ReferenceGatherPoints.GatherPoint> points) {
+        ReferenceRims rims = new ReferenceRims(keys);
+        points.forEach(point -> rims.add(point.at(), point.rays()));
+        for (int s = 0; s < surfelRays.size(); s++) {
+            rims.add(surfels.get(s).at(), surfelRays.get(s));
+        }
+        DirectionTable directions = new DirectionTable(settings.raysPerSide());
+        return points.stream()
+                .map(point -> settings.environment() ? rims.cast(point, geometry, glows, directions)
+                        : Map.<Integer, List<ReferenceGatherRay>>of())
+                .toList();
+    }
+
+    /** Returns what additional rays change in one channel of the light that a point's own rays meet. */
+    private float rimChange(List<ReferenceGatherRay> own, int cell, List<ReferenceGatherRay> added, float[] scattered, int c) {
+        float share = 1f / own.size();
+        float sum = 0;
+        for (ReferenceGatherRay ray : added) {
+            ReferenceGatherRay met = ray;
+            for (int i = 0; ray.hit() != null && !surfelByCell.containsKey(met.cell()) && i <= own.size(); i++) {
+                // Surfels exist only where other rays found them.
+                met = own.get((cell + i) % own.size());
+            }
+            sum += light(met, scattered, c) * share * ray.tint()[c];
+        }
+        return (sum - added.size() * (light(own.get(cell), scattered, c) * share * own.get(cell).tint()[c])) / (added.size() + 1);
     }
 
     /** Returns one channel of the light that each surfel scatters. */
@@ -155,12 +192,17 @@ final class ReferenceIndirect {
         float share = 1f / rays.size();
         float sum = 0;
         for (ReferenceGatherRay ray : rays) {
-            sum += (ray.hit() == null ? background(ray, c) : sent(ray, scattered, c)) * share * ray.tint()[c];
+            sum += light(ray, scattered, c) * share * ray.tint()[c];
         }
         for (float[] object : glow) {
             sum += object[c];
         }
         return sum;
+    }
+
+    /** Returns one channel of the light that a ray meets. */
+    private float light(ReferenceGatherRay ray, float[] scattered, int c) {
+        return ray.hit() == null ? background(ray, c) : sent(ray, scattered, c);
     }
 
     private float sent(ReferenceGatherRay ray, float[] scattered, int c) {
