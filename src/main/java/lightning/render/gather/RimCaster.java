@@ -71,7 +71,7 @@ final class RimCaster {
                 int count = rims.find(p, found);
                 cells[p] = Arrays.copyOf(found, RimAim.raysPerCell(count, links.raysPerPoint()) > 1 ? count : 0);
             }
-        }, progress);
+        }, progress.cancellationOnly());
         for (int p = 0; p < cells.length; p++) {
             int added = cells[p].length * (RimAim.raysPerCell(cells[p].length, links.raysPerPoint()) - 1);
             memory.reserve(added, RimLinks.BUILD_BYTES);
