@@ -12,6 +12,7 @@ import lightning.render.image.FilmAssert;
 import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.shading.AreaSamples;
 import lightning.render.shading.ReferenceRows;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.render.trace.SurfacePoint;
@@ -170,7 +171,7 @@ class ObjectWorkTest {
             ReferenceRows reference = studio.referenceRows();
             long below = reference.count(0, row -> row.px() > 4 - width);
             assertThat(update.rays().eye()).isZero();
-            assertThat(update.rays().shadow()).isBetween(1L, WIDE_SUN.area().samples() * below);
+            assertThat(update.rays().shadow()).isBetween(1L, AreaSamples.refined(WIDE_SUN.area().samples()) * below);
         }
     }
 
