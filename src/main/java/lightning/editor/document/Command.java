@@ -216,7 +216,7 @@ public enum Command {
     INDIRECT_BACKGROUND(Messages.key("Light from Background"),
             Messages.key("Choose whether the background lights the scene where a ray leaves it"), "mdi2i-image-outline", "",
             DisabledReasons::noIndirectLight),
-    INDIRECT_ACCURACY(Messages.key("Measure Accuracy…"),
+    COMPARE_SETTINGS(Messages.key("Compare Settings…"),
             Messages.key("Compare the time and accuracy of settings of indirect light and soft shadows"), "mdi2c-chart-scatter-plot"),
 
     ONLY_SELECTED(Messages.key("Isolate Selected Light"), Messages.key("Show only the selected light's contribution, reflections included"),

@@ -32,7 +32,7 @@ final class PanelWindows implements AutoCloseable {
             Command.EFFECTS_PANEL,
             new PanelSpec(760, 680,
                     m -> new EffectsPane(m.editor(), m.workbench(), m.accuracyModeProperty(), m.pictureDisplay().effectsProperty())),
-            Command.INDIRECT_ACCURACY, new PanelSpec(920, 470, m -> new SettingAccuracyPane(m.editor(), m.accuracyModeProperty())),
+            Command.COMPARE_SETTINGS, new PanelSpec(920, 470, m -> new SettingAccuracyPane(m.editor(), m.accuracyModeProperty())),
             Command.KEYS, new PanelSpec(880, 720, m -> new ShortcutsPane(m.commands())),
             Command.LIGHT_LINKS, new PanelSpec(760, 520, m -> new LinkPane(m.editor(), m.files().windowExecutor())));
 

@@ -29,7 +29,7 @@ import org.junit.jupiter.api.Test;
 /** Accessibility of the secondary windows, and of the main window in both themes: contrast, and use without a mouse. */
 class PanelAccessibilityTest extends EditorFixture {
     private static final int MANY = 120;
-    private static final List<Command> PANELS = List.of(Command.ACCURACY_PANEL, Command.INDIRECT_ACCURACY, Command.EFFECTS_PANEL,
+    private static final List<Command> PANELS = List.of(Command.ACCURACY_PANEL, Command.COMPARE_SETTINGS, Command.EFFECTS_PANEL,
             Command.KEYS, Command.SCOPES,
             Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.LIGHT_LINKS,
             Command.MAKE_ANIMATION,

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 /** The commands' shortcuts work in the secondary windows as in the main window. */
 class PanelShortcutsTest extends EditorFixture {
     private static final List<Command> PANELS =
-            List.of(Command.ACCURACY_PANEL, Command.INDIRECT_ACCURACY, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
+            List.of(Command.ACCURACY_PANEL, Command.COMPARE_SETTINGS, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
                     Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.LIGHT_LINKS);
 
     @BeforeEach

@@ -44,7 +44,7 @@ abstract class TextClippingFixture extends EditorFixture {
         });
         checkWindow("shape", () -> model().editor().selection().selectNode("ball"));
         robot.interact(() -> model().editor().selection().selectLight("stage"));
-        for (Command panel : List.of(Command.ACCURACY_PANEL, Command.INDIRECT_ACCURACY, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
+        for (Command panel : List.of(Command.ACCURACY_PANEL, Command.COMPARE_SETTINGS, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
                 Command.HISTORY_PANEL,
                 Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.LIGHT_LINKS, Command.MAKE_ANIMATION,
                 Command.PALETTE)) {

@@ -59,7 +59,7 @@ final class IndirectControls extends VBox {
         background.box().setId("world-indirect-background");
         rows = new VBox(bounces, SectionLayout.caption(Messages.tr("Rays per Gather Point")), rays, spacing,
                 SectionLayout.caption(Messages.tr("Light from Background")), background,
-                CommandButton.titledButton(commands, Command.INDIRECT_ACCURACY));
+                CommandButton.titledButton(commands, Command.COMPARE_SETTINGS));
         rows.getStyleClass().add("section-rows");
         HBox.setHgrow(on, Priority.ALWAYS);
         getStyleClass().add("section-rows");

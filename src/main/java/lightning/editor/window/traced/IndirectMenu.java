@@ -49,7 +49,7 @@ public final class IndirectMenu {
                         IndirectSettings::withSpacing),
                 values(Command.INDIRECT_BACKGROUND, List.of(false, true), on -> on ? Messages.tr("On") : Messages.tr("Off"),
                         IndirectSettings::background, IndirectSettings::withBackground),
-                new SeparatorMenuItem(), items.item(Command.INDIRECT_ACCURACY));
+                new SeparatorMenuItem(), items.item(Command.COMPARE_SETTINGS));
     }
 
     private MenuItem toggle(String title, boolean on) {

@@ -23,7 +23,7 @@ class SettingAccuracyPaneTest extends EditorFixture {
 
     @Test
     void settings_areMeasuredAndUsed() {
-        robot.interact(() -> model().commands().run(Command.INDIRECT_ACCURACY));
+        robot.interact(() -> model().commands().run(Command.COMPARE_SETTINGS));
         click("measure-setting");
         waitFor("the measurement is finished", () -> table().getItems().size() == 9);
         assertThat(table().getSelectionModel().getSelectedItem().setting()).isEqualTo(new SweptSetting.Gathering(8, 64));
@@ -34,7 +34,7 @@ class SettingAccuracyPaneTest extends EditorFixture {
 
     @Test
     void pointOfTheChart_selectsItsSettings() {
-        robot.interact(() -> model().commands().run(Command.INDIRECT_ACCURACY));
+        robot.interact(() -> model().commands().run(Command.COMPARE_SETTINGS));
         assertThat(robot.lookup("#setting-chart").<Node>query().isVisible()).isFalse();
         click("measure-setting");
         waitFor("the measurement is finished", () -> table().getItems().size() == 9);
@@ -53,7 +53,7 @@ class SettingAccuracyPaneTest extends EditorFixture {
 
     @Test
     void samplesOfAreaLights_areMeasuredAndUsed() {
-        robot.interact(() -> model().commands().run(Command.INDIRECT_ACCURACY));
+        robot.interact(() -> model().commands().run(Command.COMPARE_SETTINGS));
         robot.interact(() -> robot.lookup("#swept-effect").queryAs(ComboBox.class).getSelectionModel().selectLast());
         assertThat(robot.lookup("#measure-setting").<Node>query().isDisabled()).as("no area light").isTrue();
         robot.interact(() -> model().editor().edit(scene -> EditOutcome.of(() -> scene.withLights(scene.lights().stream()
