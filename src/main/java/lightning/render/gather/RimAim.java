@@ -6,7 +6,7 @@ package lightning.render.gather;
  */
 public final class RimAim {
     /**
-     * What changes the part of a cell that a point's own ray passes into that of the first, second … ray. Bits 0 and 1 are the column, bits 2
+     * Changes from the part of a cell that a point's own ray passes to that of the first, second … ray. Bits 0 and 1 are the column, bits 2
      * and 3 the line. The first 2, 4 and 8 rays lie as evenly as all 16.
      */
     private static final int[] TURNS = {0, 0b1010, 0b0010, 0b1000, 0b0101, 0b1111, 0b0111, 0b1101, 0b0001, 0b1011, 0b0011, 0b1001, 0b0100,

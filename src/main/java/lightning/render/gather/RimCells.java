@@ -21,7 +21,7 @@ final class RimCells {
     private final long[] keys;
     private final Map<Long, Group> groups = new HashMap<>();
 
-    /** What the rays of the members of a group meet, in a bit for each cell of the grid of directions. */
+    /** Kinds of hits of the rays of a group, with a bit for each cell of the grid of directions. */
     private static final class Group {
         /** Cells in which the rays of one or more members, and of two or more, leave the scene. */
         private final long[] anyMiss;

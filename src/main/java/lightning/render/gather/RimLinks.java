@@ -5,7 +5,7 @@ import java.util.Arrays;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 
-/** What the additional rays of gather points meet, through cells of directions that contain the rim of an opening. Immutable. */
+/** Links of the additional rays of gather points, through cells of directions that contain the rim of an opening. Immutable. */
 public final class RimLinks {
     /** Maximum bytes of an additional ray: its number while it is found and afterwards, its tint twice, its cell, and a substitution. */
     public static final int BUILD_BYTES = 4 + 4 + 12 + 16 + 2 + 4;

@@ -64,6 +64,9 @@ final class BruteForceGather {
     private GatherPaths from = new GatherPaths(BATCH_RAYS);
     private GatherPaths to = new GatherPaths(BATCH_RAYS);
     private SplittableRandom random = new SplittableRandom(0);
+    private final boolean hasEnvironment;
+    /** Sum of the luminance of rays that left the scene. */
+    private double sky;
 
     /** @param scene its indirect settings decide only whether the background counts */
     BruteForceGather(Scene scene, Geometry geometry) {
@@ -77,6 +80,7 @@ final class BruteForceGather {
         shader = new SurfelShader(geometry.materials(), engine.sums());
         lights = WeightedLight.ofScene(scene);
         background = BackgroundLight.of(scene);
+        hasEnvironment = scene.world().environment().isPresent();
     }
 
     /**
@@ -106,18 +110,31 @@ final class BruteForceGather {
 
     /** Returns the same by {@value #BATCH_RAYS} rays from {@link #point}. */
     private double[] luminances() {
-        double[] light = new double[BOUNCES];
+        // What the rays of each round find on surfaces, and where they leave the scene.
+        double[] met = new double[BOUNCES + 1];
+        double[] left = new double[BOUNCES + 1];
         to.count = 0;
-        light[0] = (cast(point, 0, 1, pointDirections, false) + glow()) / BATCH_RAYS;
+        sky = 0;
+        met[0] = (cast(point, 0, 1, pointDirections, false) + glow()) / BATCH_RAYS;
+        left[0] = sky / BATCH_RAYS;
         swap();
-        double second = 0;
+        sky = 0;
         for (int first = 0; first < from.count; first += HITS_PER_BATCH) {
-            second += cast(from, first, Math.min(from.count, first + HITS_PER_BATCH), hitDirections, true);
+            met[1] += cast(from, first, Math.min(from.count, first + HITS_PER_BATCH), hitDirections, true) / BATCH_RAYS / HIT_RAYS;
         }
-        light[1] = light[0] + second / ((double) BATCH_RAYS * HIT_RAYS);
-        for (int bounce = 2; bounce < BOUNCES; bounce++) {
+        left[1] = sky / BATCH_RAYS / HIT_RAYS;
+        for (int round = 2; round < (hasEnvironment ? BOUNCES + 1 : BOUNCES); round++) {
             swap();
-            light[bounce] = light[bounce - 1] + (from.count == 0 ? 0 : cast(from, 0, from.count, pathDirections, false) / BATCH_RAYS);
+            sky = 0;
+            met[round] = from.count == 0 ? 0 : cast(from, 0, from.count, pathDirections, false) / BATCH_RAYS;
+            left[round] = sky / BATCH_RAYS;
+        }
+        double[] light = new double[BOUNCES];
+        double sum = hasEnvironment ? left[0] : 0;
+        for (int bounce = 0; bounce < BOUNCES; bounce++) {
+            // A light reaches the surfaces that rays hit without a ray, an environment only by those of the next round.
+            sum += met[bounce] + left[hasEnvironment ? bounce + 1 : bounce];
+            light[bounce] = sum;
         }
         return light;
     }
@@ -133,7 +150,8 @@ final class BruteForceGather {
      * Casts rays from the ends of paths and adds the paths that go on.
      *
      * @param one whether one random ray of each path goes on; otherwise all do
-     * @return sum of the luminance that the rays collect from lights, and from glow unless they come from {@link #point}
+     * @return sum of the luminance that the rays collect from lights, and from glow unless they come from {@link #point}; that of the background
+     *     is added to {@link #sky}
      */
     private double cast(GatherPaths paths, int first, int end, DirectionTable directions, boolean one) {
         int rays = directions.rays();
@@ -163,7 +181,8 @@ final class BruteForceGather {
                 to.add(rows, row, normal, share[0], share[1], share[2]);
             }
         }
-        return sum + background(paths, first, rays, count);
+        sky += background(paths, first, rays, count);
+        return sum;
     }
 
     /** Prepares the rays of a path. */

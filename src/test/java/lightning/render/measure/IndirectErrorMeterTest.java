@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
@@ -81,6 +82,19 @@ class IndirectErrorMeterTest {
             assertThat(many.error().missing()).isBetween(0.02, 0.5);
             assertThat(many.points()).isGreaterThan(few.points());
             assertThat(many.time().milliseconds()).hasSize(1);
+        }
+    }
+
+    /** An environment lights the surfaces that the last rays hit only through the rays of another round. */
+    @Test
+    void roomBelowEnvironment_hasNoBiasForAnyNumberOfBounces() {
+        Scene room = IndirectScenes.all().get("environment with a sun").withLights(List.of());
+        try (IndirectErrorMeter meter = new IndirectErrorMeter(room, OPTIONS)) {
+            meter.traceReference(60, Double.POSITIVE_INFINITY, Progress.NONE);
+            for (int bounces : new int[] {1, 2, 3}) {
+                IndirectErrorMeter.Measured many = meter.measure(new IndirectSettings(bounces, 256, 2, false), 1, Progress.NONE);
+                assertThat(Math.abs(many.error().bias())).as("%d bounces", bounces).isLessThan(0.03);
+            }
         }
     }
 
