@@ -66,8 +66,7 @@ final class IndirectBench {
     /** Returns the parts to measure for these scenes and a generated room. */
     List<BenchPart> parts(List<NamedScene> originals) {
         List<NamedScene> scenes = new ArrayList<>(originals.stream().map(IndirectBench::lit).toList());
-        scenes.add(new NamedScene(ROOM, new GeneratedRooms(settings.seed(), ERROR_SIZE, IndirectSettings.DEFAULT).withBalls(ROOM_BALLS,
-                ROOM_LIGHTS), null));
+        scenes.add(new NamedScene(ROOM, room(settings), null));
         List<BenchPart> parts = new ArrayList<>();
         for (NamedScene scene : scenes) {
             parts.add(new BenchPart(scene.name() + ", time against error of indirect light", ms(ERROR_MS),
@@ -82,6 +81,11 @@ final class IndirectBench {
         }
         parts.addAll(new IndirectGrowthBench(settings, ledger).parts());
         return parts;
+    }
+
+    /** Returns the generated room. */
+    static Scene room(BenchSettings settings) {
+        return new GeneratedRooms(settings.seed(), ERROR_SIZE, IndirectSettings.DEFAULT).withBalls(ROOM_BALLS, ROOM_LIGHTS);
     }
 
     private double ms(double full) {

@@ -9,7 +9,6 @@ import lightning.render.measure.SoftShadowErrorMeter;
 import lightning.render.measure.SweptEffect;
 import lightning.render.measure.SweptSetting;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 
@@ -20,8 +19,6 @@ final class SoftShadowBench {
     /** Predicted milliseconds of a scene. */
     private static final double MS = 40_000;
     private static final double QUICK_MS = 2000;
-    private static final int ROOM_BALLS = 12;
-    private static final int ROOM_LIGHTS = 4;
     /** Radius of the room's lights, scene units. */
     private static final double RADIUS = 0.15;
 
@@ -35,7 +32,7 @@ final class SoftShadowBench {
 
     /** Returns the parts to measure for these scenes and a generated room. */
     List<BenchPart> parts(List<NamedScene> scenes) {
-        Scene room = new GeneratedRooms(settings.seed(), SIZE, IndirectSettings.DEFAULT).withBalls(ROOM_BALLS, ROOM_LIGHTS);
+        Scene room = IndirectBench.room(settings);
         List<NamedScene> all = new ArrayList<>(scenes);
         all.add(new NamedScene(IndirectBench.ROOM, room.withLights(room.lights().stream()
                 .map(light -> light.withArea(light.area().withRadius(RADIUS))).toList()), null));

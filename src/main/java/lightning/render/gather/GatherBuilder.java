@@ -25,7 +25,7 @@ public final class GatherBuilder {
     /** Usual shares of the time after the candidates and the rays of gather points. */
     private static final double CANDIDATES_SHARE = 0.1;
     private static final double POINTS_SHARE = 0.5;
-    /** The same after the surfels, if additional rays follow. */
+    /** Usual share after the surfels, if additional rays follow. */
     private static final double SURFELS_SHARE = 0.9;
 
     /** Bytes of a surfel's key, seed, place and normal, and of its light while it is solved. */

@@ -200,7 +200,7 @@ public final class RayLinks {
         return rays;
     }
 
-    /** Returns the number of what a ray hit, among those of {@link #sum(int, float[], float[])}. */
+    /** Returns the number of the hit of a ray, among those of {@link #sum(int, float[], float[])}. */
     int number(int ray) {
         return surfel.get(ray);
     }

@@ -29,8 +29,8 @@ final class RimCaster {
     private final @Nullable PathMemo memo;
     private final LongAdder rays = new LongAdder();
     /** First cell and first ray of each point, and the numbers of all. */
-    private final int[] firstCell;
-    private final int[] firstRay;
+    private int[] firstCell = {};
+    private int[] firstRay = {};
     private char[] cell = {};
     /** Number of each ray, as in {@link RayLinks}, and its tint; null if none is tinted. */
     private int[] number = {};
@@ -51,8 +51,6 @@ final class RimCaster {
         this.points = points;
         this.links = links;
         this.surfels = surfels;
-        firstCell = new int[links.points() + 1];
-        firstRay = new int[links.points() + 1];
     }
 
     /**
@@ -64,6 +62,8 @@ final class RimCaster {
      */
     RimLinks cast(RimCells rims, Geometry geometry, Scene scene, Tracer[] tracers, WorkerPool workers, PathMemory memory,
             Progress progress) {
+        firstCell = new int[links.points() + 1];
+        firstRay = new int[links.points() + 1];
         char[][] cells = new char[links.points()][];
         workers.run(jobs(), (_, job) -> {
             char[] found = new char[links.raysPerPoint()];

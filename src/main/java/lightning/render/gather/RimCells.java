@@ -26,7 +26,7 @@ final class RimCells {
         /** Cells in which the rays of one or more members, and of two or more, leave the scene. */
         private final long[] anyMiss;
         private final long[] moreMiss;
-        /** The same for rays that hit a surface. */
+        /** Cells in which the rays of one or more members, and of two or more, hit a surface. */
         private final long[] anyHit;
         private final long[] moreHit;
 

@@ -113,7 +113,7 @@ public final class IndirectErrorMeter implements AutoCloseable {
      * @throws CancellationException if {@code progress} requests a stop
      */
     public Timing measureWithout(int repetitions, Progress progress) {
-        return time(withIndirect(Optional.empty()), repetitions, progress);
+        return Timing.ofFirstPass(renderer, withIndirect(Optional.empty()), repetitions, progress);
     }
 
     /**
@@ -124,7 +124,7 @@ public final class IndirectErrorMeter implements AutoCloseable {
      * @throws IllegalArgumentException if no sampled pixel shows a surface
      */
     public Measured measure(IndirectSettings settings, int repetitions, Progress progress) {
-        Timing time = time(withIndirect(Optional.of(settings)), repetitions, progress);
+        Timing time = Timing.ofFirstPass(renderer, withIndirect(Optional.of(settings)), repetitions, progress);
         PixelCache cache = renderer.cache();
         double[] light = new double[pixels.size()];
         double[] exact = new double[light.length];
@@ -136,18 +136,6 @@ public final class IndirectErrorMeter implements AutoCloseable {
         }
         GatherStructure paths = requireNonNull(cache.indirect()).structure();
         return new Measured(IndirectError.of(light, exact, complete), time, paths.pointCount(), paths.surfelCount());
-    }
-
-    private Timing time(Scene timed, int repetitions, Progress progress) {
-        List<Double> times = new ArrayList<>();
-        for (int i = -1; i < repetitions; i++) {
-            renderer.clear();
-            double ms = renderer.render(timed, progress.cancellationOnly()).milliseconds();
-            if (i >= 0) {
-                times.add(ms);
-            }
-        }
-        return new Timing(times);
     }
 
     private Scene withIndirect(Optional<IndirectSettings> settings) {

@@ -1,6 +1,7 @@
 package lightning.render.measure;
 
 import java.util.Arrays;
+import lightning.render.image.Film;
 
 /**
  * Errors of luminances against a reference, sorted. An error is relative to the larger of the reference and 5 % of its mean, so that dark
@@ -26,6 +27,17 @@ record RelativeErrors(double[] sorted) {
         }
         Arrays.sort(errors);
         return new RelativeErrors(errors);
+    }
+
+    /** Returns the luminances of a picture's pixels, line by line from the top. */
+    static double[] luminances(Film film) {
+        double[] values = new double[film.width() * film.height()];
+        for (int y = 0; y < film.height(); y++) {
+            for (int x = 0; x < film.width(); x++) {
+                values[y * film.width() + x] = BruteForceGather.luminance(film.red(x, y), film.green(x, y), film.blue(x, y));
+            }
+        }
+        return values;
     }
 
     double mean() {

@@ -6,7 +6,6 @@ import lightning.base.work.Progress;
 import lightning.base.work.ProgressPart;
 import lightning.render.cache.PixelCache;
 import lightning.render.gather.PathsTooLargeException;
-import lightning.render.image.Film;
 import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
@@ -77,20 +76,10 @@ public record SettingSweep(double baseMilliseconds, List<Point> points) {
         try {
             renderer.requireMemory(scene, 0, progress.cancellationOnly(), _ -> {});
             UpdateResult update = renderer.render(scene, progress);
-            return new Trial(setting, update.milliseconds(), luminance(renderer.film()));
+            return new Trial(setting, update.milliseconds(), RelativeErrors.luminances(renderer.film()));
         } catch (PictureTooLargeException | PathsTooLargeException | OutOfMemoryError e) {
             return new Trial(setting, Double.NaN, null);
         }
-    }
-
-    private static double[] luminance(Film film) {
-        double[] values = new double[film.width() * film.height()];
-        for (int y = 0; y < film.height(); y++) {
-            for (int x = 0; x < film.width(); x++) {
-                values[y * film.width() + x] = BruteForceGather.luminance(film.red(x, y), film.green(x, y), film.blue(x, y));
-            }
-        }
-        return values;
     }
 
     private static List<Point> compare(List<Trial> trials) {

@@ -1,10 +1,7 @@
 package lightning.render.measure;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import lightning.base.work.Progress;
-import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Camera;
@@ -55,7 +52,7 @@ public final class SoftShadowErrorMeter implements AutoCloseable {
             renderer.clear();
             renderer.render(densest.withCamera(new Camera(camera.from(), camera.to(), camera.up(), camera.fov(),
                     new LensShift(shift.x() + i * SHIFT, shift.y()))), progress.cancellationOnly());
-            double[] light = luminance(renderer.film());
+            double[] light = RelativeErrors.luminances(renderer.film());
             for (int p = 0; p < light.length; p++) {
                 reference[p] += light[p] / REFERENCES;
             }
@@ -70,26 +67,9 @@ public final class SoftShadowErrorMeter implements AutoCloseable {
      */
     public Measured measure(int samples, int repetitions, Progress progress) {
         Scene measured = new SweptSetting.LightSamples(samples).applyTo(scene);
-        List<Double> times = new ArrayList<>();
-        for (int i = -1; i < repetitions; i++) {
-            renderer.clear();
-            double ms = renderer.render(measured, progress.cancellationOnly()).milliseconds();
-            if (i >= 0) {
-                times.add(ms);
-            }
-        }
-        RelativeErrors errors = RelativeErrors.of(luminance(renderer.film()), reference);
-        return new Measured(new Timing(times), errors.mean(), errors.percentile(IndirectError.HIGH));
-    }
-
-    private static double[] luminance(Film film) {
-        double[] values = new double[film.width() * film.height()];
-        for (int i = 0; i < values.length; i++) {
-            int x = i % film.width();
-            int y = i / film.width();
-            values[i] = BruteForceGather.luminance(film.red(x, y), film.green(x, y), film.blue(x, y));
-        }
-        return values;
+        Timing time = Timing.ofFirstPass(renderer, measured, repetitions, progress);
+        RelativeErrors errors = RelativeErrors.of(RelativeErrors.luminances(renderer.film()), reference);
+        return new Measured(time, errors.mean(), errors.percentile(IndirectError.HIGH));
     }
 
     @Override

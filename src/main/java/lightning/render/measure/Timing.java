@@ -1,6 +1,10 @@
 package lightning.render.measure;
 
+import java.util.ArrayList;
 import java.util.List;
+import lightning.base.work.Progress;
+import lightning.render.relight.Renderer;
+import lightning.scene.Scene;
 
 /**
  * Repeated timing of one task.
@@ -20,6 +24,24 @@ public record Timing(List<Double> milliseconds) {
                 throw new IllegalArgumentException("timing: expected milliseconds ≥ 0, found " + ms);
             }
         }
+    }
+
+    /**
+     * Times the first pass of a scene; the renderer then has its picture.
+     *
+     * @param repetitions number of samples after one warm-up, ≥ 1
+     * @throws java.util.concurrent.CancellationException if {@code progress} requests a stop
+     */
+    static Timing ofFirstPass(Renderer renderer, Scene scene, int repetitions, Progress progress) {
+        List<Double> times = new ArrayList<>();
+        for (int i = -1; i < repetitions; i++) {
+            renderer.clear();
+            double ms = renderer.render(scene, progress.cancellationOnly()).milliseconds();
+            if (i >= 0) {
+                times.add(ms);
+            }
+        }
+        return new Timing(times);
     }
 
     public double median() {

@@ -20,7 +20,7 @@ import lightning.editor.window.widget.PercentText;
 import lightning.render.measure.SettingSweep;
 
 /**
- * Plot of mean difference against time, a point for each setting of indirect light. A dashed line marks the Pareto front: no other setting is
+ * Plot of mean difference against time, a point for each setting of an effect. A dashed line marks the Pareto front: no other setting is
  * both faster and more accurate. A click on a point selects it.
  */
 final class SettingPlot extends LineChart<Number, Number> {
@@ -47,7 +47,7 @@ final class SettingPlot extends LineChart<Number, Number> {
         setLegendVisible(false);
         setAnimated(false);
         setAxisSortingPolicy(SortingPolicy.NONE);
-        getStyleClass().addAll("ladder-chart", "indirect-chart");
+        getStyleClass().addAll("ladder-chart", "setting-chart");
         selection.selectedItemProperty().subscribe(
                 selected -> symbols.forEach((point, symbol) -> symbol.pseudoClassStateChanged(SELECTED, point.equals(selected))));
     }
