@@ -161,7 +161,8 @@ public final class EdgeCaseScenes {
         return Combinators
                 .combine(Arbitraries.of(0.0, SceneLimits.MAX_EMISSION), Arbitraries.of(0.0, 1e-300, SceneLimits.MAX_EMISSION), factors,
                         shares, shares, shares, factors)
-                .as((ambient, glow, base, metalness, roughness, f0, reflective) -> Material.of("m").withModel(ShadingModel.METALLIC)
+                .as((ambient, glow, base, metalness, roughness, f0, reflective) -> Material.of("m")
+                        .withModel(reflective.isBlack() ? ShadingModel.PRINCIPLED : ShadingModel.METALLIC)
                         .withAmbient(Rgb.gray(ambient)).withGlow(Rgb.gray(glow)).withBase(base).withMetalness(metalness)
                         .withRoughness(roughness).withF0(f0)
                         .withReflective(reflective));

@@ -9,6 +9,7 @@ import lightning.scene.asset.TextureWrap;
 import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.Bulb;
 import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.ShadingModel;
@@ -31,7 +32,8 @@ final class MaterialArbitraries {
     private MaterialArbitraries() {}
 
     static Arbitrary<Material> materials(String name) {
-        Arbitrary<Material> opaque = Arbitraries.frequencyOf(Tuple.of(2, phong(name)), Tuple.of(1, metallic(name)));
+        Arbitrary<Material> opaque =
+                Arbitraries.frequencyOf(Tuple.of(2, phong(name)), Tuple.of(1, metallic(name)), Tuple.of(1, principled(name)));
         return Combinators.combine(opaque, transmissions(), cutouts(), glows(), textures().list().ofSize(OTHER_MAPS.size()), bulbs())
                 .as((material, clarity, cutout, glow, maps, bulb) -> withOtherMaps(material, maps)
                         .withTransmission(clarity).withCutout(cutout).withGlow(glow).withBulb(bulb));
@@ -65,6 +67,21 @@ final class MaterialArbitraries {
                         .withModel(ShadingModel.METALLIC)
                         .withAmbient(ambient).withBase(base).withMetalness(metalness).withRoughness(roughness).withF0(f0)
                         .withReflective(reflective).withTexture(texture).withBumpMapping(relief));
+    }
+
+    private static Arbitrary<Material> principled(String name) {
+        return Combinators.combine(metallic(name), colorsOrWhite(), coats())
+                .as((material, tint, coat) -> material.withModel(ShadingModel.PRINCIPLED).withSpecularTint(tint).withCoat(coat));
+    }
+
+    private static Arbitrary<Rgb> colorsOrWhite() {
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Rgb.WHITE)), Tuple.of(1, NumberArbitraries.colors()));
+    }
+
+    /** Returns none in half of the cases. */
+    private static Arbitrary<Coat> coats() {
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Coat.NONE)),
+                Tuple.of(1, Combinators.combine(unitValues(), roughness(), iors()).as(Coat::new)));
     }
 
     /** Returns numbers from 0 to 1, including both ends. */
@@ -104,6 +121,10 @@ final class MaterialArbitraries {
                 unitValues().map(MaterialChange.Metalness::new),
                 roughness().map(MaterialChange.Roughness::new),
                 unitValues().map(MaterialChange.F0::new),
+                colorsOrWhite().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.SPECULAR_TINT, to)),
+                unitValues().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.COAT, to)),
+                roughness().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.COAT_ROUGHNESS, to)),
+                iors().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.COAT_IOR, to)),
                 colorsOrBlack().map(MaterialChange.Reflective::new),
                 colorsOrBlack().map(MaterialChange.Reflective::new),
                 Arbitraries.of(Rgb.BLACK).map(MaterialChange.Reflective::new),

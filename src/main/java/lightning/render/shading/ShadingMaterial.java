@@ -13,6 +13,7 @@ import org.jspecify.annotations.Nullable;
  * @param diffuse      k<sub>diffuse</sub> before the texture
  * @param specular     k<sub>specular</sub>, or the part of F0 that no texture multiplies
  * @param texturedF0   the part of F0 that texels multiply; null if the material is not metallic
+ * @param principled   further properties of a principled material; null for others
  * @param reflective   k<sub>reflective</sub>
  * @param clarity      transmission; null if the material is opaque
  * @param interior     tint of paths inside; null if the material is opaque
@@ -24,7 +25,8 @@ import org.jspecify.annotations.Nullable;
  * @param isReflective true if k<sub>reflective</sub> is above 0 in any channel
  */
 public record ShadingMaterial(float[] ambient, float[] glow, float[] diffuse, float[] specular, float @Nullable [] texturedF0,
-        float[] reflective, @Nullable Transmission clarity, @Nullable InteriorTint interior, float bodyShare, boolean isTextured,
+        @Nullable PrincipledMaterial principled, float[] reflective, @Nullable Transmission clarity, @Nullable InteriorTint interior,
+        float bodyShare, boolean isTextured,
         boolean hasImage,
         TexelColumns texels,
         boolean hasSpecular,
@@ -46,7 +48,8 @@ public record ShadingMaterial(float[] ambient, float[] glow, float[] diffuse, fl
                 new float[] {t.glow(m, 0), t.glow(m, 1), t.glow(m, 2)},
                 new float[] {t.diffuse(m, 0), t.diffuse(m, 1), t.diffuse(m, 2)},
                 new float[] {t.specular(m, 0), t.specular(m, 1), t.specular(m, 2)},
-                t.isMetallic(m) ? new float[] {t.metalF0(m, 0), t.metalF0(m, 1), t.metalF0(m, 2)} : null, reflective,
+                t.isMetallic(m) ? new float[] {t.metalF0(m, 0), t.metalF0(m, 1), t.metalF0(m, 2)} : null,
+                PrincipledMaterial.of(t.material(m)), reflective,
                 t.isTransparent(m) ? t.transmission(m) : null, t.isTransparent(m) ? new InteriorTint(t.transmission(m)) : null,
                 ClearMaterialShader.bodyShare(t.transmission(m)), t.isTextured(m),
                 t.texture(m) != null,

@@ -93,10 +93,12 @@ public final class MaterialTable {
                     store(material.diffuse(), diffuse, 3 * m);
                     store(material.specular(), specular, 3 * m);
                 }
-                case METALLIC -> {
+                case METALLIC, PRINCIPLED -> {
                     double dielectric = 1 - material.metalness();
-                    store(material.base().times(dielectric * (1 - material.f0())), diffuse, 3 * m);
-                    store(Rgb.gray(dielectric * material.f0()), specular, 3 * m);
+                    // What a principled surface reflects depends on the view.
+                    double entering = material.isPrincipled() ? 1 : 1 - material.f0();
+                    store(material.base().times(dielectric * entering), diffuse, 3 * m);
+                    store(material.specularTint().times(dielectric * material.f0()), specular, 3 * m);
                     store(material.base().times(material.metalness()), requireNonNull(metalF0), 3 * m);
                 }
             }
@@ -198,7 +200,12 @@ public final class MaterialTable {
         return materialByRank[r];
     }
 
-    /** Returns true for materials of the model {@link lightning.scene.material.ShadingModel#METALLIC}. */
+    /** Returns {@link Material#isPrincipled}. */
+    public boolean isPrincipled(int m) {
+        return metalF0 != null && materials.get(m).isPrincipled();
+    }
+
+    /** Returns {@link Material#isMetallic}. */
     public boolean isMetallic(int m) {
         return metalF0 != null && materials.get(m).isMetallic();
     }
@@ -281,12 +288,15 @@ public final class MaterialTable {
         return ownGlow[3 * m + channel];
     }
 
-    /** Returns k<sub>diffuse</sub> without the texture; base·(1 − metalness)·(1 − f0) for a metallic material. */
+    /**
+     * Returns k<sub>diffuse</sub> without the texture; base·(1 − metalness)·(1 − f0) for a metallic material, without the last for a
+     * principled one.
+     */
     public float diffuse(int m, int channel) {
         return diffuse[3 * m + channel];
     }
 
-    /** Returns k<sub>specular</sub>; for a metallic material (1 − metalness)·f0, the part of F0 that no texture multiplies. */
+    /** Returns k<sub>specular</sub>; for a metallic material (1 − metalness)·f0·tint, the part of F0 that no texture multiplies. */
     public float specular(int m, int channel) {
         return specular[3 * m + channel];
     }

@@ -19,10 +19,12 @@ import lightning.scene.value.SceneLimits;
  * @param diffuse      Phong: k<sub>diffuse</sub>, multiplied by the texture, if any
  * @param specular     Phong: k<sub>specular</sub>
  * @param shininess    Phong: exponent of the highlight
- * @param base         metallic: diffuse color, and reflection color of a metal, each multiplied by the texture, if any
+ * @param base         metallic and principled, as the next three: diffuse color, and reflection color of a metal, each multiplied by the texture, if any
  * @param metalness    metallic: 0 for a nonmetal, 1 for a metal
  * @param roughness    metallic: 0 is smooth; its square is the width α of the highlight
  * @param f0           metallic: reflectance of a nonmetal at normal incidence
+ * @param specularTint principled: color of a nonmetal's reflection at normal incidence
+ * @param coat         principled: clear layer over it
  * @param reflective   k<sub>reflect</sub> per channel
  * @param texture      color texture
  * @param bumpMapping  bump and normal map
@@ -33,7 +35,7 @@ import lightning.scene.value.SceneLimits;
 public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> glowMap, Bulb bulb, ShadingModel model, Rgb diffuse,
         Rgb specular, double shininess,
         Rgb base,
-        double metalness, double roughness, double f0, Rgb reflective, Optional<TextureMap> texture,
+        double metalness, double roughness, double f0, Rgb specularTint, Coat coat, Rgb reflective, Optional<TextureMap> texture,
         BumpMapping bumpMapping, Transmission transmission, AlphaCutout cutout) implements MaterialBuilder.With {
 
     /**
@@ -41,6 +43,12 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
      * and Agopian, Physically Based Rendering in Filament, §4.8.3.3, use this value).
      */
     public static final double MIN_ROUGHNESS = 0.045;
+
+    /** Roughness of a principled material below which it reflects as a mirror does: its blur would be about a degree. */
+    public static final double MIRROR_ROUGHNESS = 0.08;
+
+    /** Upper bound of the sum of a surface's and its coat's terms, several times scattered, in terms of one (shading.PrincipledWeights). */
+    private static final double MAX_LAYERS = 8;
 
     /** Material of shapes without a material: plain gray. */
     public static final Material DEFAULT = of("default");
@@ -58,7 +66,11 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         metalness = MaterialAttribute.METALNESS.checkFor(model, metalness);
         roughness = MaterialAttribute.ROUGHNESS.checkFor(model, roughness);
         f0 = MaterialAttribute.F0.checkFor(model, f0);
-        MaterialAttribute.REFLECTIVE.check(reflective);
+        specularTint = MaterialAttribute.SPECULAR_TINT.checkFor(model, specularTint);
+        coat = new Coat(MaterialAttribute.COAT.checkFor(model, coat.weight()),
+                MaterialAttribute.COAT_ROUGHNESS.checkFor(model, coat.roughness()),
+                MaterialAttribute.COAT_IOR.checkFor(model, coat.ior()));
+        reflective = MaterialAttribute.REFLECTIVE.checkFor(model, reflective);
     }
 
     /** Returns a material with initial values. */
@@ -68,7 +80,8 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
                 MaterialAttribute.MODEL.initial(), MaterialAttribute.DIFFUSE.initial(), MaterialAttribute.SPECULAR.initial(),
                 MaterialAttribute.SHININESS.initial(),
                 MaterialAttribute.BASE.initial(), MaterialAttribute.METALNESS.initial(), MaterialAttribute.ROUGHNESS.initial(),
-                MaterialAttribute.F0.initial(), MaterialAttribute.REFLECTIVE.initial(), MaterialAttribute.TEXTURE.initial(),
+                MaterialAttribute.F0.initial(), MaterialAttribute.SPECULAR_TINT.initial(), Coat.NONE,
+                MaterialAttribute.REFLECTIVE.initial(), MaterialAttribute.TEXTURE.initial(),
                 BumpMapping.NONE, Transmission.NONE, AlphaCutout.NONE);
     }
 
@@ -92,15 +105,42 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         return plain;
     }
 
-    /** Returns whether its shading model is {@link ShadingModel#METALLIC}. */
+    /** Returns whether its highlights have metalness and roughness: it is {@link ShadingModel#METALLIC} or {@link ShadingModel#PRINCIPLED}. */
     public boolean isMetallic() {
-        return model == ShadingModel.METALLIC;
+        return model != ShadingModel.PHONG;
+    }
+
+    /**
+     * Returns whether it is shaded by the {@link ShadingModel#PRINCIPLED} model. A transparent one is shaded as a clear metallic material.
+     */
+    public boolean isPrincipled() {
+        return model == ShadingModel.PRINCIPLED && !transmission.isTransparent();
     }
 
     /** Returns the width α of a metallic material's highlights: the square of its roughness. */
     public double alpha() {
+        return alpha(roughness);
+    }
+
+    /** Returns the width α of highlights of a roughness. */
+    public static double alpha(double roughness) {
         double clamped = Math.max(roughness, MIN_ROUGHNESS);
         return clamped * clamped;
+    }
+
+    /** Returns whether it reflects as a mirror does, below its coat: it is principled and smooth. */
+    public boolean isSmooth() {
+        return isPrincipled() && roughness < MIRROR_ROUGHNESS;
+    }
+
+    /** Returns whether its coat reflects as a mirror does. */
+    public boolean hasSmoothCoat() {
+        return isPrincipled() && coat.isVisible() && coat.roughness() < MIRROR_ROUGHNESS;
+    }
+
+    /** Returns whether some of its reflections are blurred. */
+    public boolean reflectsRoughly() {
+        return isPrincipled() && (!isSmooth() || coat.isVisible() && !hasSmoothCoat());
     }
 
     /**
@@ -108,15 +148,16 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
      * shading.LightingEquation).
      */
     public double maxTerm() {
-        double alpha = alpha();
-        return isMetallic() ? Math.max(1, (1 + 0x1p-20) / (2 * alpha * alpha * alpha)) : 1;
+        double alpha = coat.isVisible() ? Math.min(alpha(), coat.alpha()) : alpha();
+        double coated = model == ShadingModel.PRINCIPLED ? MAX_LAYERS : 1;
+        return isMetallic() ? coated * Math.max(1, (1 + 0x1p-20) / (2 * alpha * alpha * alpha)) : 1;
     }
 
     /** Returns its main color, which its texture multiplies. */
     public Rgb albedo() {
         return switch (model) {
             case PHONG -> diffuse;
-            case METALLIC -> base;
+            case METALLIC, PRINCIPLED -> base;
         };
     }
 
@@ -124,14 +165,16 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
     public Material withAlbedo(Rgb v) {
         return switch (model) {
             case PHONG -> withDiffuse(v);
-            case METALLIC -> withBase(v);
+            case METALLIC, PRINCIPLED -> withBase(v);
         };
     }
 
-    /** Returns this material with another shading model. Keeps the main color and resets all other attributes of the model. */
+    /** Returns this material with another shading model. Keeps the attributes that both have, and the main color. */
     @Override
     public Material withModel(ShadingModel v) {
-        return v == model ? this : with(m -> m.model(v).diffuse(base).base(diffuse));
+        return v == model ? this
+                : v == ShadingModel.PHONG || model == ShadingModel.PHONG ? with(m -> m.model(v).diffuse(base).base(diffuse))
+                : with(m -> m.model(v));
     }
 
     /** Returns whether cutouts, normals, secondary rays and shadows are the same for both materials. */
@@ -150,7 +193,7 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
 
     /** Returns whether its own color reflects; a transparent material also reflects, depending on the angle. */
     public boolean isMirror() {
-        return (float) reflective.max() > 0;
+        return (float) reflective.max() > 0 || isSmooth() || hasSmoothCoat();
     }
 
     /** Returns whether rays that hit it are traced further: it reflects or is transparent. */

@@ -1,9 +1,11 @@
 package lightning.scene.material;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import lightning.base.math.Rgb;
@@ -16,7 +18,6 @@ import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.attribute.ValueKind;
 import lightning.scene.light.Emission;
 import lightning.scene.value.SceneLimits;
-import org.jspecify.annotations.Nullable;
 
 /** Attributes of materials, in file order. */
 public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
@@ -31,6 +32,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
         RELIEF,
         SPECULAR,
         SURFACE,
+        COAT,
         REFLECTIVE,
         CLEAR(Messages.key("transparency")),
         AMBIENT,
@@ -51,38 +53,44 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
         }
     }
 
+    private static final Set<ShadingModel> ANY = EnumSet.allOf(ShadingModel.class);
+    private static final Set<ShadingModel> PHONG = EnumSet.of(ShadingModel.PHONG);
+    private static final Set<ShadingModel> MICROFACETS = EnumSet.of(ShadingModel.METALLIC, ShadingModel.PRINCIPLED);
+    private static final Set<ShadingModel> PRINCIPLED = EnumSet.of(ShadingModel.PRINCIPLED);
+    /** Models whose surfaces reflect only what an attribute says. */
+    private static final Set<ShadingModel> NO_REFLECTIONS = EnumSet.complementOf(EnumSet.of(ShadingModel.PRINCIPLED));
     private static final List<MaterialAttribute<?>> REGISTRY = new ArrayList<>();
 
     public static final MaterialAttribute<Rgb> AMBIENT = colorAttribute("ambient", SceneLimits.MAX_EMISSION, Rgb.BLACK, Material::ambient,
-            Material::withAmbient, null, Section.AMBIENT, "Color emitted without any light; multiplied by the scene's ambient light");
+            Material::withAmbient, ANY, Section.AMBIENT, "Color emitted without any light; multiplied by the scene's ambient light");
     public static final MaterialAttribute<Rgb> GLOW = colorAttribute("glow", SceneLimits.MAX_EMISSION, Rgb.BLACK, Material::glow,
-            Material::withGlow, null, Section.GLOW, "Light that the surface emits itself, independent of the scene's ambient light");
+            Material::withGlow, ANY, Section.GLOW, "Light that the surface emits itself, independent of the scene's ambient light");
     public static final MaterialAttribute<Optional<TextureMap>> GLOW_MAP = new MaterialAttribute<>("glow_map", "glow map",
             new ValueKind.TextureKind("glow_repeat", TextureUsage.COLOR), Optional.empty(), "", Material::glowMap, Material::withGlowMap,
-            MaterialTerm.TEXEL, null, Section.GLOW, "Image that multiplies the glow, and that of a bulb");
+            MaterialTerm.TEXEL, ANY, Section.GLOW, "Image that multiplies the glow, and that of a bulb");
     public static final MaterialAttribute<String> BULB = new MaterialAttribute<>("bulb", "bulb of",
             new ValueKind.NameKind(ValueKind.NameKind.Referent.LIGHT,
                     Messages.key("Light whose color and intensity the surface shows; the light itself lights the scene")),
             "", "name of a light", m -> m.bulb().light(), (m, v) -> m.withBulb(m.bulb().withLight(v).withGlow(Rgb.BLACK)),
             MaterialTerm.COLOR,
-            null, Section.GLOW,
+            ANY, Section.GLOW,
             "Light whose color and intensity the surface shows; the light itself lights the scene");
     public static final MaterialAttribute<Double> BULB_EXPOSURE = new MaterialAttribute<>("bulb_exposure", "bulb exposure",
             NumericKind.stops(-Emission.MAX_EXPOSURE, Emission.MAX_EXPOSURE, 0.1), Bulb.NONE.exposure(), "stops",
-            m -> m.bulb().exposure(), (m, v) -> m.withBulb(m.bulb().withExposure(v)), MaterialTerm.COLOR, null, Section.GLOW,
+            m -> m.bulb().exposure(), (m, v) -> m.withBulb(m.bulb().withExposure(v)), MaterialTerm.COLOR, ANY, Section.GLOW,
             "Brightness of the bulb in stops, relative to the intensity of its light");
     public static final MaterialAttribute<ShadingModel> MODEL = new MaterialAttribute<>("model", ChoiceKind.of(ShadingModel.class),
-            ShadingModel.PHONG, "", Material::model, Material::withModel, MaterialTerm.MODEL, null, Section.MODEL,
-            "Shading model: Phong, or base color with metalness and roughness");
+            ShadingModel.PHONG, "", Material::model, Material::withModel, MaterialTerm.MODEL, ANY, Section.MODEL,
+            "Shading model: Phong, base color with metalness and roughness, or the same with reflections of the surroundings");
     public static final MaterialAttribute<Rgb> DIFFUSE = colorAttribute("diffuse", 1, Rgb.gray(0.8), Material::diffuse,
-            Material::withDiffuse, ShadingModel.PHONG, Section.DIFFUSE,
+            Material::withDiffuse, PHONG, Section.DIFFUSE,
             "Diffuse color; multiplied by the texture, if any");
     public static final MaterialAttribute<Rgb> BASE = colorAttribute("base", 1, Rgb.gray(0.8), Material::base, Material::withBase,
-            ShadingModel.METALLIC, Section.BASE,
+            MICROFACETS, Section.BASE,
             "Diffuse color, or reflection color of a metal; multiplied by the texture, if any");
     public static final MaterialAttribute<Optional<TextureMap>> TEXTURE =
             new MaterialAttribute<>("texture", new ValueKind.TextureKind("repeat", TextureUsage.COLOR),
-                    Optional.empty(), "", Material::texture, Material::withTexture, MaterialTerm.TEXEL, null, Section.TEXTURE,
+                    Optional.empty(), "", Material::texture, Material::withTexture, MaterialTerm.TEXEL, ANY, Section.TEXTURE,
                     "Color texture of the surface");
     public static final MaterialAttribute<Optional<TextureMap>> CUTOUT = cutoutAttribute("cutout",
             new ValueKind.TextureKind("cutout_repeat", TextureUsage.OPACITY), Optional.empty(), "", AlphaCutout::map, AlphaCutout::withMap,
@@ -106,26 +114,37 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
             BumpMapping::strength,
             BumpMapping::withStrength, "Strength of the normal map");
     public static final MaterialAttribute<Rgb> SPECULAR = colorAttribute("specular", 1, Rgb.BLACK, Material::specular,
-            Material::withSpecular, ShadingModel.PHONG, Section.SPECULAR, "Color of highlights; black for none");
+            Material::withSpecular, PHONG, Section.SPECULAR, "Color of highlights; black for none");
     public static final MaterialAttribute<Double> SHININESS = numberAttribute("shininess", SceneLimits.MAX_SHININESS, 1, 16, "exponent",
-            Material::shininess, Material::withShininess, MaterialTerm.HIGHLIGHT, ShadingModel.PHONG, Section.SPECULAR,
+            Material::shininess, Material::withShininess, MaterialTerm.HIGHLIGHT, PHONG, Section.SPECULAR,
             "Phong exponent; higher values give smaller highlights");
     public static final MaterialAttribute<Double> METALNESS = numberAttribute("metalness", 1, 0.1, 0, "", Material::metalness,
-            Material::withMetalness, MaterialTerm.COLOR, ShadingModel.METALLIC, Section.SURFACE,
+            Material::withMetalness, MaterialTerm.COLOR, MICROFACETS, Section.SURFACE,
             "0 for a nonmetal, 1 for a metal");
     public static final MaterialAttribute<Double> ROUGHNESS = numberAttribute("roughness", 1, 0.05, 0.5, "", Material::roughness,
-            Material::withRoughness, MaterialTerm.HIGHLIGHT, ShadingModel.METALLIC, Section.SURFACE,
-            "Width of highlights; 0 for a smooth surface");
+            Material::withRoughness, MaterialTerm.HIGHLIGHT, MICROFACETS, Section.SURFACE,
+            "Width of highlights, and blur of reflections; 0 for a smooth surface");
     public static final MaterialAttribute<Double> F0 = numberAttribute("f0", 1, 0.01, 0.04, "reflectance at normal incidence", Material::f0,
-            Material::withF0, MaterialTerm.COLOR, ShadingModel.METALLIC, Section.SURFACE,
+            Material::withF0, MaterialTerm.COLOR, MICROFACETS, Section.SURFACE,
             "Reflectance of a nonmetal at normal incidence: 0.02 for water, 0.04 for plastic, 0.17 for diamond");
+    public static final MaterialAttribute<Rgb> SPECULAR_TINT = new MaterialAttribute<>("specular_tint", "specular tint",
+            NumericKind.color(1), Rgb.WHITE, "linear red, green, blue", Material::specularTint, Material::withSpecularTint,
+            MaterialTerm.COLOR, PRINCIPLED, Section.SURFACE, "Color of a nonmetal's reflection, seen straight on");
+    public static final MaterialAttribute<Double> COAT = coatAttribute("coat", "coat", NumericKind.number(0, 1, 0.05), Coat.NONE.weight(),
+            "share of the surface", Coat::weight, Coat::withWeight, "Clear layer over the surface, as lacquer: 0 for none");
+    public static final MaterialAttribute<Double> COAT_ROUGHNESS = coatAttribute("coat_roughness", "coat roughness",
+            NumericKind.number(0, 1, 0.05), Coat.NONE.roughness(), "", Coat::roughness, Coat::withRoughness,
+            "Blur of the reflections in the coat; 0 for a smooth one");
+    public static final MaterialAttribute<Double> COAT_IOR = coatAttribute("coat_ior", "coat IOR",
+            NumericKind.number(1, SceneLimits.MAX_IOR, 0.01), Coat.NONE.ior(), "index of refraction", Coat::ior, Coat::withIor,
+            "Index of refraction of the coat: 1.5 for lacquer");
     public static final MaterialAttribute<Rgb> REFLECTIVE = colorAttribute("reflective", 1, Rgb.BLACK, Material::reflective,
-            Material::withReflective, null, Section.REFLECTIVE, "Mirror reflection per channel; black for none");
+            Material::withReflective, NO_REFLECTIONS, Section.REFLECTIVE, "Mirror reflection per channel; black for none");
 
     public static final MaterialAttribute<Rgb> TRANSMISSION_COLOR = new MaterialAttribute<>("clear", "transparency", NumericKind.color(1),
             Rgb.BLACK, "linear red, green, blue", m -> m.transmission().color(),
             (m, v) -> m.withTransmission(m.transmission().withColor(v)),
-            MaterialTerm.COLOR, null, Section.CLEAR, "Transmission color; black for an opaque surface");
+            MaterialTerm.COLOR, ANY, Section.CLEAR, "Transmission color; black for an opaque surface");
     public static final MaterialAttribute<Double> IOR =
             transmissionAttribute("ior", "IOR", NumericKind.number(1, SceneLimits.MAX_IOR, 0.01), 1.5,
                     "index of refraction", Transmission::ior, Transmission::withIor, MaterialTerm.REFRACTION,
@@ -135,7 +154,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
                     Transmission::withThin, MaterialTerm.REFRACTION,
                     "Thin sheet: does not refract and has no interior");
     public static final MaterialAttribute<Rgb> TINT = colorAttribute("tint", 1, Rgb.WHITE, m -> m.transmission().tint(),
-            (m, v) -> m.withTransmission(m.transmission().withTint(v)), null, Section.CLEAR,
+            (m, v) -> m.withTransmission(m.transmission().withTint(v)), ANY, Section.CLEAR,
             "Color of white light after the tint distance inside the material");
     public static final MaterialAttribute<Double> TINT_DISTANCE = transmissionAttribute("tint_distance", "tint distance",
             NumericKind.number(SceneLimits.MIN_TINT_DISTANCE, SceneLimits.MAX_TINT_DISTANCE, 0.1), 1.0, "scene units",
@@ -155,37 +174,37 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
 
     private final ValueKind.MaterialKind<V> kind;
     private final MaterialTerm term;
-    /** The only shading model that has it; null if all have it. */
-    private final @Nullable ShadingModel model;
+    /** Shading models that have it. */
+    private final Set<ShadingModel> models;
     private final Section section;
     private final String help;
 
     private MaterialAttribute(String name, ValueKind.MaterialKind<V> kind, V initial, String unit, Function<Material, V> get,
-            BiFunction<Material, V, Material> with, MaterialTerm term, @Nullable ShadingModel model, Section section, String help) {
-        this(name, name, kind, initial, unit, get, with, term, model, section, help);
+            BiFunction<Material, V, Material> with, MaterialTerm term, Set<ShadingModel> models, Section section, String help) {
+        this(name, name, kind, initial, unit, get, with, term, models, section, help);
     }
 
     private MaterialAttribute(String name, String title, ValueKind.MaterialKind<V> kind, V initial, String unit, Function<Material, V> get,
-            BiFunction<Material, V, Material> with, MaterialTerm term, @Nullable ShadingModel model, Section section, String help) {
+            BiFunction<Material, V, Material> with, MaterialTerm term, Set<ShadingModel> models, Section section, String help) {
         super(name, title, kind, initial, unit, get, with);
         this.kind = kind;
         this.term = term;
-        this.model = model;
+        this.models = models;
         this.section = section;
         this.help = help;
         REGISTRY.add(this);
     }
 
     private static MaterialAttribute<Rgb> colorAttribute(String name, double max, Rgb initial, Function<Material, Rgb> get,
-            BiFunction<Material, Rgb, Material> with, @Nullable ShadingModel model, Section section, String help) {
+            BiFunction<Material, Rgb, Material> with, Set<ShadingModel> models, Section section, String help) {
         return new MaterialAttribute<>(name, NumericKind.color(max), initial, "linear red, green, blue", get, with, MaterialTerm.COLOR,
-                model, section, help);
+                models, section, help);
     }
 
     private static MaterialAttribute<Double> numberAttribute(String name, double max, double step, double initial, String unit,
-            Function<Material, Double> get, BiFunction<Material, Double, Material> with, MaterialTerm term, ShadingModel model,
+            Function<Material, Double> get, BiFunction<Material, Double, Material> with, MaterialTerm term, Set<ShadingModel> models,
             Section section, String help) {
-        return new MaterialAttribute<>(name, NumericKind.number(0, max, step), initial, unit, get, with, term, model, section, help);
+        return new MaterialAttribute<>(name, NumericKind.number(0, max, step), initial, unit, get, with, term, models, section, help);
     }
 
     /** Returns itself if its values are images. */
@@ -202,7 +221,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
 
     /** Returns whether it acts on materials of this model; otherwise it has its initial value there. */
     public boolean appliesTo(ShadingModel materialModel) {
-        return model == null || model == materialModel;
+        return models.contains(materialModel);
     }
 
     /** Returns a clause that says why materials of this model do not have it; empty if they do. */
@@ -224,21 +243,27 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     private static <V> MaterialAttribute<V> bumpAttribute(String name, String title, ValueKind.MaterialKind<V> kind, V initial, String unit,
             Function<BumpMapping, V> get, BiFunction<BumpMapping, V, BumpMapping> with, String help) {
         return new MaterialAttribute<>(name, title, kind, initial, unit, m -> get.apply(m.bumpMapping()),
-                (m, v) -> m.withBumpMapping(with.apply(m.bumpMapping(), v)), MaterialTerm.NORMAL, null, Section.RELIEF, help);
+                (m, v) -> m.withBumpMapping(with.apply(m.bumpMapping(), v)), MaterialTerm.NORMAL, ANY, Section.RELIEF, help);
     }
 
     private static <V> MaterialAttribute<V> cutoutAttribute(String name, ValueKind.MaterialKind<V> kind, V initial, String unit,
             Function<AlphaCutout, V> get,
             BiFunction<AlphaCutout, V, AlphaCutout> with, String help) {
         return new MaterialAttribute<>(name, kind, initial, unit, m -> get.apply(m.cutout()),
-                (m, v) -> m.withCutout(with.apply(m.cutout(), v)), MaterialTerm.COVERAGE, null, Section.CUTOUT, help);
+                (m, v) -> m.withCutout(with.apply(m.cutout(), v)), MaterialTerm.COVERAGE, ANY, Section.CUTOUT, help);
+    }
+
+    private static MaterialAttribute<Double> coatAttribute(String name, String title, ValueKind.MaterialKind<Double> kind, double initial,
+            String unit, Function<Coat, Double> get, BiFunction<Coat, Double, Coat> with, String help) {
+        return new MaterialAttribute<>(name, title, kind, initial, unit, m -> get.apply(m.coat()),
+                (m, v) -> m.withCoat(with.apply(m.coat(), v)), MaterialTerm.HIGHLIGHT, PRINCIPLED, Section.COAT, help);
     }
 
     private static <V> MaterialAttribute<V> transmissionAttribute(String name, String title, ValueKind.MaterialKind<V> kind, V initial,
             String unit,
             Function<Transmission, V> get, BiFunction<Transmission, V, Transmission> with, MaterialTerm term, String help) {
         return new MaterialAttribute<>(name, title, kind, initial, unit, m -> get.apply(m.transmission()),
-                (m, v) -> m.withTransmission(with.apply(m.transmission(), v)), term, null, Section.CLEAR, help);
+                (m, v) -> m.withTransmission(with.apply(m.transmission(), v)), term, ANY, Section.CLEAR, help);
     }
 
     /** Colors are equivalent if equal as floats, the precision of shading. */

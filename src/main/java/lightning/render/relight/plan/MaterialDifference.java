@@ -22,7 +22,8 @@ record MaterialDifference(MaterialTable before, MaterialTable after) {
     }
 
     private boolean changesColor(int m) {
-        return differs(MaterialTerm.COLOR, m) || changesBulb(m) || changesModel(m) || changesTexture(m);
+        return differs(MaterialTerm.COLOR, m) || after.isPrincipled(m) && differs(MaterialTerm.HIGHLIGHT, m) || changesBulb(m)
+                || changesModel(m) || changesTexture(m);
     }
 
     private boolean changesBulb(int m) {
@@ -30,7 +31,8 @@ record MaterialDifference(MaterialTable before, MaterialTable after) {
     }
 
     private boolean changesSpecular(int m) {
-        return changesModel(m) || before.isSpecular(m) != after.isSpecular(m) || after.isSpecular(m) && differs(MaterialTerm.HIGHLIGHT, m);
+        return changesModel(m) || before.isPrincipled(m) != after.isPrincipled(m) || before.isSpecular(m) != after.isSpecular(m)
+                || after.isSpecular(m) && differs(MaterialTerm.HIGHLIGHT, m);
     }
 
     private boolean changesModel(int m) {

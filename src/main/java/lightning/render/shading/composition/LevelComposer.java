@@ -37,6 +37,7 @@ final class LevelComposer {
     private final ShadingMaterial[] shadingMaterials;
     /** Created on first use. */
     private @Nullable ClearMaterialShader clearShader;
+    private final PrincipledShader principledShader = new PrincipledShader();
     private final float[][] colors = new float[3][ROWS];
     /** Stands for an omitted sum. */
     private final float[][] zeros = new float[3][ROWS];
@@ -171,6 +172,9 @@ final class LevelComposer {
         float[][] grazing = shines && sum.hasGrazing && material.texturedF0() != null ? sum.grazing : null;
         if (material.clarity() != null) {
             clearShader().shade(rows, run, material, emitted, diffuse, specular, grazing, terms, images, to);
+        } else if (material.principled() != null) {
+            principledShader.shade(rows, run, material, emitted, diffuse, specular, grazing, null,
+                    images == null ? null : images.mirrored(), to);
         } else {
             sumKernel.shade(rows, run, material, emitted, diffuse, specular, grazing, images == null ? null : images.mirrored(), to);
         }

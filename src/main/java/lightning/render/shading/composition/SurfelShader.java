@@ -58,10 +58,24 @@ public final class SurfelShader {
                 float[] map = material.texels().has(ColumnGroup.GLOW_TEXEL) ? rows.texel(ColumnGroup.GLOW_TEXEL, c) : null;
                 float share = (1 - material.reflective()[c]) * material.diffuse()[c];
                 for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
-                    albedo[c][numbers[rows.parent[row]]] = material.isTextured() ? share * texel[row] : share;
+                    albedo[c][numbers[rows.parent[row]]] = material.principled() != null
+                            ? principledAlbedo(material, c, material.isTextured() ? texel[row] : 1)
+                            : material.isTextured() ? share * texel[row] : share;
                     glow[c][numbers[rows.parent[row]]] = map == null ? emitted : emitted * map[row];
                 }
             }
         }
+    }
+
+    /** Returns one channel of the share of light that a principled surface sends back in all directions: reflections count as diffuse. */
+    private static float principledAlbedo(ShadingMaterial material, int c, float texel) {
+        float f0 = requireNonNull(material.texturedF0())[c] * texel + material.specular()[c];
+        float below = 1 - meanFresnel(requireNonNull(material.principled()).nonmetalF0());
+        return material.diffuse()[c] * texel * below + meanFresnel(f0);
+    }
+
+    /** Returns the mean of Schlick's reflectance over a hemisphere of uniform light. */
+    private static float meanFresnel(float f0) {
+        return f0 + (1 - f0) / 21;
     }
 }

@@ -124,6 +124,7 @@ public final class PixelExplainer {
         float[] glow = new float[3];
         float ambience = (float) scene.world().ambience();
         var share = new SurfaceWeights(hit);
+        PrincipledPoint principled = PrincipledPoint.of(materials.material(hit.material()), hit);
         for (int c = 0; c < 3; c++) {
             float ka = materials.ambient(hit.material(), c);
             float kr = materials.reflective(hit.material(), c);
@@ -143,6 +144,10 @@ public final class PixelExplainer {
                     ? share.color(c, emitted, hit.diffuse()[c], diffuse,
                             hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
                             reflected == null ? 0 : reflected.color()[c], refracted == null ? 0 : refracted.color()[c])
+                    : principled != null
+                            ? principled.color(c, emitted, diffuse, sum(reports, c, LightReport::highlight),
+                                    sum(reports, c, LightReport::sheen),
+                                    null, reflected == null ? 0 : reflected.color()[c])
                     : LightingEquation.color(emitted, hit.diffuse()[c], diffuse,
                             hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
                             reflected == null ? 0 : reflected.color()[c]);
@@ -282,12 +287,10 @@ public final class PixelExplainer {
             return new LightReport(light.light(), state, blocker, 0, 1, below, cosine, 0, 0, 0, ZERO, ZERO, ZERO, ONE, ONE,
                     light.gain(hit.primitive()));
         }
-        boolean metallic = materials.isMetallic(hit.material());
-        double alpha = materials.alpha(hit.material());
-        float diffuse = metallic ? equation.metallicDiffuse(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz()) : cosine;
-        float specular = metallic ? equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha)
-                : equation.specular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.shininess(hit.material()));
-        float grazing = metallic ? equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha) : 0;
+        var terms = new SurfaceTerms(equation, hit, materials);
+        float diffuse = terms.diffuse(cosine);
+        float specular = terms.specular();
+        float grazing = terms.grazing();
         float falloff = equation.falloff();
         float[] tint = tint(source, hit);
         float gain = light.gain(hit.primitive());

@@ -1,8 +1,12 @@
 package lightning.render.shading.layer;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.render.shading.AngularMask;
 import lightning.render.shading.LightSource;
+import lightning.render.shading.PrincipledMaterial;
+import lightning.render.shading.PrincipledWeights;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
@@ -20,6 +24,10 @@ final class TermColumnWriter {
     private final int[] reused = RowBits.allocate();
     private final int[] recomputed = RowBits.allocate();
     private final double[] factors = new double[TermKernel.MAX_ROWS];
+    private final @Nullable PrincipledMaterial[] principledMaterials;
+    private final PrincipledWeights weights = new PrincipledWeights();
+    private final float[] coatSpecular;
+    private final float[] coatGrazing;
 
     /** @param diffuseOnly whether rows get no specular terms */
     TermColumnWriter(MaterialTable materials, TermKernel terms, RequiredWork required, boolean diffuseOnly) {
@@ -27,9 +35,14 @@ final class TermColumnWriter {
         this.terms = terms;
         this.requiredWork = required;
         isDiffuseOnly = diffuseOnly;
+        principledMaterials = new PrincipledMaterial[materials.count()];
+        Arrays.setAll(principledMaterials, m -> PrincipledMaterial.of(materials.material(m)));
+        boolean isCoated = Arrays.stream(principledMaterials).anyMatch(m -> m != null && m.coat() != null);
+        coatSpecular = new float[isCoated ? TermKernel.MAX_ROWS : 0];
+        coatGrazing = new float[coatSpecular.length];
     }
 
-    /** Returns the diffuse terms of lit rows: the cosine, except for metallic materials. */
+    /** Returns the diffuse terms of lit rows: the cosine, except for metallic materials that are not principled. */
     float[] diffuseColumn(HitRows rows, float[] cosine, int[] lit, ColumnAllocator columns) {
         float[] column = columns.floats(rows.count);
         terms.select(cosine, lit, rows.count, column);
@@ -40,7 +53,7 @@ final class TermColumnWriter {
     /** Replaces the cosine of metallic rows of a set by their diffuse term. */
     void writeMetallicDiffuse(HitRows rows, int[] queried, float[] column) {
         for (int r = 0; r < rows.runCount; r++) {
-            if (materials.isMetallic(rows.runMaterial[r])) {
+            if (materials.isMetallic(rows.runMaterial[r]) && !materials.isPrincipled(rows.runMaterial[r])) {
                 terms.metallicDiffuses(rows, rows.runStart(r), rows.runEnd[r], queried, column);
             }
         }
@@ -102,8 +115,26 @@ final class TermColumnWriter {
             if (materials.isMetallic(material)) {
                 assert grazing != null;
                 terms.metallicSpeculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.alpha(material), column, grazing);
+                PrincipledMaterial principled = principledMaterials[material];
+                if (principled != null && principled.coat() != null) {
+                    addCoat(rows, r, queried, principled, column, grazing);
+                }
             } else if (isSpecular(material)) {
                 terms.speculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.shininess(material), column);
+            }
+        }
+    }
+
+    /** Changes the terms of a surface to those of the surface below its coat and of the coat, whose reflection has no color. */
+    private void addCoat(HitRows rows, int run, int[] queried, PrincipledMaterial material, float[] specular, float[] grazing) {
+        int from = rows.runStart(run);
+        int to = rows.runEnd[run];
+        terms.metallicSpeculars(rows, from, to, queried, requireNonNull(material.coat()).alpha(), coatSpecular, coatGrazing);
+        for (int i = from; i < to; i++) {
+            if (RowBits.contains(queried, i)) {
+                weights.moveTo(material, rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i], rows.vz[i]);
+                specular[i] *= weights.base();
+                grazing[i] = weights.coatedGrazing(material, grazing[i], coatSpecular[i], coatGrazing[i]);
             }
         }
     }

@@ -16,6 +16,8 @@ import lightning.render.shading.EmittedLight;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightWeight;
 import lightning.render.shading.LightingEquation;
+import lightning.render.shading.PrincipledMaterial;
+import lightning.render.shading.PrincipledWeights;
 import lightning.render.shading.SampleMean;
 import lightning.render.shading.SurfaceWeights;
 import lightning.render.shading.Transmittance;
@@ -185,10 +187,12 @@ public final class ReferenceTracer {
         float[] color = new float[3];
         float[][] terms = terms(hit, pattern);
         float[] diffuse = diffuse(hit, terms);
+        PrincipledMaterial principled = PrincipledMaterial.of(materials.material(material));
         for (int c = 0; c < 3; c++) {
             float specular = sum(terms, SPECULAR, c);
             float grazing = sum(terms, GRAZING, c);
             color[c] = materials.isTransparent(material) ? clearColor(hit, c, diffuse[c], specular, grazing, mirrored, refracted)
+                    : principled != null ? principledColor(hit, principled, c, diffuse[c], specular, grazing, mirrored[c])
                     : LightingEquation.color(emitted(hit, c), hit.diffuse()[c], diffuse[c],
                             hit.specular()[c], specular, grazing, materials.reflective(material, c), mirrored[c]);
             for (EmittedLight kind : EmittedLight.values()) {
@@ -371,18 +375,52 @@ public final class ReferenceTracer {
     }
 
     private float diffuse(LightingEquation equation, SurfacePoint hit, float cosine) {
-        return materials.isMetallic(hit.material()) ? equation.metallicDiffuse(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz())
+        return materials.isMetallic(hit.material()) && !materials.isPrincipled(hit.material())
+                ? equation.metallicDiffuse(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz())
                 : cosine;
     }
 
     private float grazing(LightingEquation equation, SurfacePoint hit) {
-        return materials.isMetallic(hit.material())
-                ? equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.alpha(hit.material())) : 0;
+        if (!materials.isMetallic(hit.material())) {
+            return 0;
+        }
+        float grazing =
+                equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.alpha(hit.material()));
+        PrincipledMaterial principled = PrincipledMaterial.of(materials.material(hit.material()));
+        if (principled == null || principled.coat() == null) {
+            return grazing;
+        }
+        double alpha = principled.coat().alpha();
+        return weights(principled, hit).coatedGrazing(principled, grazing,
+                equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha),
+                equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha));
+    }
+
+    private static PrincipledWeights weights(PrincipledMaterial material, SurfacePoint hit) {
+        PrincipledWeights weights = new PrincipledWeights();
+        weights.moveTo(material, hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz());
+        return weights;
+    }
+
+    /** Returns one channel of the color of a principled surface. */
+    private float principledColor(SurfacePoint hit, PrincipledMaterial material, int c, float diffuse, float specular, float grazing,
+            float mirrored) {
+        PrincipledWeights weights = weights(material, hit);
+        float shine = specular;
+        float graze = grazing;
+        if (material.isMirror()) {
+            shine += mirrored * weights.mirrored(material);
+            graze += mirrored * weights.mirroredGrazing(material);
+        }
+        return weights.color(emitted(hit, c), hit.diffuse()[c], diffuse, hit.specular()[c], shine, graze);
     }
 
     private float specular(LightingEquation equation, SurfacePoint hit) {
         if (materials.isMetallic(hit.material())) {
-            return equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.alpha(hit.material()));
+            float specular =
+                    equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.alpha(hit.material()));
+            PrincipledMaterial principled = PrincipledMaterial.of(materials.material(hit.material()));
+            return principled == null || principled.coat() == null ? specular : specular * weights(principled, hit).base();
         }
         return equation.specular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.shininess(hit.material()));
     }

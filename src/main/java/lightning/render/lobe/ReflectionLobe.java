@@ -1,0 +1,89 @@
+package lightning.render.lobe;
+
+/**
+ * Directions into which a GGX surface reflects a view, in the frame of its normal: the normal is z, and the view lies in the plane of x and z.
+ * Microfacet normals are distributed as the view sees them (J. Dupuy and A. Benyoub, Sampling visible GGX normals with spherical caps, 2023).
+ * The weight of a direction then is its masking (B. Walter and others, Microfacet models for refraction through rough surfaces, 2007), which
+ * is independent of that of the view, as in the lighting equation. One instance per thread.
+ */
+public final class ReflectionLobe {
+    private double viewX;
+    private double viewZ;
+    private double alpha;
+    /** View, stretched to that of a hemisphere. */
+    private double stretchedX;
+    private double stretchedZ;
+    private double x;
+    private double y;
+    private double z;
+    private double weight;
+    private double schlick;
+
+    /**
+     * Sets the view and the roughness.
+     *
+     * @param cosine of the angle between the normal and the view, above 0
+     * @param width  α, above 0
+     */
+    public void aim(double cosine, double width) {
+        viewX = Math.sqrt(Math.max(0, 1 - cosine * cosine));
+        viewZ = cosine;
+        alpha = width;
+        double length = Math.sqrt(alpha * alpha * viewX * viewX + viewZ * viewZ);
+        stretchedX = alpha * viewX / length;
+        stretchedZ = viewZ / length;
+    }
+
+    /**
+     * Computes a direction.
+     *
+     * @param share height in the cap of visible normals, 0…1
+     * @param cos   of the angle around it, with {@code sin}
+     */
+    public void reflect(double share, double cos, double sin) {
+        double capZ = (1 - share) * (1 + stretchedZ) - stretchedZ;
+        double radius = Math.sqrt(Math.max(0, 1 - capZ * capZ));
+        double hx = alpha * (radius * cos + stretchedX);
+        double hy = alpha * (radius * sin);
+        double hz = Math.max(0, capZ + stretchedZ);
+        double length = Math.sqrt(hx * hx + hy * hy + hz * hz);
+        if (!(length > 0)) {
+            hz = 1;
+            length = 1;
+        }
+        double vh = (viewX * hx + viewZ * hz) / length;
+        double twice = 2 * vh / length;
+        x = twice * hx - viewX;
+        y = twice * hy;
+        z = twice * hz - viewZ;
+        double square = alpha * alpha;
+        weight = z > 0 ? 2 * z / (z + Math.sqrt(square + (1 - square) * (z * z))) : 0;
+        double rest = 1 - Math.clamp(vh, 0, 1);
+        schlick = rest * rest * (rest * rest) * rest;
+    }
+
+    /** Returns component x of the unit direction. */
+    public double x() {
+        return x;
+    }
+
+    /** Returns component y of the unit direction. */
+    public double y() {
+        return y;
+    }
+
+    /** Returns component z of the unit direction: 0 or less below the surface. */
+    public double z() {
+        return z;
+    }
+
+    /** Returns the share of the light from the direction that the surface reflects if its facets are perfect mirrors, 0…1. */
+    public double weight() {
+        return weight;
+    }
+
+    /** Returns (1 − V·H)⁵: facets reflect F0·(1 − that) + that. */
+    public double schlick() {
+        return schlick;
+    }
+}

@@ -1,0 +1,106 @@
+package lightning.render.shading;
+
+import static java.util.Objects.requireNonNull;
+
+import lightning.render.lobe.DirectionalAlbedo;
+
+/**
+ * Weights of what a principled surface reflects, seen from one direction.
+ *
+ * <pre>
+ * I = emitted + kd·d·Idiff + (F0 + q·F0²)·Ispec + Igraz
+ * Ispec = Σ Ispec of lights + reflected light·(1 − s)     Igraz = Σ Igraz of lights + reflected light·s + coat
+ * </pre>
+ *
+ * <p>d is the share of light that neither the coat nor the surface reflects before it is scattered below (the albedo scaling of C. Kulla and A.
+ * Conty, Revisiting physically based shading at Imageworks, 2017). q·F0² gives back the light that is scattered several times between facets:
+ * a white metal reflects all light (as E. Turquin, Practical multiple scattering compensation for microfacet models, 2019). One instance per
+ * thread.
+ */
+public final class PrincipledWeights {
+    /** Smallest share of single scattering by which multiple scattering is estimated: it keeps q below 4. */
+    private static final float MIN_SHARE = 0.25f;
+
+    private float diffuse;
+    private float multiple;
+    private float base;
+    private float mirrorGrazing;
+    private float coat;
+
+    /** Moves to a surface with this unit normal and unit direction of the ray that hit it. */
+    public void moveTo(PrincipledMaterial m, float nx, float ny, float nz, float vx, float vy, float vz) {
+        float cosine = Math.clamp(-(nx * vx + ny * vy + nz * vz), 0, 1);
+        float a = DirectionalAlbedo.ofF0(cosine, m.roughness());
+        float b = DirectionalAlbedo.grazing(cosine, m.roughness());
+        float rest = 1 - cosine;
+        mirrorGrazing = rest * rest * (rest * rest) * rest;
+        multiple = Math.max(0, 1 - a - b) / Math.max(a, MIN_SHARE);
+        coat = m.coat() == null ? 0 : coatShare(m, cosine);
+        base = 1 - coat;
+        diffuse = base * Math.max(0, 1 - (m.nonmetalF0() * a + b + multiple * (m.nonmetalF0() * m.nonmetalF0()) * a));
+    }
+
+    private static float coatShare(PrincipledMaterial m, float cosine) {
+        var layer = requireNonNull(m.coat());
+        float f0 = (float) layer.f0();
+        float roughness = (float) layer.roughness();
+        return (float) layer.weight()
+                * (f0 * DirectionalAlbedo.ofF0(cosine, roughness) + DirectionalAlbedo.grazing(cosine, roughness));
+    }
+
+    /** Returns d, 0…1. */
+    public float diffuse() {
+        return diffuse;
+    }
+
+    /** Returns q. */
+    public float multiple() {
+        return multiple;
+    }
+
+    /** Returns the share of light that the coat lets through, 0…1. */
+    public float base() {
+        return base;
+    }
+
+    /** Returns the share of light that the coat reflects, 0…1. */
+    public float coat() {
+        return coat;
+    }
+
+    /** Returns the part of a mirrored ray's color that F0 multiplies. */
+    public float mirrored(PrincipledMaterial m) {
+        return m.isSmooth() ? base * (1 - mirrorGrazing) : 0;
+    }
+
+    /** Returns the part of a mirrored ray's color that no color multiplies. */
+    public float mirroredGrazing(PrincipledMaterial m) {
+        return (m.isSmooth() ? base * mirrorGrazing : 0) + (m.isCoatSmooth() ? coat : 0);
+    }
+
+    /**
+     * Returns the grazing term of a light on a coated surface.
+     *
+     * @param grazing       term of the surface below the coat
+     * @param coatSpecular  specular term of a surface with the roughness of the coat
+     * @param coatGrazing   grazing term of such a surface
+     */
+    public float coatedGrazing(PrincipledMaterial m, float grazing, float coatSpecular, float coatGrazing) {
+        var layer = requireNonNull(m.coat());
+        return base * grazing + (float) layer.weight() * ((float) layer.f0() * coatSpecular + coatGrazing);
+    }
+
+    /**
+     * Returns one channel of the color.
+     *
+     * @param emitted  {@link EmittedLight#unmapped}
+     * @param kd       diffuse color, including the texture
+     * @param lit      Idiff
+     * @param f0       F0, including the texture
+     * @param specular Ispec
+     * @param grazing  Igraz
+     */
+    public float color(float emitted, float kd, float lit, float f0, float specular, float grazing) {
+        return emitted + kd * lit * diffuse + ((f0 + multiple * (f0 * f0)) * specular + grazing);
+    }
+}

@@ -1,0 +1,52 @@
+package lightning.render.shading.explanation;
+
+import lightning.render.shading.PrincipledMaterial;
+import lightning.render.shading.PrincipledWeights;
+import lightning.render.trace.SurfacePoint;
+import lightning.scene.material.Material;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A point of a principled material, with the weights of its terms.
+ *
+ * @param at       the point
+ * @param material its material
+ * @param weights  moved to the point
+ */
+record PrincipledPoint(SurfacePoint at, PrincipledMaterial material, PrincipledWeights weights) {
+
+    /** Returns a point of a material; null if that is not principled. */
+    static @Nullable PrincipledPoint of(Material material, SurfacePoint at) {
+        PrincipledMaterial principled = PrincipledMaterial.of(material);
+        if (principled == null) {
+            return null;
+        }
+        var weights = new PrincipledWeights();
+        weights.moveTo(principled, at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz());
+        return new PrincipledPoint(at, principled, weights);
+    }
+
+    /**
+     * Returns one channel of the color.
+     *
+     * @param emitted   emitted light
+     * @param diffuse   lights' diffuse sum and gathered light
+     * @param specular  lights' specular sum
+     * @param grazing   lights' grazing sum
+     * @param reflected light from the surroundings, as in {@link PointReport}; null for none
+     * @param mirrored  color of the mirrored ray
+     */
+    float color(int c, float emitted, float diffuse, float specular, float grazing, float @Nullable [] reflected, float mirrored) {
+        float shine = specular;
+        float graze = grazing;
+        if (reflected != null) {
+            shine += reflected[c];
+            graze += reflected[3 + c];
+        }
+        if (material.isMirror()) {
+            shine += mirrored * weights.mirrored(material);
+            graze += mirrored * weights.mirroredGrazing(material);
+        }
+        return weights.color(emitted, at.diffuse()[c], diffuse, at.specular()[c], shine, graze);
+    }
+}

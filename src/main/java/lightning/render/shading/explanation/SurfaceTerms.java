@@ -1,0 +1,66 @@
+package lightning.render.shading.explanation;
+
+import lightning.render.shading.LightingEquation;
+import lightning.render.shading.PrincipledMaterial;
+import lightning.render.shading.PrincipledWeights;
+import lightning.render.trace.MaterialTable;
+import lightning.render.trace.SurfacePoint;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Terms of a light at one point, with the bits of a layer.
+ *
+ * @param equation of the light, moved to the point
+ */
+record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable materials) {
+    private boolean isMetallic() {
+        return materials.isMetallic(hit.material());
+    }
+
+    /** @param cosine of the light */
+    float diffuse(float cosine) {
+        return isMetallic() && !materials.isPrincipled(hit.material())
+                ? equation.metallicDiffuse(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz()) : cosine;
+    }
+
+    float specular() {
+        if (!isMetallic()) {
+            return equation.specular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.shininess(hit.material()));
+        }
+        float specular = metallicSpecular(materials.alpha(hit.material()));
+        PrincipledMaterial coated = coated();
+        return coated == null ? specular : specular * weights(coated).base();
+    }
+
+    float grazing() {
+        if (!isMetallic()) {
+            return 0;
+        }
+        float grazing = metallicGrazing(materials.alpha(hit.material()));
+        PrincipledMaterial coated = coated();
+        if (coated == null) {
+            return grazing;
+        }
+        double alpha = materials.material(hit.material()).coat().alpha();
+        return weights(coated).coatedGrazing(coated, grazing, metallicSpecular(alpha), metallicGrazing(alpha));
+    }
+
+    private float metallicSpecular(double alpha) {
+        return equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha);
+    }
+
+    private float metallicGrazing(double alpha) {
+        return equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha);
+    }
+
+    private @Nullable PrincipledMaterial coated() {
+        PrincipledMaterial material = PrincipledMaterial.of(materials.material(hit.material()));
+        return material == null || material.coat() == null ? null : material;
+    }
+
+    private PrincipledWeights weights(PrincipledMaterial material) {
+        var weights = new PrincipledWeights();
+        weights.moveTo(material, hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz());
+        return weights;
+    }
+}
