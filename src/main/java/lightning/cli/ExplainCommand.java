@@ -187,6 +187,7 @@ final class ExplainCommand implements Callable<Integer> {
                     describeState(explainer, light));
         }
         printPart("indirect light", report.indirect() == null ? null : parts.ofIndirect(report.indirect()), total, indent);
+        printPart("reflection", report.surroundings() == null ? null : parts.ofSurroundings(report.surroundings()), total, indent);
         if (at.backSide() != null) {
             console.print("%s  the ray comes from %s; the surface reflects %.1f %% of its light at this angle", indent,
                     at.backSide().isInside() ? Console.text("inside, path length %.6g", at.backSide().insideDistance()) : "outside",

@@ -2,6 +2,7 @@ package lightning.scene;
 
 import java.util.Optional;
 import lightning.base.text.Messages;
+import lightning.scene.material.Material;
 
 /**
  * Paths by which diffuse light is gathered: indirect light, the light of an environment, or both.
@@ -10,18 +11,35 @@ import lightning.base.text.Messages;
  * @param rays        rays by which a gather point collects light, as in {@link IndirectSettings}
  * @param spacing     distance of gather points, as in {@link IndirectSettings}
  * @param environment whether the scene has an environment, so that rays that leave it keep their direction
+ * @param reflections whether any material blurs its reflections
  */
-public record GatherSettings(int bounces, int rays, int spacing, boolean environment) {
+public record GatherSettings(int bounces, int rays, int spacing, boolean environment, boolean reflections) {
 
-    /** Returns the paths that a scene needs; none without indirect light and without the light of an environment. */
+    /** Returns the paths that a scene needs; none without indirect light, the light of an environment and blurred reflections. */
     public static Optional<GatherSettings> of(Scene scene) {
         Optional<IndirectSettings> indirect = scene.picture().indirect();
-        if (indirect.isEmpty() && scene.world().lightIntensity() == 0) {
+        boolean reflections = scene.stage().rendered().materials().stream().anyMatch(Material::reflectsRoughly);
+        if (indirect.isEmpty() && scene.world().lightIntensity() == 0 && !reflections) {
             return Optional.empty();
         }
         IndirectSettings settings = indirect.orElse(IndirectSettings.DEFAULT);
         return Optional.of(new GatherSettings(indirect.isEmpty() ? 0 : settings.bounces(), settings.rays(), settings.spacing(),
-                scene.world().environment().isPresent()));
+                scene.world().environment().isPresent(), reflections));
+    }
+
+    /** Returns whether gather points are needed. */
+    public boolean gathers() {
+        return isIndirect() || environment;
+    }
+
+    /** Returns the bounces of paths: reflections show surfaces that are lit. */
+    public int pathBounces() {
+        return reflections ? Math.max(1, bounces) : bounces;
+    }
+
+    /** Returns the rays along each side of the square pattern of a reflection point, an even number. */
+    public int reflectionRaysPerSide() {
+        return Math.max(2, raysPerSide() / 4 * 2);
     }
 
     /** Returns whether surfaces pass on light. */
@@ -34,7 +52,7 @@ public record GatherSettings(int bounces, int rays, int spacing, boolean environ
      * nothing at present adds nothing, so its paths can stay.
      */
     public boolean canServe(Scene scene) {
-        return of(scene).map(this::equals).orElse(bounces == 0 && scene.world().environment().isPresent());
+        return of(scene).map(this::equals).orElse(bounces == 0 && !reflections && scene.world().environment().isPresent());
     }
 
     /** Returns the distance of gather points in a picture, in its own pixels. */

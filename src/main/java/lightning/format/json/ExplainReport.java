@@ -23,11 +23,13 @@ public record ExplainReport(int x, int y, int widthPixels, int heightPixels, Poi
      * @param normal       shading normal, of length 1
      * @param ambient      what ambient light adds
      * @param indirect     what indirect light adds; absent if there is none
+     * @param reflection   what a blurred reflection adds; absent if there is none
      * @param color        sum of all
      */
     public record Point(@Nullable String object, @Nullable String material, List<String> throughHoles, double @Nullable [] position,
             double @Nullable [] normal, @Nullable Normals normals,
             float @Nullable [] ambient, float @Nullable [] glow, @Nullable List<LightShare> lights, float @Nullable [] indirect,
+            float @Nullable [] reflection,
             @Nullable Ray reflected, @Nullable Ray refracted, float[] color) {}
 
     /**

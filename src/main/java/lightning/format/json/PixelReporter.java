@@ -59,7 +59,7 @@ public final class PixelReporter {
     private ExplainReport.Point point(PointReport report, double share) {
         List<String> holes = report.passedCutouts().stream().map(this::name).toList();
         if (report.isBackground()) {
-            return new ExplainReport.Point(null, null, holes, null, null, null, null, null, null, null, null, null, report.color());
+            return new ExplainReport.Point(null, null, holes, null, null, null, null, null, null, null, null, null, null, report.color());
         }
         SurfacePoint at = requireNonNull(report.hit());
         Material material = geometry.material(at.primitive());
@@ -70,6 +70,7 @@ public final class PixelReporter {
                 new double[] {at.nx(), at.ny(), at.nz()}, normals(report.normals()), report.ambient(), report.glow(),
                 report.lights().stream().map(light -> light(light, parts.ofLight(light), total)).toList(),
                 report.indirect() == null ? null : parts.ofIndirect(report.indirect()),
+                report.surroundings() == null ? null : parts.ofSurroundings(report.surroundings()),
                 ray(report.reflected(), parts::reflectedPart, report, parts, share),
                 ray(report.refracted(), parts::refractedPart, report, parts, share),
                 report.color());

@@ -61,7 +61,7 @@ sealed interface Layer {
         if (lights.length > sceneLights.size()) {
             add(ENVIRONMENT, sceneLights.size(), lights.length, layers);
         }
-        GatherSettings.of(scene).ifPresent(settings -> layers.add(new Gathered(settings.isIndirect())));
+        GatherSettings.of(scene).ifPresent(settings -> layers.add(new Gathered(settings.isIndirect() || !settings.environment())));
         layers.add(new Reflections());
         return layers;
     }

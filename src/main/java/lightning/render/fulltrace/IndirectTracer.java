@@ -60,7 +60,7 @@ final class IndirectTracer {
 
         /** Computes the light of a block; {@code edges} is null without edge detection. */
         void shade(HitRows rows, int[] numbers, WeightedLight[] edgeLights, float[][] direct, float @Nullable [][] edges, float[][] albedo,
-                float[][] glow) {
+                float[][] glow, float[][] seen) {
             columns.reset();
             LightLayer[] layers = new LightLayer[lights.length];
             for (int l = 0; l < lights.length && !progress.isCanceled(); l++) {
@@ -71,7 +71,7 @@ final class IndirectTracer {
                 if (edges != null) {
                     shader.writeDirectLight(rows, edgeLights, layers, numbers, edges);
                 }
-                shader.writeReflection(rows, numbers, albedo, glow);
+                shader.writeReflection(rows, numbers, albedo, glow, seen, (float) scene.world().ambience());
             }
         }
     }
@@ -97,18 +97,18 @@ final class IndirectTracer {
         float[][] glow = new float[3][structure.surfelCount()];
         HitRows[] rows = structure.surfels();
         List<EngineWorkers<SurfelTracer>> threads = EngineWorkers.perThread(workers.count(), engines, SurfelTracer::new);
-        boolean isIndirect = settings.get().isIndirect();
-        workers.run(isIndirect ? rows.length : 0,
+        float[][] seen = new float[3][structure.reflections() == null ? 0 : structure.surfelCount()];
+        workers.run(structure.bounces() > 0 ? rows.length : 0,
                 (worker, block) -> threads.get(worker).forTile(block).shade(rows[block], structure.numbers(block),
-                        edgeLights, direct, edges, albedo, glow),
+                        edgeLights, direct, edges, albedo, glow, seen),
                 progress.cancellationOnly());
         gatherRays = structure.rays();
         shadowRays = threads.stream().flatMap(thread -> thread.workers().stream()).mapToLong(tracer -> tracer.kernel.shadowRays()).sum();
         IndirectSolver solver = new IndirectSolver(structure, workers, progress);
         float[][] objects = structure.glow().shapes().glow(geometry.materials());
         BackgroundLight background = BackgroundLight.of(scene);
-        return new IndirectLight(structure, solver.solve(direct, albedo, glow, objects, background),
-                edges == null ? null : solver.solve(edges, albedo, glow, objects, background.forEdges()));
+        return new IndirectLight(structure, solver.solve(direct, albedo, glow, objects, seen, background),
+                edges == null ? null : solver.solve(edges, albedo, glow, objects, seen, background.forEdges()));
     }
 
     /** Returns the rays cast so far. */

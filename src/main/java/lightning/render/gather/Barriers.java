@@ -18,6 +18,8 @@ import lightning.render.trace.Geometry;
 public record Barriers(int[] first, float[] values) {
     // Arrays in a record: written once by their creator, never after.
 
+    /** No barriers at any point. */
+    static final Barriers NONE = new Barriers(new int[0], new float[0]);
     /** Points in a job. */
     private static final int BATCH = 1024;
 
@@ -87,7 +89,7 @@ public record Barriers(int[] first, float[] values) {
 
     /** Returns whether a barrier of a point separates it from a place, in render space. */
     public boolean separate(SurfaceColumns points, int p, float x, float y, float z) {
-        for (int b = first[p]; b < first[p + 1]; b++) {
+        for (int b = values.length == 0 ? 0 : first[p], end = values.length == 0 ? 0 : first[p + 1]; b < end; b++) {
             if (separates(BarrierFinder.VALUES * b, points, p, x, y, z)) {
                 return true;
             }

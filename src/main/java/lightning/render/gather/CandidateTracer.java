@@ -52,8 +52,8 @@ final class CandidateTracer {
     }
 
     /** Traces a tile whose upper left pixel is {@code x0, y0}; returns its levels in preorder, each in the order of the pixels. */
-    List<SurfaceColumns> trace(int x0, int y0) {
-        List<SurfaceColumns> levels = new ArrayList<>();
+    List<SeenSurfaces> trace(int x0, int y0) {
+        List<SeenSurfaces> levels = new ArrayList<>();
         HitRows rows = visibility.traceEyeRays(SamplePositions.centers(x0, y0), selected, CandidateTracer::allocate);
         rays += visibility.rayCount();
         levels.add(sort(rows, rows.parent));
@@ -62,7 +62,7 @@ final class CandidateTracer {
     }
 
     /** @param pixels pixel of each row, {@link #NONE} for rows that are no candidates */
-    private void traceBounces(HitRows rows, short[] pixels, int level, List<SurfaceColumns> levels) {
+    private void traceBounces(HitRows rows, short[] pixels, int level, List<SeenSurfaces> levels) {
         for (BounceKind bounce : BounceKind.values()) {
             if (level < depth && bounce.rowCount(rows) > 0) {
                 HitRows next = visibility.traceBounceRays(rows, bounce, null, CandidateTracer::allocate);
@@ -79,7 +79,7 @@ final class CandidateTracer {
     }
 
     /** Returns rows in the order of their pixels. The order of rows depends on the numbers of materials, which depend on earlier edits. */
-    private SurfaceColumns sort(HitRows rows, short[] pixels) {
+    private SeenSurfaces sort(HitRows rows, short[] pixels) {
         Arrays.fill(rowByPixel, NONE);
         for (int row = 0; row < rows.count; row++) {
             if (pixels[row] != NONE) {
@@ -87,10 +87,11 @@ final class CandidateTracer {
             }
         }
         assert rows.owner != null;
-        SurfaceColumns sorted = new SurfaceColumns(rows.count);
+        SeenSurfaces sorted = new SeenSurfaces(rows.count);
         for (int row : rowByPixel) {
             if (row != NONE) {
-                sorted.add(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], rows.owner[row]);
+                sorted.add(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], rows.owner[row],
+                        rows.vx[row], rows.vy[row], rows.vz[row]);
             }
         }
         return sorted;

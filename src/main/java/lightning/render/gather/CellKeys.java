@@ -28,6 +28,8 @@ public final class CellKeys {
     private static final long ANY_SURFACE = -1;
     /** Logarithm of the width of a wide cell in sides of the largest cells of gather points. */
     private static final int WIDE = 4;
+    /** Most halvings of a surfel's cell. */
+    private static final int MAX_DETAIL = 3;
 
     private final double originX;
     private final double originY;
@@ -149,6 +151,42 @@ public final class CellKeys {
     /** @param isNear whether the cell is small because the ray that hit the surfel is short */
     long surfelKey(float x, float y, float z, float nx, float ny, float nz, int primitive, boolean isNear) {
         int octave = surfelOctave(x, y, z, isNear);
+        return key(x, y, z, Math.scalb(surfelSide, octave), octave, 8 * (long) primitive + axis(nx, ny, nz));
+    }
+
+    /**
+     * Returns the key of a cell of reflection points: of similar position and similar direction of the mirrored view.
+     *
+     * @param rx   mirrored view, as {@code ry} and {@code rz}
+     * @param step width of the cells of directions, about radians
+     */
+    long reflectionKey(float x, float y, float z, float rx, float ry, float rz, double step, int primitive, int level) {
+        int octave = octave(x, y, z) - level;
+        long i = (long) Math.floor(rx / step) & MASK;
+        long j = (long) Math.floor(ry / step) & MASK;
+        long k = (long) Math.floor(rz / step) & MASK;
+        return key(x, y, z, Math.scalb(pointSide, octave), octave, Hash64.mix(i << 42 | j << 21 | k) ^ primitive);
+    }
+
+    /**
+     * Returns how often the cell of a surfel is halved where a narrow lobe meets it.
+     *
+     * @param distance length of the ray that hit it, scene units
+     * @param width    width that the lobe has there, scene units
+     */
+    int detailLevel(float x, float y, float z, double distance, double width) {
+        double side = surfelSide(x, y, z, distance);
+        int level = 0;
+        while (level < MAX_DETAIL && side > width) {
+            side /= 2;
+            level++;
+        }
+        return level;
+    }
+
+    /** Returns the key of the part of a surfel's cell, which was halved {@code detail} times. */
+    long detailKey(float x, float y, float z, float nx, float ny, float nz, int primitive, double distance, int detail) {
+        int octave = surfelOctave(x, y, z, isNear(x, y, z, distance)) - detail;
         return key(x, y, z, Math.scalb(surfelSide, octave), octave, 8 * (long) primitive + axis(nx, ny, nz));
     }
 

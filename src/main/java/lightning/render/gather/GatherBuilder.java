@@ -8,6 +8,7 @@ import lightning.base.work.Progress;
 import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.image.Film;
+import lightning.render.lobe.RoughLobes;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
@@ -22,6 +23,8 @@ import org.jspecify.annotations.Nullable;
 public final class GatherBuilder {
     /** Candidates along a side of the largest cell, seen straight on. */
     private static final int CANDIDATES_PER_CELL = 4;
+    /** The same with blurred reflections, whose cells may be smaller. */
+    private static final int REFLECTION_CANDIDATES_PER_CELL = 8;
     /** Usual shares of the time after the candidates and the rays of gather points. */
     private static final double CANDIDATES_SHARE = 0.1;
     private static final double POINTS_SHARE = 0.5;
@@ -41,6 +44,8 @@ public final class GatherBuilder {
     private final Tracer[] tracers;
     private final CellKeys keys;
     private final GlowShapes glows;
+    /** By material. */
+    private final @Nullable RoughLobes[] lobes;
     /** Paths before an edit. */
     private @Nullable GatherStructure before;
     private @Nullable PathMemo memo;
@@ -62,11 +67,13 @@ public final class GatherBuilder {
         this.tracers = new Tracer[workers.count()];
         Arrays.setAll(this.tracers, tracers);
         keys = new CellKeys(scene, settings);
+        lobes = new RoughLobes[geometry.materials().count()];
+        Arrays.setAll(lobes, m -> RoughLobes.of(geometry.materials().material(m)));
         glows = settings.isIndirect() ? GlowShapes.of(geometry) : GlowShapes.none();
     }
 
     /**
-     * Uses the paths before an edit, if few enough objects changed. The structure then contains no rows of surfels that stay.
+     * Uses the paths before an edit, if few enough objects changed and no reflections are blurred. The structure then contains no rows of surfels that stay.
      *
      * @param old      paths of a picture with the same camera, size and settings
      * @param rows     rows of its surfels
@@ -76,6 +83,9 @@ public final class GatherBuilder {
      */
     public void remember(GatherStructure old, HitRows[] rows, Geometry previous, ShapeChange shapes,
             IntFunction<Tracer> itsTracers) {
+        if (settings.reflections()) {
+            return;
+        }
         before = old;
         memo = PathMemo.of(old, rows, previous, shapes, geometry, keys);
         memoTracers = itsTracers;
@@ -83,7 +93,8 @@ public final class GatherBuilder {
 
     /** Returns the distance of the pixels through which candidates for gather points are traced. */
     public static int candidateStep(GatherSettings settings, PictureSettings picture) {
-        return Math.max(1, (int) (settings.pixelSpacing(picture) / CANDIDATES_PER_CELL));
+        int perCell = settings.reflections() ? REFLECTION_CANDIDATES_PER_CELL : CANDIDATES_PER_CELL;
+        return Math.max(1, (int) (settings.pixelSpacing(picture) / perCell));
     }
 
     /** Returns the maximum bytes of a surfel without rays: its row, its cell, and what lights and solving need. */
@@ -104,19 +115,21 @@ public final class GatherBuilder {
         CandidateTracer[] candidateTracers = new CandidateTracer[workers.count()];
         Arrays.setAll(candidateTracers,
                 worker -> new CandidateTracer(geometry, scene, tracers[worker], candidateStep(settings, scene.picture())));
-        List<SurfaceColumns> candidates = traceCandidates(candidateTracers);
+        List<SeenSurfaces> candidates = traceCandidates(candidateTracers);
         PathMemory memory = new PathMemory(settings, memoryBytes);
         DirectionTable directions = new DirectionTable(settings.raysPerSide());
         PathCaster pointCaster = caster(directions, memory, true);
         PointPlacer placer =
                 new PointPlacer(workers, new ProgressPart(progress, CANDIDATES_SHARE, POINTS_SHARE), keys, pointCaster, memory);
-        placer.place(candidates);
+        placer.place(settings.gathers() ? candidates.stream().map(level -> level.surfaces).toList() : List.of());
+        ReflectionCaster[] reflectionCasters = reflectionCasters();
+        ReflectionPlacer reflecting = settings.reflections() ? placeReflections(candidates, reflectionCasters, memory) : null;
         PathCaster surfelCaster = caster(new DirectionTable(settings.surfelRaysPerSide()), memory, false);
         double surfelsEnd = settings.environment() ? SURFELS_SHARE : 1;
         SurfelBuilder surfels =
                 new SurfelBuilder(workers, new ProgressPart(progress, POINTS_SHARE, surfelsEnd), keys, surfelCaster, memo, memory,
                         surfelBytes(), glows);
-        surfels.build(placer.sources, placer.links, pointCaster, settings.bounces());
+        surfels.build(placer.sources, placer.links, pointCaster, reflecting, reflectionCasters, settings.pathBounces());
         RimCaster rimCaster = new RimCaster(keys, directions, glows, placer.sources, placer.links, surfels.cells(), memo);
         RimLinks rims = settings.environment() ? castThroughRims(rimCaster, placer, surfels, memory) : RimLinks.none();
         PointGroups groups = new PointGroups(placer.points, placer.radius);
@@ -126,13 +139,40 @@ public final class GatherBuilder {
                 new FilterBuilder(placer.points, placer.radius, groups, barriers, placer.harmonic, placer.side).build(workers, progress);
         long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + pointCaster.rayCount()
                 + surfelCaster.rayCount() + Arrays.stream(surfels.blocks).mapToLong(block -> block.count).sum()
-                + rimCaster.rayCount();
+                + rimCaster.rayCount() + (reflecting == null ? 0 : reflecting.rayCount());
         placer.sources.packNormals();
         return new GatherStructure(
                 new GatherPoints(placer.sources, placer.inverseLengths, placer.radius, groups, barriers, filter),
                 placer.links, rims, surfels.links, new SurfelRows(surfels.blocks, surfels.numbers, surfels.near, surfels.count()),
                 surfels.packNormals(), new GlowPaths(glows, pointCaster.glowLinks(), surfelCaster.glowLinks(), surfels.glowing),
-                surfels.kept, settings.bounces(), rays);
+                surfels.kept, reflecting == null ? null : reflections(reflecting, surfels), settings.isIndirect(), settings.pathBounces(),
+                rays);
+    }
+
+    private ReflectionCaster[] reflectionCasters() {
+        ReflectionCaster[] casters = new ReflectionCaster[settings.reflections() ? tracers.length : 0];
+        ReflectionDirections directions = new ReflectionDirections(settings.reflectionRaysPerSide());
+        Arrays.setAll(casters, worker -> new ReflectionCaster(geometry, scene, tracers[worker], keys, directions, lobes));
+        return casters;
+    }
+
+    private ReflectionPlacer placeReflections(List<SeenSurfaces> candidates, ReflectionCaster[] casters, PathMemory memory) {
+        int side = settings.reflectionRaysPerSide();
+        ReflectionPlacer reflecting = new ReflectionPlacer(workers, new ProgressPart(progress, POINTS_SHARE, POINTS_SHARE), keys, casters,
+                lobes, geometry.primitives().material, side * side, memory);
+        reflecting.place(candidates);
+        return reflecting;
+    }
+
+    private ReflectionPaths reflections(ReflectionPlacer reflecting, SurfelBuilder surfels) {
+        float[] steps = new float[lobes.length];
+        for (int m = 0; m < steps.length; m++) {
+            RoughLobes its = lobes[m];
+            steps[m] = its == null ? 0 : (float) ReflectionPlacer.step(its.narrowest());
+        }
+        ReflectionGroup[] groups = ReflectionGroup.of(reflecting.points, steps);
+        return new ReflectionPaths(reflecting.points, reflecting.links, groups,
+                ReflectionFilter.build(groups, reflecting.points.count(), workers, progress), steps, surfels.surfelOfDetail);
     }
 
     /**
@@ -154,17 +194,17 @@ public final class GatherBuilder {
         return new PathCaster(geometry, scene, workers, tracers, memo, memoTracers, keys, directions, glows, memory, ofPoints);
     }
 
-    private List<SurfaceColumns> traceCandidates(CandidateTracer[] candidateTracers) {
+    private List<SeenSurfaces> traceCandidates(CandidateTracer[] candidateTracers) {
         PictureSettings picture = scene.picture();
         int tilesX = Film.tilesAlong(picture.width());
         @SuppressWarnings("unchecked")
-        List<SurfaceColumns>[] levels = new List[tilesX * Film.tilesAlong(picture.height())];
+        List<SeenSurfaces>[] levels = new List[tilesX * Film.tilesAlong(picture.height())];
         workers.run(levels.length,
                 (worker, tile) -> levels[tile] =
                         candidateTracers[worker].trace(tile % tilesX * Film.TILE_SIZE, tile / tilesX * Film.TILE_SIZE),
                 new ProgressPart(progress, 0, CANDIDATES_SHARE));
-        List<SurfaceColumns> all = new ArrayList<>();
-        for (List<SurfaceColumns> tile : levels) {
+        List<SeenSurfaces> all = new ArrayList<>();
+        for (List<SeenSurfaces> tile : levels) {
             all.addAll(tile);
         }
         return all;

@@ -1,6 +1,7 @@
 package lightning.render.gather;
 
 import java.io.IOException;
+import java.util.Arrays;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.trace.Geometry;
@@ -24,13 +25,21 @@ public final class GatherStructure {
     private final TiltedNormals surfelNormals;
     private final GlowPaths glow;
     private final int @Nullable [] kept;
+    private final @Nullable ReflectionPaths reflections;
+    private final boolean isIndirect;
     private final int bounces;
     private final long rays;
 
-    /** @param kept for each surfel before an edit its number now, −1 if its row is not the same; null after a first build */
+    /**
+     * @param kept        for each surfel before an edit its number now, −1 if its row is not the same; null after a first build
+     * @param reflections paths of blurred reflections; null for none
+     * @param isIndirect  whether surfels send light to gather points
+     */
     GatherStructure(GatherPoints points, RayLinks pointLinks, RimLinks rims, RayLinks surfelLinks, SurfelRows surfels,
             TiltedNormals surfelNormals,
-            GlowPaths glow, int @Nullable [] kept, int bounces, long rays) {
+            GlowPaths glow, int @Nullable [] kept, @Nullable ReflectionPaths reflections, boolean isIndirect, int bounces, long rays) {
+        this.reflections = reflections;
+        this.isIndirect = isIndirect;
         this.glow = glow;
         this.points = points;
         this.pointLinks = pointLinks;
@@ -65,6 +74,11 @@ public final class GatherStructure {
         surfels.writeTo(out);
         surfelNormals.writeTo(out);
         glow.writeTo(out);
+        out.writeInt(reflections == null ? 0 : 1);
+        if (reflections != null) {
+            reflections.writeTo(out);
+        }
+        out.writeInt(isIndirect ? 1 : 0);
         out.writeInt(bounces);
         out.writeLong(rays);
     }
@@ -77,8 +91,8 @@ public final class GatherStructure {
     public static GatherStructure readFrom(ColumnReader in, Metadata metadata) throws IOException {
         return new GatherStructure(GatherPoints.readFrom(in, metadata.keys), RayLinks.readFrom(in), RimLinks.readFrom(in),
                 RayLinks.readFrom(in),
-                SurfelRows.readFrom(in), TiltedNormals.readFrom(in), GlowPaths.readFrom(in, metadata.shapes), null, in.readInt(),
-                in.readLong());
+                SurfelRows.readFrom(in), TiltedNormals.readFrom(in), GlowPaths.readFrom(in, metadata.shapes), null,
+                in.readInt() == 0 ? null : ReflectionPaths.readFrom(in, metadata.keys), in.readInt() != 0, in.readInt(), in.readLong());
     }
 
     /**
@@ -89,7 +103,7 @@ public final class GatherStructure {
      */
     public GatherStructure withSurfels(HitRows[] rows, int[][] numbers) {
         return new GatherStructure(points, pointLinks, rims, surfelLinks, new SurfelRows(rows, numbers, surfels.near(), surfels.count()),
-                surfelNormals, glow, null, bounces, rays);
+                surfelNormals, glow, null, reflections, isIndirect, bounces, rays);
     }
 
     /**
@@ -112,7 +126,17 @@ public final class GatherStructure {
         return surfels.count();
     }
 
-    /** Returns the diffuse bounces between a light and a gather point. */
+    /** Returns the paths of blurred reflections; null for none. */
+    public @Nullable ReflectionPaths reflections() {
+        return reflections;
+    }
+
+    /** Returns whether surfels send light to gather points; otherwise only to reflections. */
+    public boolean isIndirect() {
+        return isIndirect;
+    }
+
+    /** Returns the diffuse bounces between a light and a gather point, or 1 if surfels send light to reflections only. */
     public int bounces() {
         return bounces;
     }
@@ -166,7 +190,7 @@ public final class GatherStructure {
      * @param materials materials of that scene
      */
     public boolean canServe(Geometry geometry, MaterialTable materials) {
-        if (bounces == 0) {
+        if (!isIndirect) {
             return true;
         }
         GlowShapes others = GlowShapes.of(geometry, materials);
@@ -188,6 +212,13 @@ public final class GatherStructure {
         points.filter().apply(from, to, first, end);
     }
 
+    /** Returns no light at all points, in as many columns as {@link lightning.render.shading.IndirectSolver} computes. */
+    public float[][] noLight() {
+        float[][] light = new float[reflections == null ? 3 : 9][];
+        Arrays.setAll(light, c -> new float[c < 3 || reflections == null ? pointCount() : reflections.count()]);
+        return light;
+    }
+
     /** Returns the rays that were cast to build it. */
     public long rays() {
         return rays;
@@ -195,7 +226,7 @@ public final class GatherStructure {
 
     /** Returns the bytes of all columns. */
     public long bytes() {
-        return pointBytes() + surfelBytes();
+        return pointBytes() + surfelBytes() + (reflections == null ? 0 : reflections.bytes());
     }
 
     /** Returns the bytes of the gather points, their filter and their links. */
@@ -207,7 +238,8 @@ public final class GatherStructure {
 
     /** Returns the bytes that it took at most while it was built. */
     public long buildBytes() {
-        return bytes() + pointLinks.buildBytes() + surfelLinks.buildBytes();
+        return bytes() + pointLinks.buildBytes() + surfelLinks.buildBytes()
+                + (reflections == null ? 0 : (long) ReflectionLinks.BUILD_BYTES * reflections.links().rayCount());
     }
 
     /** Returns the share of gather points, their filter and their links in these bytes. */

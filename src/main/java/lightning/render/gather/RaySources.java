@@ -134,6 +134,20 @@ final class RaySources {
         }
     }
 
+    /** Reflects a direction at the plane of a point's surface if it goes below it: x, y, z. */
+    void turnAbove(int p, double[] direction) {
+        int normal = normal(p);
+        if (normal < 0) {
+            return;
+        }
+        double height = direction[0] * geometricX[normal] + direction[1] * geometricY[normal] + direction[2] * geometricZ[normal];
+        if (height < 0) {
+            direction[0] -= 2 * height * geometricX[normal];
+            direction[1] -= 2 * height * geometricY[normal];
+            direction[2] -= 2 * height * geometricZ[normal];
+        }
+    }
+
     /**
      * Returns the density of a point's directions around one, in units of 1/π per steradian: the cosine to the normal, and that of the
      * direction that was reflected to it.

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.SurfacePoint;
 import lightning.render.trace.TexelColumns;
+import org.jspecify.annotations.Nullable;
 
 /** Finds the gather points of rows. Holds scratch memory: use one instance per thread. */
 public final class RowWeigher {
@@ -16,6 +17,7 @@ public final class RowWeigher {
     private final PointGroups groups;
     private final Barriers barriers;
     private final NearPoints near;
+    private final @Nullable ReflectionWeigher reflections;
     /** Index of each point among those used by the present rows. */
     private final int[] indexOf;
     /** Number of the rows for which {@link #indexOf} holds. */
@@ -38,6 +40,7 @@ public final class RowWeigher {
         groups = structure.points().groups();
         barriers = structure.points().barriers();
         near = new NearPoints(points, radius, groups);
+        reflections = structure.reflections() == null ? null : new ReflectionWeigher(structure, structure.reflections());
         indexOf = new int[points.count];
         usedBy = new int[points.count];
     }
@@ -51,7 +54,11 @@ public final class RowWeigher {
         row.nx[0] = point.nx();
         row.ny[0] = point.ny();
         row.nz[0] = point.nz();
+        row.vx[0] = point.vx();
+        row.vy[0] = point.vy();
+        row.vz[0] = point.vz();
         row.count = 1;
+        row.addRun(point.material(), 1);
         return weigh(row);
     }
 
@@ -71,7 +78,8 @@ public final class RowWeigher {
                 write(rows, row, index, weight);
             });
         }
-        return new RowWeights(structure, Arrays.copyOf(used, usedCount), index, weight);
+        return new RowWeights(structure, Arrays.copyOf(used, usedCount), index, weight,
+                reflections == null ? null : reflections.weigh(rows));
     }
 
     private void findBest(HitRows rows, int row, int count) {

@@ -19,6 +19,8 @@ public final class RowWeights {
     private final byte[] counts;
     private final int rows;
     private final WeightedPoints near;
+    /** Weights of reflection points for the same rows; null if the structure has none. */
+    private final @Nullable RowWeights reflected;
 
     /**
      * Creates the weights of some rows.
@@ -28,9 +30,11 @@ public final class RowWeights {
      * @param index     index among these, {@code short[8 * rows]}
      * @param weight    unsigned weights, {@code byte[8 * rows]}. The largest of each row is 255, if there is any point; nothing follows a
      *                  weight of 0.
+     * @param reflected weights of reflection points for the same rows
      */
-    RowWeights(GatherStructure structure, int[] points, short[] index, byte[] weight) {
+    RowWeights(GatherStructure structure, int[] points, short[] index, byte[] weight, @Nullable RowWeights reflected) {
         this.structure = structure;
+        this.reflected = reflected;
         rows = weight.length / PER_ROW;
         counts = new byte[(rows + 1) / 2];
         int entries = 0;
@@ -51,7 +55,8 @@ public final class RowWeights {
         near = builder.build();
     }
 
-    private RowWeights(GatherStructure structure, int rows, byte[] counts, WeightedPoints near) {
+    private RowWeights(GatherStructure structure, int rows, byte[] counts, WeightedPoints near, @Nullable RowWeights reflected) {
+        this.reflected = reflected;
         this.structure = structure;
         this.rows = rows;
         this.counts = counts;
@@ -67,6 +72,9 @@ public final class RowWeights {
         out.writeInt(rows);
         out.writeArray(counts);
         near.writeTo(out);
+        if (structure.reflections() != null && reflected != null) {
+            reflected.writeTo(out);
+        }
     }
 
     /**
@@ -76,7 +84,12 @@ public final class RowWeights {
      * @throws IOException if the data is truncated
      */
     public static RowWeights readFrom(ColumnReader in, GatherStructure structure) throws IOException {
-        return new RowWeights(structure, in.readInt(), in.readBytes(), WeightedPoints.readFrom(in));
+        int rows = in.readInt();
+        byte[] counts = in.readBytes();
+        WeightedPoints near = WeightedPoints.readFrom(in);
+        RowWeights reflected = structure.reflections() == null ? null
+                : new RowWeights(structure, in.readInt(), in.readBytes(), WeightedPoints.readFrom(in), null);
+        return new RowWeights(structure, rows, counts, near, reflected);
     }
 
     /** Returns the structure that the points belong to. */
@@ -84,14 +97,23 @@ public final class RowWeights {
         return structure;
     }
 
-    /** Returns whether any of the points is marked. */
+    /** Returns whether any of the points is marked; reflection points come after gather points. */
     public boolean touches(boolean[] marked) {
+        return touches(marked, 0) || reflected != null && reflected.touches(marked, structure.pointCount());
+    }
+
+    private boolean touches(boolean[] marked, int offset) {
         for (int p : near.points()) {
-            if (marked[p]) {
+            if (marked[offset + p]) {
                 return true;
             }
         }
         return false;
+    }
+
+    /** Returns the weights of reflection points for the same rows; null if there are none. */
+    public @Nullable RowWeights reflected() {
+        return reflected;
     }
 
     /**
@@ -131,6 +153,19 @@ public final class RowWeights {
             to[0][row] = red * scale;
             to[1][row] = green * scale;
             to[2][row] = blue * scale;
+        }
+    }
+
+    /**
+     * Writes what rows reflect of their surroundings, if the structure has reflection points.
+     *
+     * @param light that of all points; elements 3 to 8 are those of reflection points
+     * @param to    receives the six columns
+     */
+    public void interpolateReflected(float[][] light, float[][] to) {
+        if (reflected != null) {
+            reflected.interpolate(Arrays.copyOfRange(light, 3, 6), to);
+            reflected.interpolate(Arrays.copyOfRange(light, 6, 9), Arrays.copyOfRange(to, 3, 6));
         }
     }
 
@@ -180,11 +215,12 @@ public final class RowWeights {
     @Nullable
     RowWeights renumbered(GatherStructure to, int[] newNumber) {
         WeightedPoints renumbered = near.renumbered(newNumber);
-        return renumbered == null ? null : new RowWeights(to, rows, counts, renumbered);
+        // Without the rays of all reflection points nothing is known about these.
+        return renumbered == null || reflected != null ? null : new RowWeights(to, rows, counts, renumbered, null);
     }
 
     /** Returns the bytes of all columns. */
     public long bytes() {
-        return counts.length + near.bytes();
+        return counts.length + near.bytes() + (reflected == null ? 0 : reflected.bytes());
     }
 }

@@ -23,6 +23,10 @@ final class SurfelBuilder {
     private final PathCaster caster;
     private final @Nullable PathMemo memo;
     private final CellTable cells = new CellTable();
+    /** Parts of cells that narrow lobes meet. */
+    private final CellTable details = new CellTable();
+    /** For each part the surfel that it belongs to. */
+    int[] surfelOfDetail = {};
     private final SurfaceColumns surfels = new SurfaceColumns();
     private final RaySources sources;
     /** Surfels whose cells are small. */
@@ -88,8 +92,12 @@ final class SurfelBuilder {
      *
      * @param pointCaster of the gather points' rays
      */
-    void build(RaySources points, RayLinks pointLinks, PathCaster pointCaster, int bounces) {
-        addSurfels(points, pointLinks, 0, pointCaster);
+    void build(RaySources points, RayLinks pointLinks, PathCaster pointCaster, @Nullable ReflectionPlacer reflecting,
+            ReflectionCaster[] reflectionCasters, int bounces) {
+        addSurfels(new PathRays(points, pointLinks, pointCaster), 0, cells);
+        if (reflecting != null) {
+            addSurfels(new ReflectionRays(reflecting.points, reflecting.links, reflectionCasters, false), 0, cells);
+        }
         int linked = 0;
         // The environment's light reaches the last surfels by rays of their own.
         int rounds = bounces == 0 || cellKeys.misses() == 1 ? bounces : bounces + 1;
@@ -98,28 +106,46 @@ final class SurfelBuilder {
             int to = surfels.count;
             links.setPoints(to);
             caster.cast(sources, from, to, links, null, progress.section(bounce - 2, rounds - 1));
-            addSurfels(sources, links, from * links.raysPerPoint(), caster);
+            addSurfels(new PathRays(sources, links, caster), from * links.raysPerPoint(), cells);
             linked = to;
+        }
+        if (reflecting != null) {
+            addDetails(reflecting, reflectionCasters);
         }
         glowing = IntStream.range(0, surfels.count).filter(s -> glows.contains(surfels.primitive[s])).toArray();
         number(pointLinks);
         number(links);
     }
 
-    /** Adds a surfel for each new cell that some rays hit, in the order of the rays that come first. */
-    private void addSurfels(RaySources from, RayLinks rays, int firstRay, PathCaster itsCaster) {
-        int[] firsts = newCells(from, rays, firstRay);
+    /** Adds the parts of surfels that reflections meet, after all surfels. */
+    private void addDetails(ReflectionPlacer reflecting, ReflectionCaster[] reflectionCasters) {
+        int whole = surfels.count;
+        ReflectionLinks rays = reflecting.links;
+        int[] firsts = addSurfels(new ReflectionRays(reflecting.points, rays, reflectionCasters, true), 0, details);
+        surfelOfDetail = Arrays.stream(firsts).map(ray -> cells.number(rays.key(ray))).toArray();
+        near.clear(whole, surfels.count);
+        rays.finish(cells, details, surfels.count);
+    }
+
+    /**
+     * Adds a surfel for each new cell that some rays hit, in the order of the rays that come first.
+     *
+     * @param to receives the cells
+     * @return the first ray of each new cell
+     */
+    private int[] addSurfels(SurfelRays rays, int firstRay, CellTable to) {
+        int[] firsts = newCells(rays, firstRay, to);
         int before = surfels.count;
         surfels.reserve(before + firsts.length);
         for (int i = 0; i < firsts.length; i++) {
             long key = rays.key(firsts[i]);
-            cells.add(key, firsts[i]);
-            cells.setNumber(key, before + i);
+            to.add(key, firsts[i]);
+            to.setNumber(key, before + i);
         }
         int[] known = new int[firsts.length];
         workers.run(Math.ceilDiv(firsts.length, RayBatch.MAX_RAYS), (worker, job) -> {
             for (int i = job * RayBatch.MAX_RAYS; i < Math.min(firsts.length, (job + 1) * RayBatch.MAX_RAYS); i++) {
-                known[i] = itsCaster.knownSurfel(worker, from, firsts[i]);
+                known[i] = rays.knownSurfel(worker, firsts[i]);
             }
         }, progress.cancellationOnly());
         for (int i = 0; i < firsts.length; i++) {
@@ -129,17 +155,18 @@ final class SurfelBuilder {
                 surfels.set(before + i, memo.places(), known[i]);
             }
         }
-        trace(from, firsts, IntStream.range(0, firsts.length).filter(i -> known[i] < 0).toArray(), itsCaster);
+        trace(rays, firsts, IntStream.range(0, firsts.length).filter(i -> known[i] < 0).toArray());
         surfels.count = before + firsts.length;
         for (int i = 0; i < firsts.length; i++) {
             int s = before + i;
             near.set(s, rays.key(firsts[i]) != cellKeys.surfelKey(surfels.px[s], surfels.py[s], surfels.pz[s], surfels.nx[s],
                     surfels.ny[s], surfels.nz[s], surfels.primitive[s], false));
         }
+        return firsts;
     }
 
     /** Returns the ray of the lowest rank in each cell that has no surfel. */
-    private int[] newCells(RaySources sourcesOf, RayLinks rays, int firstRay) {
+    private int[] newCells(SurfelRays rays, int firstRay, CellTable known) {
         CellTable added = new CellTable();
         int perPoint = rays.raysPerPoint();
         int pointsPerBatch = Math.ceilDiv(BATCH, perPoint);
@@ -147,11 +174,11 @@ final class SurfelBuilder {
         workers.run(Math.ceilDiv(rays.points() - firstPoint, pointsPerBatch), (_, job) -> {
             int from = firstPoint + job * pointsPerBatch;
             for (int p = from; p < Math.min(rays.points(), from + pointsPerBatch); p++) {
-                long seed = sourcesOf.seed(p);
+                long seed = rays.seed(p);
                 for (int k = 0; k < perPoint; k++) {
                     int ray = p * perPoint + k;
-                    if (rays.isHit(ray) && cells.number(rays.key(ray)) < 0) {
-                        added.add(rays.key(ray), ray, sourcesOf.rank(p, seed, k));
+                    if (rays.isHit(ray) && known.number(rays.key(ray)) < 0) {
+                        added.add(rays.key(ray), ray, rays.rank(p, seed, k));
                     }
                 }
             }
@@ -162,7 +189,7 @@ final class SurfelBuilder {
     }
 
     /** Adds blocks with the rows of some new surfels. */
-    private void trace(RaySources from, int[] firsts, int[] added, PathCaster itsCaster) {
+    private void trace(SurfelRays from, int[] firsts, int[] added) {
         int before = surfels.count;
         int[] rays = Arrays.stream(added).map(i -> firsts[i]).toArray();
         int blocksBefore = blocks.length;
@@ -171,7 +198,7 @@ final class SurfelBuilder {
         workers.run(blocks.length - blocksBefore, (worker, job) -> {
             int first = job * RayBatch.MAX_RAYS;
             int end = Math.min(added.length, first + RayBatch.MAX_RAYS);
-            HitRows rows = itsCaster.hits(worker, from, rays, first, end);
+            HitRows rows = from.hits(worker, rays, first, end);
             assert rows.owner != null;
             int[] number = Arrays.stream(added, first, end).map(i -> before + i).toArray();
             blocks[blocksBefore + job] = rows;

@@ -42,6 +42,8 @@ final class BruteForceGather {
     static final int BOUNCES = IndirectSettings.MAX_BOUNCES;
     /** Luminance of red, green and blue (ITU-R BT.709). */
     private static final int[] RAYS_BY_INDEX = IntStream.range(0, RayBatch.MAX_RAYS).toArray();
+    /** Reflections are not computed. */
+    private static final float[][] NOT_SEEN = new float[3][0];
     private static final double[] LUMINANCE = {0.2126, 0.7152, 0.0722};
     private static final int HITS_PER_BATCH = RayBatch.MAX_RAYS / HIT_RAYS;
 
@@ -203,7 +205,7 @@ final class BruteForceGather {
             aim(point, 0, pointDirections, 0);
             batch.trace(BATCH_RAYS);
             HitRows rows = rows();
-            shader.writeReflection(rows, RAYS_BY_INDEX, albedo, glow);
+            shader.writeReflection(rows, RAYS_BY_INDEX, albedo, glow, NOT_SEEN, 0);
             for (int row = 0; row < rows.count; row++) {
                 int ray = rows.parent[row];
                 for (int c = 0; c < 3; c++) {
@@ -242,7 +244,7 @@ final class BruteForceGather {
             layers[l] = lights[l].isDark() ? null : kernel.recompute(rows, lights[l].source(), columns);
         }
         shader.writeDirectLight(rows, lights, layers, RAYS_BY_INDEX, direct);
-        shader.writeReflection(rows, RAYS_BY_INDEX, albedo, glow);
+        shader.writeReflection(rows, RAYS_BY_INDEX, albedo, glow, NOT_SEEN, 0);
     }
 
     /** Returns the luminance of a color. */

@@ -87,9 +87,9 @@ public final class IndirectByLight {
         BackgroundLight background =
                 name == null && scene.world().environment().isPresent() ? BackgroundLight.of(scene) : BackgroundLight.NONE;
         if (Arrays.stream(lights).allMatch(WeightedLight::isDark) && background.equals(BackgroundLight.NONE)) {
-            return new float[3][indirect.structure().pointCount()];
+            return indirect.structure().noLight();
         }
-        return new SurfelSolver(indirect, geometry.materials(), RenderOptions.DEFAULT.engines(), workers, progress)
+        return new SurfelSolver(indirect, geometry.materials(), 0, RenderOptions.DEFAULT.engines(), workers, progress)
                 .solveWithoutGlow(lights, background);
     }
 }

@@ -6,6 +6,7 @@ import lightning.render.gather.GatherBuilder;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.GlowLinks;
 import lightning.render.gather.RayLinks;
+import lightning.render.gather.ReflectionLinks;
 import lightning.render.gather.RimLinks;
 import lightning.render.image.Film;
 import lightning.render.trace.HitRows.ColumnGroup;
@@ -113,17 +114,20 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         GatherSettings settings = needed.get();
         int along = Math.ceilDiv(Film.TILE_SIZE, GatherBuilder.candidateStep(settings, picture));
         double candidates = (double) Film.tilesAlong(picture.width()) * Film.tilesAlong(picture.height()) * along * along * (1 + levels);
-        double rays = candidates * settings.rays();
+        double rays = settings.gathers() ? candidates * settings.rays() : 0;
+        int side = settings.reflectionRaysPerSide();
+        double reflectedRays = settings.reflections() ? candidates * side * side : 0;
         int linkBytes = RayLinks.BUILD_BYTES + RayLinks.TINT_BUILD_BYTES + Integer.BYTES;
         // Additional rays are at most half as many.
         double rimBytes = settings.environment() ? 0.5 * RimLinks.BUILD_BYTES : 0;
         double glowBytes = glows ? GlowLinks.BUILD_BYTES : 0;
         double surfelBytes = ColumnGroup.HIT.bytesPerRow() + texelBytes + ColumnGroup.OWNER.bytesPerRow()
                 + ColumnGroup.TRANSPARENT.bytesPerRow() + layerBytes + SURFEL_BYTES
-                + (settings.isIndirect() && (settings.bounces() > 1 || settings.environment())
+                + (settings.pathBounces() > 0 && (settings.bounces() > 1 || settings.environment())
                         ? (linkBytes + glowBytes) * settings.surfelRaysPerSide() * settings.surfelRaysPerSide() : 0);
         double rowBytes = ColumnGroup.HIT.bytesPerRow() + texelBytes + ColumnGroup.OWNER.bytesPerRow();
         return (long) Math.min(Long.MAX_VALUE / 4.0,
-                candidates * (rowBytes + POINT_BYTES) + rays * (linkBytes + rimBytes + glowBytes + surfelBytes));
+                candidates * (rowBytes + POINT_BYTES) + rays * (linkBytes + rimBytes + glowBytes + surfelBytes)
+                        + reflectedRays * (ReflectionLinks.BUILD_BYTES + surfelBytes));
     }
 }

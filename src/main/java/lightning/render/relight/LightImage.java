@@ -95,7 +95,7 @@ public final class LightImage {
     private static float @Nullable [][] indirect(@Nullable IndirectCache indirect, Geometry geometry, WeightedLight[] lights,
             RenderOptions options, WorkerPool workers, Progress progress) {
         return indirect == null ? null
-                : new SurfelSolver(indirect, geometry.materials(), options.engines(), workers, progress).solveWithoutGlow(lights,
+                : new SurfelSolver(indirect, geometry.materials(), 0, options.engines(), workers, progress).solveWithoutGlow(lights,
                         BackgroundLight.NONE);
     }
 

@@ -3,6 +3,7 @@ package lightning.render.shading;
 import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.render.gather.DirectionCells;
+import lightning.render.gather.SkyCells;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
@@ -17,26 +18,28 @@ import lightning.scene.value.SceneLimits;
  * @param map       environment; empty for none, or if it does not light the scene
  * @param rotation  of the environment about y, degrees
  * @param intensity factor of the environment's light
+ * @param seen      linear color that reflections see without an environment
  */
-public record BackgroundLight(Rgb color, Optional<EnvironmentMap> map, double rotation, double intensity) {
-    public static final BackgroundLight NONE = new BackgroundLight(Rgb.BLACK, Optional.empty(), 0, 0);
+public record BackgroundLight(Rgb color, Optional<EnvironmentMap> map, double rotation, double intensity, Rgb seen) {
+    public static final BackgroundLight NONE = new BackgroundLight(Rgb.BLACK, Optional.empty(), 0, 0, Rgb.BLACK);
 
     /** Returns the light of a scene's background. */
     public static BackgroundLight of(Scene scene) {
         World world = scene.world();
         if (world.environment().isPresent()) {
             return scene.rig().isEnvironmentActive()
-                    ? new BackgroundLight(Rgb.BLACK, Optional.of(world.environment().get().map()), world.rotation(), world.lightIntensity())
+                    ? new BackgroundLight(Rgb.BLACK, Optional.of(world.environment().get().map()), world.rotation(), world.lightIntensity(),
+                            Rgb.BLACK)
                     : NONE;
         }
         boolean isLit = scene.picture().indirect().map(IndirectSettings::background).orElse(false);
-        return isLit ? new BackgroundLight(world.background(), Optional.empty(), 0, 0) : NONE;
+        return new BackgroundLight(isLit ? world.background() : Rgb.BLACK, Optional.empty(), 0, 0, world.background());
     }
 
     /** Returns this light as edge detection sees it, as {@link WeightedLight#forEdges}. */
     public BackgroundLight forEdges() {
         return map.isEmpty() ? this
-                : new BackgroundLight(color, map, rotation, LightWeight.nearestPowerOfTwo((float) intensity));
+                : new BackgroundLight(color, map, rotation, LightWeight.nearestPowerOfTwo((float) intensity), seen);
     }
 
     /** Returns the light from a direction, red, green and blue, where it is not divided into cells. */
@@ -47,6 +50,31 @@ public record BackgroundLight(Rgb color, Optional<EnvironmentMap> map, double ro
         double[] radiance = new double[3];
         map.get().smoothRadiance(x, y, z, rotation, radiance);
         return new float[] {limited(radiance[0]), limited(radiance[1]), limited(radiance[2])};
+    }
+
+    /**
+     * Writes the light of the cells of the sky that reflections see: red, green and blue of each.
+     *
+     * @param at     first element
+     * @param stride elements of each cell
+     */
+    void writeSky(float[] to, int at, int stride) {
+        double[] direction = new double[3];
+        double[] radiance = new double[3];
+        for (int cell = 0; cell < SkyCells.COUNT; cell++) {
+            int first = at + stride * cell;
+            if (map.isPresent()) {
+                SkyCells.writeCenter(cell, direction);
+                map.get().smoothRadiance(direction[0], direction[1], direction[2], rotation, radiance);
+                for (int c = 0; c < 3; c++) {
+                    to[first + c] = limited(radiance[c]);
+                }
+            } else {
+                to[first] = (float) seen.r();
+                to[first + 1] = (float) seen.g();
+                to[first + 2] = (float) seen.b();
+            }
+        }
     }
 
     private float limited(double radiance) {

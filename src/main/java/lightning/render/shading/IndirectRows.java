@@ -6,7 +6,7 @@ import lightning.render.gather.RowWeights;
  * Indirect light of a level's rows.
  *
  * @param weights weights of gather points
- * @param light   light at each gather point: red, green, blue
+ * @param light   light at each gather point and reflection point, as {@link IndirectSolver#solve}
  */
 public record IndirectRows(RowWeights weights, float[][] light) {
     // An array in a record: written once by its creator, never after.

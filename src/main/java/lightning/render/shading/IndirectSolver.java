@@ -7,7 +7,9 @@ import lightning.render.gather.GatherStructure;
 import lightning.render.gather.GlowPaths;
 import lightning.render.gather.GlowShapes;
 import lightning.render.gather.RayLinks;
+import lightning.render.gather.ReflectionPaths;
 import lightning.render.gather.RimLinks;
+import lightning.render.gather.SkyCells;
 
 /**
  * Computes the light at gather points from the direct light of surfels, by look-ups along the paths of a {@link GatherStructure}.
@@ -25,6 +27,8 @@ import lightning.render.gather.RimLinks;
  *
  * <p>G is the light of small glowing objects, at which rays of their own are aimed ({@link GlowPaths}). The other rays that meet these
  * objects do not count their glow.
+ *
+ * <p>A surfel that a reflection shows sends glow + ambient light + albedo · (D + the light that its rays gather).
  *
  * <p>Rays are cosine-distributed, so the plain mean is the irradiance in units of the lights' diffuse sum. Floats are added in the order
  * of the rays. All lights are added before anything is gathered, so the cost does not grow with their number.
@@ -45,22 +49,27 @@ public final class IndirectSolver {
     }
 
     /**
-     * Returns the light at all gather points: red, green, blue.
+     * Returns the light at all gather points: red, green, blue. If the paths contain reflections, six columns follow with the light at
+     * reflection points: red, green and blue that the reflectance multiplies, and the same that no color multiplies.
      *
      * @param direct lights' diffuse sum at each surfel
      * @param albedo of each surfel
      * @param glow   light that each surfel emits itself
      * @param objects light of each glowing object, as {@link GlowShapes#glow}
+     * @param seen   light that each surfel emits or that does not depend on lights, as a picture shows it; read by reflections only
      * @param background light of rays that leave the scene
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
-    public float[][] solve(float[][] direct, float[][] albedo, float[][] glow, float[][] objects, BackgroundLight background) {
-        float[] radiosity = radiosity(direct, albedo, glow, objects, background.cells(structure.pointLinks().misses()));
+    public float[][] solve(float[][] direct, float[][] albedo, float[][] glow, float[][] objects, float[][] seen,
+            BackgroundLight background) {
+        ReflectionPaths reflections = structure.reflections();
+        float[][] atSurfels = new float[3][reflections == null ? 0 : structure.surfelCount()];
+        float[] radiosity = radiosity(direct, albedo, glow, objects, background.cells(structure.pointLinks().misses()), atSurfels);
         GlowPaths glowPaths = structure.glow();
         RayLinks links = structure.pointLinks();
         int points = structure.pointCount();
         float[] gathered = new float[STRIDE * points];
-        float[][] light = new float[3][points];
+        float[][] light = new float[reflections == null ? 3 : 9][points];
         run(points, (from, to) -> {
             float[] mean = new float[3];
             for (int p = from; p < to; p++) {
@@ -71,7 +80,51 @@ public final class IndirectSolver {
             }
         });
         run(points, (from, to) -> structure.filter(gathered, light, from, to));
+        if (reflections != null) {
+            reflect(reflections, direct, albedo, seen, atSurfels, background, light);
+        }
         return light;
+    }
+
+    /**
+     * Writes the light at reflection points: what a picture would show of the surfels, and the sky.
+     *
+     * @param atSurfels light that the rays of surfels gather
+     */
+    private void reflect(ReflectionPaths paths, float[][] direct, float[][] albedo, float[][] seen, float[][] atSurfels,
+            BackgroundLight background, float[][] light) {
+        int surfels = structure.surfelCount();
+        int[] details = paths.surfelOfDetail();
+        int whole = surfels - details.length;
+        float[] shown = new float[STRIDE * (surfels + SkyCells.COUNT)];
+        run(surfels, (from, to) -> {
+            for (int s = from; s < to; s++) {
+                int gathering = s < whole ? s : details[s - whole];
+                for (int c = 0; c < 3; c++) {
+                    shown[STRIDE * s + c] = seen[c][s] + albedo[c][s] * (direct[c][s] + atSurfels[c][gathering]);
+                }
+            }
+        });
+        background.writeSky(shown, STRIDE * surfels, STRIDE);
+        int points = paths.count();
+        float[] color = new float[STRIDE * points];
+        float[] white = new float[STRIDE * points];
+        run(points, (from, to) -> {
+            float[] one = new float[3];
+            float[] other = new float[3];
+            for (int p = from; p < to; p++) {
+                paths.links().sum(p, shown, one, other);
+                System.arraycopy(one, 0, color, STRIDE * p, 3);
+                System.arraycopy(other, 0, white, STRIDE * p, 3);
+            }
+        });
+        for (int c = 3; c < light.length; c++) {
+            light[c] = new float[points];
+        }
+        run(points, (from, to) -> {
+            paths.filter(color, Arrays.copyOfRange(light, 3, 6), from, to);
+            paths.filter(white, Arrays.copyOfRange(light, 6, 9), from, to);
+        });
     }
 
     /**
@@ -79,8 +132,10 @@ public final class IndirectSolver {
      * then for the surfels on glowing objects without their glow.
      *
      * @param background red, green and blue of each number of rays that leave the scene
+     * @param atSurfels  receives the light that the rays of surfels gather; empty if it is not needed
      */
-    private float[] radiosity(float[][] direct, float[][] albedo, float[][] glow, float[][] objects, float[] background) {
+    private float[] radiosity(float[][] direct, float[][] albedo, float[][] glow, float[][] objects, float[] background,
+            float[][] atSurfels) {
         int surfels = structure.surfelCount();
         RayLinks links = structure.surfelLinks();
         int linked = links.points();
@@ -107,6 +162,9 @@ public final class IndirectSolver {
                     }
                     int twin = Arrays.binarySearch(dark, s);
                     for (int c = 0; c < 3; c++) {
+                        if (atSurfels[c].length > 0) {
+                            atSurfels[c][s] = gathered[c];
+                        }
                         float scattered = albedo[c][s] * (direct[c][s] + gathered[c]);
                         after[STRIDE * s + c] = (glow[c][s] + scattered) * share;
                         if (twin >= 0) {
@@ -116,6 +174,9 @@ public final class IndirectSolver {
                 }
             });
             radiosity = after;
+        }
+        if (!structure.isIndirect() && structure.bounces() > 0) {
+            return withBackground(background, 1f / structure.pointLinks().raysPerPoint(), surfels, dark.length);
         }
         return radiosity;
     }

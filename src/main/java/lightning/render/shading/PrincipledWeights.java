@@ -2,6 +2,7 @@ package lightning.render.shading;
 
 import static java.util.Objects.requireNonNull;
 
+import lightning.render.lobe.CoatShare;
 import lightning.render.lobe.DirectionalAlbedo;
 
 /**
@@ -35,17 +36,9 @@ public final class PrincipledWeights {
         float rest = 1 - cosine;
         mirrorGrazing = rest * rest * (rest * rest) * rest;
         multiple = Math.max(0, 1 - a - b) / Math.max(a, MIN_SHARE);
-        coat = m.coat() == null ? 0 : coatShare(m, cosine);
+        coat = m.coat() == null ? 0 : CoatShare.of(m.coat(), cosine);
         base = 1 - coat;
         diffuse = base * Math.max(0, 1 - (m.nonmetalF0() * a + b + multiple * (m.nonmetalF0() * m.nonmetalF0()) * a));
-    }
-
-    private static float coatShare(PrincipledMaterial m, float cosine) {
-        var layer = requireNonNull(m.coat());
-        float f0 = (float) layer.f0();
-        float roughness = (float) layer.roughness();
-        return (float) layer.weight()
-                * (f0 * DirectionalAlbedo.ofF0(cosine, roughness) + DirectionalAlbedo.grazing(cosine, roughness));
     }
 
     /** Returns d, 0…1. */

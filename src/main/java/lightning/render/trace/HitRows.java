@@ -389,7 +389,8 @@ public final class HitRows {
         return bytes;
     }
 
-    void addRun(int material, int end) {
+    /** Appends a run of a material that ends before row {@code end}. */
+    public void addRun(int material, int end) {
         if (runCount == runEnd.length) {
             runMaterial = Arrays.copyOf(runMaterial, 2 * runCount);
             runEnd = Arrays.copyOf(runEnd, 2 * runCount);

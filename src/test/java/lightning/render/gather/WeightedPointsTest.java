@@ -68,7 +68,7 @@ class WeightedPointsTest {
                 weight[8 * row + i] = (byte) (255 - i * 30);
             }
         }
-        RowWeights weights = new RowWeights(null, points, index, weight);
+        RowWeights weights = new RowWeights(null, points, index, weight, null);
         float[][] actual = new float[3][rows];
         weights.interpolate(light, actual);
         for (int row = 0; row < rows; row++) {

@@ -2,8 +2,10 @@ package lightning.render.relight.plan;
 
 import static java.util.Objects.requireNonNull;
 
+import java.util.Objects;
 import java.util.stream.IntStream;
 import lightning.render.cache.PixelCache;
+import lightning.render.lobe.RoughLobes;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.ShapeChange;
 import lightning.scene.GatherSettings;
@@ -41,7 +43,8 @@ public enum PathUpdate {
     private static boolean haveSamePaths(PixelCache cache, MaterialTable after) {
         MaterialTable before = cache.geometry().materials();
         return before == after || before.count() == after.count()
-                && IntStream.range(0, after.count()).allMatch(m -> mirrors(before, m) == mirrors(after, m) && before.hasSamePaths(m, after))
+                && IntStream.range(0, after.count()).allMatch(m -> mirrors(before, m) == mirrors(after, m) && before.hasSamePaths(m, after)
+                        && Objects.equals(RoughLobes.of(before.material(m)), RoughLobes.of(after.material(m))))
                 && requireNonNull(cache.indirect()).structure().canServe(cache.geometry(), after);
     }
 

@@ -74,7 +74,7 @@ final class IndirectBuilder {
         if (keepsPaths) {
             assert before != null;
             structure = before.structure();
-            surfels = before.settings().isIndirect() ? updateSurfels(before.surfels()) : before.surfels();
+            surfels = before.structure().bounces() > 0 ? updateSurfels(before.surfels()) : before.surfels();
         } else {
             GatherBuilder builder = prepare(settings.get(), before);
             structure = builder.build();
@@ -99,18 +99,21 @@ final class IndirectBuilder {
     private IndirectLight light(GatherStructure structure, TileLevel[] surfels, @Nullable IndirectCache before) {
         BackgroundLight background = BackgroundLight.of(job.scene());
         BackgroundLight known = before == null ? background : BackgroundLight.of(requireNonNull(oldCache).scene());
+        boolean showsAmbience = before != null && before.structure().reflections() != null
+                && job.scene().world().ambience() != requireNonNull(oldCache).scene().world().ambience();
         boolean keepsColors =
-                before != null && background.equals(known) && isUnchanged(before, surfels, requireNonNull(job.topPlan())::canChangeColors);
+                before != null && !showsAmbience && background.equals(known)
+                        && isUnchanged(before, surfels, requireNonNull(job.topPlan())::canChangeColors);
         boolean keepsEdges = !job.detectsEdges()
-                || before != null && background.forEdges().equals(known.forEdges()) && before.light().edgeLight() != null
+                || before != null && !showsAmbience && background.forEdges().equals(known.forEdges()) && before.light().edgeLight() != null
                         && isUnchanged(before, surfels, requireNonNull(job.topPlan())::canChangeEdges);
         float[][] edgesBefore = before == null || !job.detectsEdges() ? null : before.light().edgeLight();
         if (before != null && keepsColors && keepsEdges) {
             return edgesBefore == before.light().edgeLight() ? before.light()
                     : new IndirectLight(structure, before.light().light(), edgesBefore);
         }
-        SurfelSolver solver = new SurfelSolver(structure, surfels, job.target().geometry().materials(), job.options().engines(), workers,
-                job.progress());
+        SurfelSolver solver = new SurfelSolver(structure, surfels, job.target().geometry().materials(), job.scene().world().ambience(),
+                job.options().engines(), workers, job.progress());
         return new IndirectLight(structure,
                 before != null && keepsColors ? before.light().light() : solver.solve(job.target().lights(), background),
                 keepsEdges ? edgesBefore : edgeSolver(solver, structure, surfels).solve(job.target().edgeLights(), background.forEdges()));
@@ -118,7 +121,7 @@ final class IndirectBuilder {
 
     /** Returns whether no light or material changes what any surfel sends. */
     private boolean isUnchanged(IndirectCache known, TileLevel[] after, BiPredicate<TileLevel, LightLayer[]> canChange) {
-        if (!known.settings().isIndirect()) {
+        if (known.structure().bounces() == 0) {
             return true;
         }
         TileLevel[] before = known.surfels();
@@ -140,7 +143,9 @@ final class IndirectBuilder {
         TileLevel[] terms = new TileLevel[surfels.length];
         workers.run(surfels.length, (worker, block) -> terms[block] = surfelWorker(worker, block).withTerms(surfels[block]),
                 job.progress().cancellationOnly());
-        return new SurfelSolver(structure, terms, job.target().geometry().materials(), job.options().engines(), workers, job.progress());
+        return new SurfelSolver(structure, terms, job.target().geometry().materials(), job.scene().world().ambience(),
+                job.options().engines(),
+                workers, job.progress());
     }
 
     private LevelWorker surfelWorker(int worker, int block) {

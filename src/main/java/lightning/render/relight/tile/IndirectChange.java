@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Gather points whose light an update changes. Rows far from these keep their colors.
  *
- * @param colors true for each point with other light; null if no point has
+ * @param colors true for each gather point, then each reflection point, with other light; null if no point has
  * @param edges true for each point with other light as edge detection sees it; null if no point has
  */
 record IndirectChange(boolean @Nullable [] colors, boolean @Nullable [] edges, boolean isAll) {
@@ -32,11 +32,14 @@ record IndirectChange(boolean @Nullable [] colors, boolean @Nullable [] edges, b
 
     private static boolean @Nullable [] changedPoints(float[][] before, float[][] after) {
         boolean[] changed = null;
-        for (int c = 0; c < 3; c++) {
+        int gathering = after[0].length;
+        int reflecting = after.length > 3 ? after[3].length : 0;
+        for (int c = 0; c < after.length; c++) {
             if (before[c] != after[c] && !Arrays.equals(before[c], after[c])) {
-                changed = changed == null ? new boolean[after[c].length] : changed;
-                for (int p = 0; p < changed.length; p++) {
-                    changed[p] |= Float.floatToRawIntBits(before[c][p]) != Float.floatToRawIntBits(after[c][p]);
+                changed = changed == null ? new boolean[gathering + reflecting] : changed;
+                int first = c < 3 ? 0 : gathering;
+                for (int p = 0; p < after[c].length; p++) {
+                    changed[first + p] |= Float.floatToRawIntBits(before[c][p]) != Float.floatToRawIntBits(after[c][p]);
                 }
             }
         }

@@ -23,21 +23,25 @@ public final class SurfelSolver {
     private final Progress progress;
     private final float[][] albedo;
     private final float[][] glow;
+    /** Light that reflections show of surfels without lights; empty if there are none. */
+    private final float[][] seen;
     /** Light of each small glowing object. */
     private final float[][] objects;
 
     /**
      * @param indirect  indirect light of a scene
      * @param materials materials of that scene
+     * @param ambience  ambient light of that scene
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
-    public SurfelSolver(IndirectCache indirect, MaterialTable materials, EngineChoice engines, WorkerPool workers, Progress progress) {
-        this(indirect.structure(), indirect.surfels(), materials, engines, workers, progress);
+    public SurfelSolver(IndirectCache indirect, MaterialTable materials, double ambience, EngineChoice engines, WorkerPool workers,
+            Progress progress) {
+        this(indirect.structure(), indirect.surfels(), materials, ambience, engines, workers, progress);
     }
 
     /** @param surfels rows of the surfels with one layer per light of the scene, in blocks */
-    SurfelSolver(GatherStructure structure, TileLevel[] surfels, MaterialTable materials, EngineChoice engines, WorkerPool workers,
-            Progress progress) {
+    SurfelSolver(GatherStructure structure, TileLevel[] surfels, MaterialTable materials, double ambience, EngineChoice engines,
+            WorkerPool workers, Progress progress) {
         this.structure = structure;
         this.surfels = surfels;
         this.workers = workers;
@@ -45,32 +49,35 @@ public final class SurfelSolver {
         shaders = EngineWorkers.perThread(workers.count(), engines, engine -> new SurfelShader(materials, engine.sums()));
         albedo = new float[3][structure.surfelCount()];
         glow = new float[3][structure.surfelCount()];
+        seen = new float[3][structure.reflections() == null ? 0 : structure.surfelCount()];
         objects = structure.glow().shapes().glow(materials);
         workers.run(blocks(), (worker, block) -> shaders.get(worker).forTile(block).writeReflection(surfels[block].rows(),
-                structure.numbers(block), albedo, glow), this.progress);
+                structure.numbers(block), albedo, glow, seen, (float) ambience), this.progress);
     }
 
     /**
-     * Returns the light at all gather points: red, green, blue.
+     * Returns the light at all points, as {@link IndirectSolver#solve}.
      *
      * @param lights lights in the order of the surfels' layers
      * @param background light of rays that leave the scene
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
     public float[][] solve(WeightedLight[] lights, BackgroundLight background) {
-        return solve(lights, background, glow, objects);
+        return solve(lights, background, glow, objects, seen);
     }
 
     /** Returns the light at all gather points that comes from lights alone; parameters as above. */
     public float[][] solveWithoutGlow(WeightedLight[] lights, BackgroundLight background) {
-        return solve(lights, background, new float[3][structure.surfelCount()], new float[3][objects[0].length]);
+        return solve(lights, background, new float[3][structure.surfelCount()], new float[3][objects[0].length],
+                new float[3][seen[0].length]);
     }
 
-    private float[][] solve(WeightedLight[] lights, BackgroundLight background, float[][] emitted, float[][] emittedByObjects) {
+    private float[][] solve(WeightedLight[] lights, BackgroundLight background, float[][] emitted, float[][] emittedByObjects,
+            float[][] shown) {
         float[][] direct = new float[3][structure.surfelCount()];
         workers.run(blocks(), (worker, block) -> shaders.get(worker).forTile(block).writeDirectLight(surfels[block].rows(), lights,
                 surfels[block].layers(), structure.numbers(block), direct), progress);
-        return new IndirectSolver(structure, workers, progress).solve(direct, albedo, emitted, emittedByObjects, background);
+        return new IndirectSolver(structure, workers, progress).solve(direct, albedo, emitted, emittedByObjects, shown, background);
     }
 
     /** Returns the number of blocks with lit surfels. */

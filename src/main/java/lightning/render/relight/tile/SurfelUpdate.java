@@ -62,7 +62,7 @@ final class SurfelUpdate {
         boolean isSorted = removed.isEmpty() && !plan.materials().mirroringChanged().intersects(level.rows());
         TileLevel sorted = isSorted ? owned
                 : worker.reorder(RowSplice.sort(owned.rows(), removed, job.target().geometry().materials()), owned);
-        keptLevels[block] = before.settings().isIndirect() ? worker.update(sorted, plan) : sorted;
+        keptLevels[block] = before.structure().bounces() > 0 ? worker.update(sorted, plan) : sorted;
         keptNumbers[block] = number;
     }
 

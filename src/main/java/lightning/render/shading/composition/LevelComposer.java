@@ -43,6 +43,9 @@ final class LevelComposer {
     private final float[][] zeros = new float[3][ROWS];
     /** Allocated on first use. */
     private float @Nullable [][] indirectSum;
+    private float @Nullable [][] reflectedColumns;
+    /** Light that the present rows reflect of their surroundings; null for none. */
+    private float @Nullable [][] reflected;
     private LightComponent component = LightComponent.ALL;
     private boolean showsGlow = true;
     /** Emitted light of the run that is being shaded: red, green, blue. */
@@ -89,6 +92,7 @@ final class LevelComposer {
         SumColumns sum = branches == null ? lightSum.total(from, rows.count, rows.owner, lights, layers)
                 : lightSum.total(from, rows.count, rows.owner, lights, layers, branches);
         float[][] diffuse = indirect == null ? sum.diffuse : addIndirect(indirect, sum.diffuse, from, rows.count);
+        reflected = indirect == null ? null : reflected(indirect);
         float ambience = (float) world.ambience();
         // Rows of one material keep the order of their parents. If every position has a row, row i goes to position i.
         boolean inOrder = rows.runCount == 1 && rows.count == ROWS;
@@ -111,6 +115,17 @@ final class LevelComposer {
             }
         }
         return sum;
+    }
+
+    /** Returns what the rows reflect of their surroundings: six columns; null if nothing blurs its reflections. */
+    private float @Nullable [][] reflected(IndirectRows indirect) {
+        if (indirect.weights().reflected() == null) {
+            return null;
+        }
+        float[][] columns = reflectedColumns == null ? new float[6][ROWS] : reflectedColumns;
+        reflectedColumns = columns;
+        indirect.weights().interpolateReflected(indirect.light(), columns);
+        return columns;
     }
 
     private ClearMaterialShader clearShader() {
@@ -173,7 +188,7 @@ final class LevelComposer {
         if (material.clarity() != null) {
             clearShader().shade(rows, run, material, emitted, diffuse, specular, grazing, terms, images, to);
         } else if (material.principled() != null) {
-            principledShader.shade(rows, run, material, emitted, diffuse, specular, grazing, null,
+            principledShader.shade(rows, run, material, emitted, diffuse, specular, grazing, shines ? reflected : null,
                     images == null ? null : images.mirrored(), to);
         } else {
             sumKernel.shade(rows, run, material, emitted, diffuse, specular, grazing, images == null ? null : images.mirrored(), to);

@@ -48,20 +48,27 @@ public final class SurfelShader {
      * @param numbers surfel of each parent
      * @param albedo receives the share of the incoming light that is sent back diffusely: red, green and blue of all surfels
      * @param glow   receives the light that the surfels emit themselves: red, green and blue of all surfels
+     * @param seen   receives the light that a picture shows of the surfels without lights, bulbs included; empty if it is not needed
+     * @param ambience ambient light of the world
      */
-    public void writeReflection(HitRows rows, int[] numbers, float[][] albedo, float[][] glow) {
+    public void writeReflection(HitRows rows, int[] numbers, float[][] albedo, float[][] glow, float[][] seen, float ambience) {
         for (int run = 0; run < rows.runCount; run++) {
             ShadingMaterial material = materials[rows.runMaterial[run]];
             for (int c = 0; c < 3; c++) {
                 float[] texel = material.isTextured() ? requireNonNull(rows.texel(c)) : NO_TEXELS;
                 float emitted = (1 - material.reflective()[c]) * table.ownGlow(rows.runMaterial[run], c);
                 float[] map = material.texels().has(ColumnGroup.GLOW_TEXEL) ? rows.texel(ColumnGroup.GLOW_TEXEL, c) : null;
+                float shown = (1 - material.reflective()[c]) * table.glow(rows.runMaterial[run], c);
+                float ambient = (1 - material.reflective()[c]) * (material.ambient()[c] * ambience);
                 float share = (1 - material.reflective()[c]) * material.diffuse()[c];
                 for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
                     albedo[c][numbers[rows.parent[row]]] = material.principled() != null
                             ? principledAlbedo(material, c, material.isTextured() ? texel[row] : 1)
                             : material.isTextured() ? share * texel[row] : share;
                     glow[c][numbers[rows.parent[row]]] = map == null ? emitted : emitted * map[row];
+                    if (seen[c].length > 0) {
+                        seen[c][numbers[rows.parent[row]]] = ambient + (map == null ? shown : shown * map[row]);
+                    }
                 }
             }
         }

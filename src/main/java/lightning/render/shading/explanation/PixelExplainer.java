@@ -3,6 +3,7 @@ package lightning.render.shading.explanation;
 import static java.util.Objects.requireNonNull;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -106,7 +107,7 @@ public final class PixelExplainer {
         int shape = geometry.nearest(ray);
         if (shape < 0) {
             return new PointReport(null, passedCutouts(ray, Double.POSITIVE_INFINITY), null,
-                    BackgroundShader.color(scene.world(), ray.direction()), ZERO, ZERO, null,
+                    BackgroundShader.color(scene.world(), ray.direction()), ZERO, ZERO, null, null,
                     List.of(), null, null);
         }
         SurfacePoint hit = geometry.surface(shape, ray);
@@ -118,7 +119,11 @@ public final class PixelExplainer {
         for (WeightedLight light : lights) {
             reports.add(lightReport(light, hit, normals));
         }
-        float[] bounced = indirect == null || weigher == null ? null : indirect.at(hit, weigher);
+        float[] gathered = indirect == null || weigher == null ? null : indirect.at(hit, weigher);
+        float[] bounced = gathered == null ? null : Arrays.copyOf(gathered, 3);
+        float[] surroundings =
+                gathered == null || gathered.length == 3 || !materials.isPrincipled(hit.material()) ? null
+                        : Arrays.copyOfRange(gathered, 3, 9);
         float[] color = new float[3];
         float[] ambient = new float[3];
         float[] glow = new float[3];
@@ -147,7 +152,7 @@ public final class PixelExplainer {
                     : principled != null
                             ? principled.color(c, emitted, diffuse, sum(reports, c, LightReport::highlight),
                                     sum(reports, c, LightReport::sheen),
-                                    null, reflected == null ? 0 : reflected.color()[c])
+                                    surroundings, reflected == null ? 0 : reflected.color()[c])
                     : LightingEquation.color(emitted, hit.diffuse()[c], diffuse,
                             hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
                             reflected == null ? 0 : reflected.color()[c]);
@@ -158,7 +163,8 @@ public final class PixelExplainer {
                         : color[c];
             }
         }
-        return new PointReport(hit, passedCutouts(ray, geometry.distance(shape, ray)), normals, color, ambient, glow, bounced, reports,
+        return new PointReport(hit, passedCutouts(ray, geometry.distance(shape, ray)), normals, color, ambient, glow, bounced,
+                surroundings, reports,
                 reflected,
                 refracted);
     }

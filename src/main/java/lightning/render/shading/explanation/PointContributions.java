@@ -52,6 +52,15 @@ public record PointContributions(SurfacePoint at, float[] reflectivity, SurfaceW
         return added;
     }
 
+    /** Returns the blurred reflection's contribution, linear, {@code float[3]}; parameter as in {@link PointReport}. */
+    public float[] ofSurroundings(float[] light) {
+        float[] added = new float[3];
+        for (int c = 0; c < 3 && principled != null; c++) {
+            added[c] = principled.color(c, 0, 0, 0, 0, light, 0);
+        }
+        return added;
+    }
+
     /** Returns the mirrored ray's contribution, kr·Cr for an opaque surface, linear, {@code float[3]}. */
     public float[] reflectedPart(float[] color) {
         if (principled != null) {

@@ -15,12 +15,15 @@ import org.jspecify.annotations.Nullable;
  * @param ambient       ka·ambience·(1 − kr), linear, {@code float[3]}
  * @param glow          glow·(1 − kr), linear, {@code float[3]}
  * @param indirect      indirect light in the units of the lights' diffuse sum, linear, {@code float[3]}; null if there is none
+ * @param surroundings  blurred reflection: light that the reflectance multiplies, then light that no color multiplies, linear, {@code
+ *                      float[6]}; null if the material is not principled or nothing blurs reflections
  * @param lights        one report for each light of the scene, in its order
  * @param refracted     report of the refracted ray; null if the material is opaque, reflects totally, or the depth ends here
  * @param reflected     report of the mirrored ray; null if the material does not mirror or the depth ends here
  */
 public record PointReport(@Nullable SurfacePoint hit, List<Integer> passedCutouts, @Nullable NormalSteps normals, float[] color,
-        float[] ambient, float[] glow, float @Nullable [] indirect, List<LightReport> lights, @Nullable PointReport reflected,
+        float[] ambient, float[] glow, float @Nullable [] indirect, float @Nullable [] surroundings, List<LightReport> lights,
+        @Nullable PointReport reflected,
         @Nullable PointReport refracted) {
     /** Returns whether the ray hit nothing. */
     public boolean isBackground() {

@@ -63,6 +63,8 @@ public final class ReferenceTracer {
     private final ReferenceTracer mirrorTracer;
     /** Computed on first use; null if the scene has none. */
     private ReferenceIndirect indirect;
+    /** The same for scenes with blurred reflections. */
+    private ReferenceReflections reflections;
     /** First samples of a pixel, and the further ones of some pixels. */
     private final SampleCells firstCells;
     private final SampleCells restCells;
@@ -219,11 +221,21 @@ public final class ReferenceTracer {
         if (GatherSettings.of(scene).isEmpty()) {
             return direct;
         }
+        if (GatherSettings.of(scene).get().reflections()) {
+            float[] more = reflections().at(hit);
+            return new float[] {direct[0] + more[0], direct[1] + more[1], direct[2] + more[2]};
+        }
         indirect = indirect == null ? new ReferenceIndirect(scene, geometry, GatherSettings.of(scene).get(),
                 forEdges ? BackgroundLight.of(scene).forEdges() : BackgroundLight.of(scene), this::directLight)
                 : indirect;
         float[] more = indirect.at(hit);
         return new float[] {direct[0] + more[0], direct[1] + more[1], direct[2] + more[2]};
+    }
+
+    private ReferenceReflections reflections() {
+        reflections = reflections == null ? new ReferenceReflections(scene, geometry, GatherSettings.of(scene).get(),
+                forEdges ? BackgroundLight.of(scene).forEdges() : BackgroundLight.of(scene), this::directLight) : reflections;
+        return reflections;
     }
 
     /** Returns the lights' diffuse sum at a surface outside pixels: red, green, blue. */
@@ -406,8 +418,9 @@ public final class ReferenceTracer {
     private float principledColor(SurfacePoint hit, PrincipledMaterial material, int c, float diffuse, float specular, float grazing,
             float mirrored) {
         PrincipledWeights weights = weights(material, hit);
-        float shine = specular;
-        float graze = grazing;
+        float[] light = GatherSettings.of(scene).map(GatherSettings::reflections).orElse(false) ? reflections().at(hit) : new float[9];
+        float shine = specular + light[3 + c];
+        float graze = grazing + light[6 + c];
         if (material.isMirror()) {
             shine += mirrored * weights.mirrored(material);
             graze += mirrored * weights.mirroredGrazing(material);

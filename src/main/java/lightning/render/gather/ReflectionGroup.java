@@ -1,0 +1,62 @@
+package lightning.render.gather;
+
+import java.util.Arrays;
+
+/** Reflection points of one material. */
+final class ReflectionGroup {
+    /** Number of each point among all. */
+    final int[] number;
+    final SurfaceColumns surface;
+    final float[] radius;
+    /** Mirrored views. */
+    final float[] rx;
+    final float[] ry;
+    final float[] rz;
+    /** Width of the cells of directions, about radians. */
+    final float step;
+    final PointGroups groups;
+
+    private ReflectionGroup(ReflectionPoints points, int[] number, float step) {
+        this.number = number;
+        this.step = step;
+        surface = new SurfaceColumns(number.length);
+        radius = new float[number.length];
+        rx = new float[number.length];
+        ry = new float[number.length];
+        rz = new float[number.length];
+        for (int i = 0; i < number.length; i++) {
+            int p = number[i];
+            surface.add(points.surface(), p);
+            radius[i] = points.radius[p];
+            rx[i] = points.rx[p];
+            ry[i] = points.ry[p];
+            rz[i] = points.rz[p];
+        }
+        groups = new PointGroups(surface, radius);
+    }
+
+    /**
+     * Returns the groups by material.
+     *
+     * @param steps width of the cells of directions by material; 0 for materials without reflection points
+     */
+    static ReflectionGroup[] of(ReflectionPoints points, float[] steps) {
+        int[][] numbers = new int[steps.length][];
+        int[] count = new int[steps.length];
+        for (int p = 0; p < points.count(); p++) {
+            count[points.material[p]]++;
+        }
+        Arrays.setAll(numbers, m -> new int[count[m]]);
+        Arrays.fill(count, 0);
+        for (int p = 0; p < points.count(); p++) {
+            numbers[points.material[p]][count[points.material[p]]++] = p;
+        }
+        ReflectionGroup[] groups = new ReflectionGroup[steps.length];
+        Arrays.setAll(groups, m -> new ReflectionGroup(points, numbers[m], steps[m]));
+        return groups;
+    }
+
+    int count() {
+        return number.length;
+    }
+}

@@ -1,0 +1,38 @@
+package lightning.render.gather;
+
+/** Small cells of directions, for reflections of the environment: those of {@link DirectionCells}, divided. */
+public final class SkyCells {
+    private static final int SIDE = 128;
+    private static final int HALF = SIDE * SIDE;
+    /** Number of cells. */
+    public static final int COUNT = 2 * HALF;
+
+    private SkyCells() {}
+
+    /**
+     * Returns the cell of a direction, 0 … {@link #COUNT} − 1.
+     *
+     * @param x direction of any length but 0, with {@code y} upward and {@code z}
+     */
+    static int of(double x, double y, double z) {
+        double sum = Math.abs(x) + Math.abs(y) + Math.abs(z);
+        return (y < 0 ? HALF : 0) + line((x + z) / sum) * SIDE + line((x - z) / sum);
+    }
+
+    private static int line(double place) {
+        return Math.min(SIDE - 1, (int) ((place + 1) * 0.5 * SIDE));
+    }
+
+    /** Writes the unit direction at the center of a cell: x, y, z. */
+    public static void writeCenter(int cell, double[] to) {
+        double u = (cell % HALF / SIDE + 0.5) * 2 / SIDE - 1;
+        double v = (cell % SIDE + 0.5) * 2 / SIDE - 1;
+        double x = (u + v) / 2;
+        double z = (u - v) / 2;
+        double y = Math.max(0, 1 - Math.abs(x) - Math.abs(z));
+        double length = Math.sqrt(x * x + y * y + z * z);
+        to[0] = x / length;
+        to[1] = (cell < HALF ? y : -y) / length;
+        to[2] = z / length;
+    }
+}

@@ -1,0 +1,90 @@
+package lightning.render.shading.reference;
+
+import java.util.Map;
+import java.util.function.Function;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.render.engine.choice.Engines;
+import lightning.render.gather.GatherBuilder;
+import lightning.render.gather.GatherStructure;
+import lightning.render.gather.RowWeigher;
+import lightning.render.shading.BackgroundLight;
+import lightning.render.shading.IndirectLight;
+import lightning.render.shading.IndirectSolver;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.HitRows.ColumnGroup;
+import lightning.render.trace.MaterialTable;
+import lightning.render.trace.SurfacePoint;
+import lightning.scene.GatherSettings;
+import lightning.scene.Scene;
+
+/**
+ * Gathered light and blurred reflections of a scene for {@link ReferenceTracer}. Paths are those of a first build; the light that they carry is
+ * computed point by point. So it is an oracle of edits and of light, but not of paths.
+ */
+final class ReferenceReflections {
+    private final IndirectLight light;
+    private final RowWeigher weigher;
+
+    /** @param directLight returns the lights' diffuse sum at a surface: red, green, blue */
+    ReferenceReflections(Scene scene, Geometry geometry, GatherSettings settings, BackgroundLight background,
+            Function<SurfacePoint, float[]> directLight) {
+        WorkerPool workers = new WorkerPool(1);
+        GatherStructure structure = new GatherBuilder(geometry, scene, settings, workers,
+                _ -> Engines.SCALAR.tracer(geometry), 1L << 30, Progress.NONE).build();
+        int count = structure.surfelCount();
+        float[][] direct = new float[3][count];
+        float[][] albedo = new float[3][count];
+        float[][] glow = new float[3][count];
+        float[][] seen = new float[3][count];
+        HitRows[] blocks = structure.surfels();
+        MaterialTable materials = geometry.materials();
+        for (int block = 0; block < blocks.length; block++) {
+            HitRows rows = blocks[block];
+            for (int row = 0; row < rows.count; row++) {
+                int surfel = structure.numbers(block)[rows.parent[row]];
+                int material = rows.material(row);
+                float[] lit = directLight.apply(point(rows, row, material));
+                for (int c = 0; c < 3; c++) {
+                    float texel = materials.isTextured(material) ? rows.texel(c)[row] : 1;
+                    boolean isMapped = materials.texels(material).has(ColumnGroup.GLOW_TEXEL);
+                    float map = isMapped ? rows.texel(ColumnGroup.GLOW_TEXEL, c)[row] : 1;
+                    float left = 1 - materials.reflective(material, c);
+                    direct[c][surfel] = lit[c];
+                    albedo[c][surfel] = albedo(materials, material, c, texel, left);
+                    glow[c][surfel] = left * materials.ownGlow(material, c) * map;
+                    seen[c][surfel] = left * (materials.ambient(material, c) * (float) scene.world().ambience())
+                            + left * materials.glow(material, c) * map;
+                }
+            }
+        }
+        float[][] objects = structure.glow().shapes().glow(materials);
+        light = new IndirectLight(structure,
+                new IndirectSolver(structure, workers, Progress.NONE).solve(direct, albedo, glow, objects, seen, background), null);
+        weigher = new RowWeigher(structure);
+    }
+
+    private static SurfacePoint point(HitRows rows, int row, int material) {
+        return new SurfacePoint(rows.owner[row], material, rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row],
+                rows.nz[row], rows.vx[row], rows.vy[row], rows.vz[row], new float[3], new float[3], new float[3], Map.of(), null);
+    }
+
+    /** Returns one channel of the share that a surfel sends back: a principled one its reflection, too. */
+    private static float albedo(MaterialTable materials, int m, int c, float texel, float left) {
+        if (!materials.isPrincipled(m)) {
+            return left * materials.diffuse(m, c) * texel;
+        }
+        float below = 1 - hemispherical((float) (materials.material(m).f0() * materials.material(m).specularTint().max()));
+        return materials.diffuse(m, c) * texel * below + hemispherical(materials.metalF0(m, c) * texel + materials.specular(m, c));
+    }
+
+    private static float hemispherical(float f0) {
+        return f0 + (1 - f0) / 21;
+    }
+
+    /** Returns the light at a surface that the picture shows, as {@link IndirectLight#at}. */
+    float[] at(SurfacePoint hit) {
+        return light.at(hit, weigher);
+    }
+}
