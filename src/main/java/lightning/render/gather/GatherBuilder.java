@@ -44,6 +44,9 @@ public final class GatherBuilder {
     private final Tracer[] tracers;
     private final CellKeys keys;
     private final GlowShapes glows;
+    private final ReflectionDirections reflectionDirections;
+    /** Objects that a picture shows glowing, for reflections. */
+    private final GlowShapes seenGlows;
     /** By material. */
     private final @Nullable RoughLobes[] lobes;
     /** Paths before an edit. */
@@ -69,6 +72,8 @@ public final class GatherBuilder {
         keys = new CellKeys(scene, settings);
         lobes = new RoughLobes[geometry.materials().count()];
         Arrays.setAll(lobes, m -> RoughLobes.of(geometry.materials().material(m)));
+        reflectionDirections = new ReflectionDirections(settings.reflectionRaysPerSide());
+        seenGlows = settings.reflections() ? GlowShapes.seen(geometry, geometry.materials()) : GlowShapes.none();
         glows = settings.isIndirect() ? GlowShapes.of(geometry) : GlowShapes.none();
     }
 
@@ -151,15 +156,16 @@ public final class GatherBuilder {
 
     private ReflectionCaster[] reflectionCasters() {
         ReflectionCaster[] casters = new ReflectionCaster[settings.reflections() ? tracers.length : 0];
-        ReflectionDirections directions = new ReflectionDirections(settings.reflectionRaysPerSide());
-        Arrays.setAll(casters, worker -> new ReflectionCaster(geometry, scene, tracers[worker], keys, directions, lobes));
+        Arrays.setAll(casters,
+                worker -> new ReflectionCaster(geometry, scene, tracers[worker], keys, reflectionDirections, lobes, seenGlows));
         return casters;
     }
 
     private ReflectionPlacer placeReflections(List<SeenSurfaces> candidates, ReflectionCaster[] casters, PathMemory memory) {
-        int side = settings.reflectionRaysPerSide();
         ReflectionPlacer reflecting = new ReflectionPlacer(workers, new ProgressPart(progress, POINTS_SHARE, POINTS_SHARE), keys, casters,
-                lobes, geometry.primitives().material, side * side, memory);
+                lobes, geometry.primitives().material, ReflectionCaster.raysPerPoint(reflectionDirections, seenGlows),
+                reflectionDirections.rays,
+                memory);
         reflecting.place(candidates);
         return reflecting;
     }
@@ -172,7 +178,8 @@ public final class GatherBuilder {
         }
         ReflectionGroup[] groups = ReflectionGroup.of(reflecting.points, steps);
         return new ReflectionPaths(reflecting.points, reflecting.links, groups,
-                ReflectionFilter.build(groups, reflecting.points.count(), workers, progress), steps, surfels.surfelOfDetail);
+                ReflectionFilter.build(groups, reflecting.points.count(), workers, progress), steps, seenGlows, surfels.surfelOfDetail,
+                SurfelFilter.build(surfels.surfels(), surfels.links.points(), keys, workers, progress));
     }
 
     /**

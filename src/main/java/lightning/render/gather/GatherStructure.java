@@ -57,12 +57,13 @@ public final class GatherStructure {
      *
      * @param keys   of the cells of the gather points
      * @param shapes glowing objects at which rays are aimed
+     * @param seen   those at which rays of reflections are aimed
      */
-    public record Metadata(CellKeys keys, GlowShapes shapes) {}
+    public record Metadata(CellKeys keys, GlowShapes shapes, GlowShapes seen) {}
 
     /** Returns what stored paths refer to. */
     public Metadata metadata() {
-        return new Metadata(points.sources().keys(), glow.shapes());
+        return new Metadata(points.sources().keys(), glow.shapes(), reflections == null ? GlowShapes.none() : reflections.glows());
     }
 
     /** Writes these paths, which must contain all rows. */
@@ -92,7 +93,8 @@ public final class GatherStructure {
         return new GatherStructure(GatherPoints.readFrom(in, metadata.keys), RayLinks.readFrom(in), RimLinks.readFrom(in),
                 RayLinks.readFrom(in),
                 SurfelRows.readFrom(in), TiltedNormals.readFrom(in), GlowPaths.readFrom(in, metadata.shapes), null,
-                in.readInt() == 0 ? null : ReflectionPaths.readFrom(in, metadata.keys), in.readInt() != 0, in.readInt(), in.readLong());
+                in.readInt() == 0 ? null : ReflectionPaths.readFrom(in, metadata.keys, metadata.seen), in.readInt() != 0, in.readInt(),
+                in.readLong());
     }
 
     /**
@@ -190,6 +192,9 @@ public final class GatherStructure {
      * @param materials materials of that scene
      */
     public boolean canServe(Geometry geometry, MaterialTable materials) {
+        if (reflections != null && !reflections.glows().contain(GlowShapes.seen(geometry, materials))) {
+            return false;
+        }
         if (!isIndirect) {
             return true;
         }

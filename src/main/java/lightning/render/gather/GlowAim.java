@@ -77,6 +77,31 @@ public final class GlowAim {
         return area * Math.abs(direction[axis]) * turns / (Math.PI * side * side * squared);
     }
 
+    /**
+     * Returns the solid angle that a ray stands for which is aimed at an object in some direction, in units of π steradians; 0 if none is.
+     *
+     * @param direction of length 1, which meets the object
+     */
+    double solidAngle(int shape, float x, float y, float z, double[] direction) {
+        if (!shapes.isSmall(shape, x, y, z)) {
+            return 0;
+        }
+        double[] from = {shapes.fromCenter(shape, 0, x), shapes.fromCenter(shape, 1, y), shapes.fromCenter(shape, 2, z)};
+        double area = 0;
+        double length = 0;
+        double cosine = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double its = area(shape, axis, from);
+            area += its;
+            double entry = (Math.signum(from[axis]) * shapes.halfSide(shape, axis) - from[axis]) / direction[axis];
+            if (its > 0 && entry > length) {
+                length = entry;
+                cosine = Math.abs(direction[axis]);
+            }
+        }
+        return length > 0 ? area * cosine * turns / (Math.PI * side * side * (length * length)) : 0;
+    }
+
     /** Returns a coordinate 0…1 in a cell of a box's side: in the part of the lowest two bits of {@code part}, at a random place. */
     private double coordinate(int cell, long part, long random) {
         return (cell + ((part & PARTS - 1) + (random & 0xffffff) * 0x1p-24) / PARTS) / side;

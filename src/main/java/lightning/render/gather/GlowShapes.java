@@ -53,6 +53,15 @@ public final class GlowShapes {
         return NONE;
     }
 
+    /** Returns the opaque objects that a picture shows glowing, bulbs included, unless there are too many. */
+    static GlowShapes seen(Geometry geometry, MaterialTable materials) {
+        boolean[] glows = new boolean[materials.count()];
+        for (int m = 0; m < glows.length; m++) {
+            glows[m] = !materials.isTransparent(m) && materials.glow(m, 0) + materials.glow(m, 1) + materials.glow(m, 2) > 0;
+        }
+        return of(geometry, glows);
+    }
+
     /** Returns the opaque objects that glow, unless there are too many. */
     public static GlowShapes of(Geometry geometry) {
         return of(geometry, geometry.materials());
@@ -61,10 +70,17 @@ public final class GlowShapes {
     /** @param materials of the objects, instead of those of the geometry */
     static GlowShapes of(Geometry geometry, MaterialTable materials) {
         boolean[] glows = new boolean[materials.count()];
-        boolean any = false;
         for (int m = 0; m < glows.length; m++) {
             glows[m] = !materials.isTransparent(m) && (glow(materials, m, 0) > 0 || glow(materials, m, 1) > 0 || glow(materials, m, 2) > 0);
-            any |= glows[m];
+        }
+        return of(geometry, glows);
+    }
+
+    /** @param glows whether each material glows */
+    private static GlowShapes of(Geometry geometry, boolean[] glows) {
+        boolean any = false;
+        for (boolean glow : glows) {
+            any |= glow;
         }
         int[] found = any ? IntStream.range(0, geometry.primitiveCount()).filter(p -> glows[geometry.materialIndex(p)])
                 .limit(MAX_SHAPES + 1L).toArray() : NONE.primitives;
@@ -109,7 +125,7 @@ public final class GlowShapes {
     }
 
     /** Returns the object that a primitive is; negative for none. */
-    private int index(int primitive) {
+    int index(int primitive) {
         return primitives.length == 0 ? -1 : Arrays.binarySearch(primitives, primitive);
     }
 

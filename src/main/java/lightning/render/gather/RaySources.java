@@ -134,11 +134,17 @@ final class RaySources {
         }
     }
 
-    /** Reflects a direction at the plane of a point's surface if it goes below it: x, y, z. */
-    void turnAbove(int p, double[] direction) {
+    /** Returns whether a direction goes above the plane of a point's surface: x, y, z. */
+    boolean isAbove(int p, double[] direction) {
+        int normal = normal(p);
+        return normal < 0 || direction[0] * geometricX[normal] + direction[1] * geometricY[normal] + direction[2] * geometricZ[normal] > 0;
+    }
+
+    /** Reflects a direction at the plane of a point's surface if it goes below it: x, y, z; returns whether it did. */
+    boolean turnAbove(int p, double[] direction) {
         int normal = normal(p);
         if (normal < 0) {
-            return;
+            return false;
         }
         double height = direction[0] * geometricX[normal] + direction[1] * geometricY[normal] + direction[2] * geometricZ[normal];
         if (height < 0) {
@@ -146,6 +152,7 @@ final class RaySources {
             direction[1] -= 2 * height * geometricY[normal];
             direction[2] -= 2 * height * geometricZ[normal];
         }
+        return height < 0;
     }
 
     /**

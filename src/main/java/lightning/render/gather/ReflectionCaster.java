@@ -15,13 +15,26 @@ import org.jspecify.annotations.Nullable;
 /** Casts the rays into which rough surfaces reflect their views. Holds scratch memory: use one instance per thread. */
 final class ReflectionCaster {
     private static final double MIN_COSINE = 1e-3;
+    /** Maximum number of a point's rays that are aimed at glowing objects. */
+    private static final int MAX_AIMED = 16;
     /** Width of a surfel's cell relative to that of the lobe where it meets the surfel. */
     private static final double DETAIL = 0.5;
 
     private final ReflectionDirections directions;
     private final @Nullable RoughLobes[] lobes;
     private final CellKeys keys;
+    private final GlowShapes glows;
+    private final GlowAim glowAim;
+    /** Rays of a point: those of its lobes, then those aimed at glowing objects. */
+    private final int raysPerPoint;
     private final RayBatch batch;
+    /** Weights of each ray of the batch and the density of its lobe, per steradian; that of aimed rays is unused. */
+    private final double[] color = new double[RayBatch.MAX_RAYS];
+    private final double[] white = new double[RayBatch.MAX_RAYS];
+    private final double[] density = new double[RayBatch.MAX_RAYS];
+    /** Object at which each ray of a batch is aimed; −1 for none. */
+    private final int[] aimed = new int[RayBatch.MAX_RAYS];
+    private final double[] d = new double[3];
     private final SurfaceNormals normals;
     private final ReflectionLobe lobe = new ReflectionLobe();
     private final double[] sides = new double[RayBatch.MAX_RAYS];
@@ -29,9 +42,15 @@ final class ReflectionCaster {
     private final double[] tangent = new double[3];
     private final double[] bitangent = new double[3];
 
-    /** @param lobes by material */
+    /**
+     * @param lobes by material
+     * @param glows objects that a picture shows glowing
+     */
     ReflectionCaster(Geometry geometry, Scene scene, Tracer tracer, CellKeys keys, ReflectionDirections directions,
-            @Nullable RoughLobes[] lobes) {
+            @Nullable RoughLobes[] lobes, GlowShapes glows) {
+        this.glows = glows;
+        glowAim = new GlowAim(glows, MAX_AIMED);
+        raysPerPoint = raysPerPoint(directions, glows);
         this.directions = directions;
         this.lobes = lobes;
         this.keys = keys;
@@ -39,9 +58,14 @@ final class ReflectionCaster {
         normals = new SurfaceNormals(batch);
     }
 
+    /** Returns the rays of a point: those of its lobes, and those that may be aimed. */
+    static int raysPerPoint(ReflectionDirections directions, GlowShapes glows) {
+        return directions.rays + Math.min(MAX_AIMED, 4 * glows.count());
+    }
+
     /** Points whose rays are cast together. */
     int pointsPerBatch() {
-        return Math.max(1, RayBatch.MAX_RAYS / directions.rays);
+        return Math.max(1, RayBatch.MAX_RAYS / raysPerPoint);
     }
 
     /**
@@ -51,11 +75,11 @@ final class ReflectionCaster {
      */
     void cast(ReflectionPoints points, int from, int to, ReflectionLinks links, long[] inverseLengths) {
         normals.find(points.sources, from, to);
-        int rays = directions.rays;
+        int rays = raysPerPoint;
         for (int p = from; p < to; p++) {
-            aim(points, p);
+            findFrame(points, p);
             for (int k = 0; k < rays; k++) {
-                direct(points, p, k, (p - from) * rays + k, links);
+                direct(points, p, k, (p - from) * rays + k);
             }
             inverseLengths[p] = 0;
         }
@@ -74,11 +98,14 @@ final class ReflectionCaster {
                     : keys.detailKey(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], primitive,
                             distance,
                             detail));
-            if (links.hasWeight(from * rays + ray)) {
+            weigh(points, p, ray, ray % rays, primitive);
+            if (ray % rays < directions.rays && color[ray] + white[ray] > 0) {
                 inverseLengths[p] += InverseLengths.term(distance, keys.side(points.surface(), p));
             }
         }
         for (int ray = 0; ray < count; ray++) {
+            boolean counts = ray % rays < directions.rays || batch.primitive(ray) >= 0;
+            links.setWeights(from * rays + ray, counts ? color[ray] : 0, counts ? white[ray] : 0);
             if (batch.primitive(ray) < 0) {
                 links.setMiss(from * rays + ray, SkyCells.of(batch.directionX[ray], batch.directionY[ray], batch.directionZ[ray]));
             }
@@ -88,14 +115,50 @@ final class ReflectionCaster {
         }
     }
 
+    /**
+     * Changes the weights of a ray that hits a primitive: where both a ray of a lobe and an aimed one may meet a glowing object, each
+     * counts by its share of the densities (balance heuristic, E. Veach and L. Guibas, Optimally combining sampling techniques, 1995).
+     */
+    private void weigh(ReflectionPoints points, int p, int ray, int k, int primitive) {
+        int shape = glows.index(primitive);
+        if (k >= directions.rays) {
+            if (shape < 0 || shape != aimed[ray]) {
+                color[ray] = 0;
+                white[ray] = 0;
+            }
+            return;
+        }
+        if (shape < 0 || density[ray] == 0) {
+            return;
+        }
+        SurfaceColumns s = points.surface();
+        d[0] = batch.directionX[ray];
+        d[1] = batch.directionY[ray];
+        d[2] = batch.directionZ[ray];
+        double angle = Math.PI * glowAim.solidAngle(shape, s.px[p], s.py[p], s.pz[p], d);
+        if (angle > 0) {
+            double own = raysOf(requireNonNull(lobes[points.material[p]])) * density[ray] * angle;
+            color[ray] *= own / (own + 1);
+            white[ray] *= own / (own + 1);
+        }
+    }
+
+    /** Returns the rays of each lobe. */
+    private int raysOf(RoughLobes its) {
+        return its.areTwo() ? directions.rays / 2 : directions.rays;
+    }
+
     private int detail(ReflectionPoints points, int p, int k, HitRows rows, int row, double distance) {
+        if (k >= directions.rays) {
+            return 0;
+        }
         RoughLobes its = requireNonNull(lobes[points.material[p]]);
         double alpha = its.isOfCoat(k) ? its.coatAlpha() : its.alpha();
         return keys.detailLevel(rows.px[row], rows.py[row], rows.pz[row], distance, DETAIL * alpha * distance);
     }
 
     /** Computes the frame of a point: its view lies in the plane of the tangent and the normal. */
-    private void aim(ReflectionPoints points, int p) {
+    private void findFrame(ReflectionPoints points, int p) {
         SurfaceColumns s = points.surface();
         double nx = s.nx[p];
         double ny = s.ny[p];
@@ -121,42 +184,95 @@ final class ReflectionCaster {
         bitangent[2] = nx * tangent[1] - ny * tangent[0];
     }
 
-    /**
-     * Writes a ray.
-     *
-     * @param links receives its weights; null if they are known
-     */
-    private void direct(ReflectionPoints points, int p, int k, int at, @Nullable ReflectionLinks links) {
+    /** Writes ray {@code k} of a point and its weights to the batch. */
+    private void direct(ReflectionPoints points, int p, int k, int at) {
         SurfaceColumns s = points.surface();
         RoughLobes its = requireNonNull(lobes[points.material[p]]);
+        double view = -(points.seen.vx[p] * (double) s.nx[p] + points.seen.vy[p] * (double) s.ny[p] + points.seen.vz[p] * (double) s.nz[p]);
+        double cosine = Math.clamp(view, MIN_COSINE, 1);
+        batch.startX[at] = s.px[p];
+        batch.startY[at] = s.py[p];
+        batch.startZ[at] = s.pz[p];
+        color[at] = 0;
+        white[at] = 0;
+        density[at] = 0;
+        aimed[at] = -1;
+        if (k < directions.rays) {
+            reflect(points, p, k, at, its, cosine);
+        } else {
+            aimAtGlow(points, p, k - directions.rays, at, its, cosine);
+        }
+        batch.directionX[at] = d[0];
+        batch.directionY[at] = d[1];
+        batch.directionZ[at] = d[2];
+    }
+
+    /** Chooses the direction of a ray of a lobe. */
+    private void reflect(ReflectionPoints points, int p, int k, int at, RoughLobes its, double cosine) {
         boolean isCoat = its.isOfCoat(k);
-        double cosine =
-                -(points.seen.vx[p] * (double) s.nx[p] + points.seen.vy[p] * (double) s.ny[p] + points.seen.vz[p] * (double) s.nz[p]);
-        cosine = Math.clamp(cosine, MIN_COSINE, 1);
         lobe.aim(cosine, isCoat ? its.coatAlpha() : its.alpha());
         int place = directions.first(points.seed[p]) + k;
         lobe.reflect(directions.share(place), directions.cos(place), directions.sin(place));
         double z = lobe.z() < 0 ? -lobe.z() : lobe.z();
-        double[] d = new double[3];
+        SurfaceColumns s = points.surface();
         d[0] = lobe.x() * tangent[0] + lobe.y() * bitangent[0] + z * s.nx[p];
         d[1] = lobe.x() * tangent[1] + lobe.y() * bitangent[1] + z * s.ny[p];
         d[2] = lobe.x() * tangent[2] + lobe.y() * bitangent[2] + z * s.nz[p];
-        points.sources.turnAbove(p, d);
-        batch.directionX[at] = d[0];
-        batch.directionY[at] = d[1];
-        batch.directionZ[at] = d[2];
-        batch.startX[at] = s.px[p];
-        batch.startY[at] = s.py[p];
-        batch.startZ[at] = s.pz[p];
-        if (links != null) {
-            double coat = its.coat() == null ? 0 : CoatShare.of(its.coat(), (float) cosine);
-            double share = its.areTwo() ? 2 * lobe.weight() : lobe.weight();
-            if (isCoat) {
-                double f0 = requireNonNull(its.coat()).f0();
-                links.setWeights(p * directions.rays + k, 0, share * its.coat().weight() * (f0 + (1 - f0) * lobe.schlick()));
-            } else {
-                links.setWeights(p * directions.rays + k, share * (1 - coat) * (1 - lobe.schlick()), share * (1 - coat) * lobe.schlick());
+        density[at] = points.sources.turnAbove(p, d) ? 0 : lobe.density();
+        addWeights(at, its, isCoat, cosine, its.areTwo() ? 2 : 1);
+    }
+
+    /** Aims a ray at a glowing object, if the point has so many. */
+    private void aimAtGlow(ReflectionPoints points, int p, int number, int at, RoughLobes its, double cosine) {
+        SurfaceColumns s = points.surface();
+        long seed = points.seed[p];
+        d[0] = s.nx[p];
+        d[1] = s.ny[p];
+        d[2] = s.nz[p];
+        int first = 0;
+        for (int shape = 0; shape < glows.count(); shape++) {
+            int toShape = glowAim.rays(shape, seed, s.px[p], s.py[p], s.pz[p]);
+            if (number < first + toShape) {
+                double angle = Math.PI * glowAim.aim(shape, number - first, seed, s.px[p], s.py[p], s.pz[p], d);
+                aimed[at] = shape;
+                double z = d[0] * s.nx[p] + d[1] * s.ny[p] + d[2] * s.nz[p];
+                if (angle > 0 && z > 0 && points.sources.isAbove(p, d)) {
+                    double x = d[0] * tangent[0] + d[1] * tangent[1] + d[2] * tangent[2];
+                    double y = d[0] * bitangent[0] + d[1] * bitangent[1] + d[2] * bitangent[2];
+                    addAimed(at, its, false, cosine, x, y, z, angle);
+                    addAimed(at, its, true, cosine, x, y, z, angle);
+                } else {
+                    d[0] = s.nx[p];
+                    d[1] = s.ny[p];
+                    d[2] = s.nz[p];
+                }
+                return;
             }
+            first += toShape;
+        }
+    }
+
+    /** Adds the weights of an aimed ray for one lobe, relative to those of the rays of lobes. */
+    private void addAimed(int at, RoughLobes its, boolean isCoat, double cosine, double x, double y, double z, double angle) {
+        double alpha = isCoat ? its.coatAlpha() : its.alpha();
+        if (alpha > 0) {
+            lobe.aim(cosine, alpha);
+            lobe.moveTo(x, y, z);
+            double own = lobe.density() * angle;
+            addWeights(at, its, isCoat, cosine, directions.rays * own / (raysOf(its) * own + 1));
+        }
+    }
+
+    /** Adds the weights of a direction of a lobe. */
+    private void addWeights(int at, RoughLobes its, boolean isCoat, double cosine, double factor) {
+        double coat = its.coat() == null ? 0 : CoatShare.of(its.coat(), (float) cosine);
+        double share = factor * lobe.weight();
+        if (isCoat) {
+            double f0 = requireNonNull(its.coat()).f0();
+            white[at] += share * its.coat().weight() * (f0 + (1 - f0) * lobe.schlick());
+        } else {
+            color[at] += share * (1 - coat) * (1 - lobe.schlick());
+            white[at] += share * (1 - coat) * lobe.schlick();
         }
     }
 
@@ -166,15 +282,15 @@ final class ReflectionCaster {
      * @param details whether the rays find parts of surfels
      */
     HitRows hits(ReflectionPoints points, int[] selected, int from, int to, boolean details) {
-        int rays = directions.rays;
+        int rays = raysPerPoint;
         int known = -1;
         for (int i = from; i < to; i++) {
             int p = selected[i] / rays;
             if (p != known) {
-                aim(points, p);
+                findFrame(points, p);
                 known = p;
             }
-            direct(points, p, selected[i] % rays, i - from, null);
+            direct(points, p, selected[i] % rays, i - from);
         }
         batch.trace(to - from);
         HitRows rows = batch.rows((hits, texels, transparent) -> new HitRows(hits, texels, transparent, false, true));

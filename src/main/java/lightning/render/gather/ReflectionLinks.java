@@ -21,6 +21,8 @@ public final class ReflectionLinks {
     private static final byte SURFEL = 1;
 
     private final int raysPerPoint;
+    /** Rays by whose number weights are divided: those of lobes. */
+    private final int lobeRays;
     private final @Nullable PathMemory memory;
     private int rays;
     private long[] keys = {};
@@ -33,8 +35,9 @@ public final class ReflectionLinks {
     private float @Nullable [][] tint;
     private @Nullable RayTints tints;
 
-    ReflectionLinks(int raysPerPoint, @Nullable PathMemory memory) {
+    ReflectionLinks(int raysPerPoint, int lobeRays, @Nullable PathMemory memory) {
         this.raysPerPoint = raysPerPoint;
+        this.lobeRays = lobeRays;
         this.memory = memory;
     }
 
@@ -81,10 +84,6 @@ public final class ReflectionLinks {
 
     private static int steps(double weight) {
         return Math.min(0xFFFF, (int) (weight / STEP + 0.5));
-    }
-
-    boolean hasWeight(int ray) {
-        return weights[ray] != 0;
     }
 
     /** Sets the tints of rays {@code from … from + count − 1}. */
@@ -165,7 +164,7 @@ public final class ReflectionLinks {
         Arrays.fill(white, 0);
         int from = point * raysPerPoint;
         int next = tints == null ? 0 : tints.firstFrom(from);
-        float scale = STEP / raysPerPoint;
+        float scale = STEP / lobeRays;
         for (int ray = from; ray < from + raysPerPoint; ray++) {
             boolean isTinted = tints != null && next < tints.count() && tints.ray()[next] == ray;
             float a = (weights[ray] >>> 16) * scale;
@@ -182,6 +181,7 @@ public final class ReflectionLinks {
 
     void writeTo(ColumnWriter out) throws IOException {
         out.writeInt(raysPerPoint);
+        out.writeInt(lobeRays);
         out.writeInt(rays);
         out.writeArray(number);
         out.writeArray(weights);
@@ -189,7 +189,7 @@ public final class ReflectionLinks {
     }
 
     static ReflectionLinks readFrom(ColumnReader in) throws IOException {
-        var links = new ReflectionLinks(in.readInt(), null);
+        var links = new ReflectionLinks(in.readInt(), in.readInt(), null);
         links.rays = in.readInt();
         links.number = in.readInts();
         links.weights = in.readInts();

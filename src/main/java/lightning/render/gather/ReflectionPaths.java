@@ -14,10 +14,15 @@ public final class ReflectionPaths {
     private final float[] steps;
     /** For each part of a surfel the surfel that it belongs to. */
     private final int[] surfelOfDetail;
+    private final PointFilter surfelFilter;
+    /** Objects that were shown glowing. */
+    private final GlowShapes glows;
 
     /** @param steps width of the cells of directions by material; 0 for materials that do not blur reflections */
     ReflectionPaths(ReflectionPoints points, ReflectionLinks links, ReflectionGroup[] groups, PointFilter filter, float[] steps,
-            int[] surfelOfDetail) {
+            GlowShapes glows, int[] surfelOfDetail, PointFilter surfelFilter) {
+        this.surfelFilter = surfelFilter;
+        this.glows = glows;
         this.points = points;
         this.links = links;
         this.groups = groups;
@@ -32,14 +37,22 @@ public final class ReflectionPaths {
         filter.writeTo(out);
         out.writeArray(steps);
         out.writeArray(surfelOfDetail);
+        surfelFilter.writeTo(out);
     }
 
-    static ReflectionPaths readFrom(ColumnReader in, CellKeys keys) throws IOException {
+    /** @param glows objects that were shown glowing */
+    static ReflectionPaths readFrom(ColumnReader in, CellKeys keys, GlowShapes glows) throws IOException {
         ReflectionPoints points = ReflectionPoints.readFrom(in, keys);
         ReflectionLinks links = ReflectionLinks.readFrom(in);
         PointFilter filter = PointFilter.readFrom(in);
         float[] steps = in.readFloats();
-        return new ReflectionPaths(points, links, ReflectionGroup.of(points, steps), filter, steps, in.readInts());
+        return new ReflectionPaths(points, links, ReflectionGroup.of(points, steps), filter, steps, glows, in.readInts(),
+                PointFilter.readFrom(in));
+    }
+
+    /** Returns the objects that were shown glowing when the paths were built. */
+    GlowShapes glows() {
+        return glows;
     }
 
     /** Returns the number of reflection points. */
@@ -70,7 +83,17 @@ public final class ReflectionPaths {
         filter.apply(from, to, first, end);
     }
 
+    /** Returns the number of surfels that gather light, which come first. */
+    public int gatheringSurfels() {
+        return surfelFilter.start().length - 1;
+    }
+
+    /** Writes the means over neighboring surfels {@code first … end − 1} of those that gather light; parameters as above. */
+    public void filterSurfels(float[] from, float[][] to, int first, int end) {
+        surfelFilter.apply(from, to, first, end);
+    }
+
     long bytes() {
-        return points.bytes() + links.bytes() + filter.bytes() + 68L * points.count() + 4L * surfelOfDetail.length;
+        return surfelFilter.bytes() + points.bytes() + links.bytes() + filter.bytes() + 68L * points.count() + 4L * surfelOfDetail.length;
     }
 }

@@ -30,6 +30,7 @@ final class ReflectionPlacer {
     private final ReflectionCaster[] casters;
     private final @Nullable RoughLobes[] lobes;
     private final int[] materialOf;
+    private final int lobeRays;
     final ReflectionPoints points;
     final ReflectionLinks links;
     private long[] inverseLengths = {};
@@ -38,9 +39,10 @@ final class ReflectionPlacer {
      * @param casters    one for each thread
      * @param lobes      by material
      * @param materialOf material of each primitive
+     * @param lobeRays   how many of the rays are those of lobes
      */
     ReflectionPlacer(WorkerPool workers, ProgressPart progress, CellKeys keys, ReflectionCaster[] casters,
-            @Nullable RoughLobes[] lobes, int[] materialOf, int raysPerPoint, PathMemory memory) {
+            @Nullable RoughLobes[] lobes, int[] materialOf, int raysPerPoint, int lobeRays, PathMemory memory) {
         this.workers = workers;
         this.progress = progress;
         this.keys = keys;
@@ -48,7 +50,8 @@ final class ReflectionPlacer {
         this.lobes = lobes;
         this.materialOf = materialOf;
         points = new ReflectionPoints(keys);
-        links = new ReflectionLinks(raysPerPoint, memory);
+        this.lobeRays = lobeRays;
+        links = new ReflectionLinks(raysPerPoint, lobeRays, memory);
     }
 
     /** Returns the width of the cells of directions for a lobe of width α, about radians. */
@@ -138,7 +141,7 @@ final class ReflectionPlacer {
         SurfaceColumns s = points.surface();
         points.radius[p] = RADIUS * (float) keys.side(s.px[p], s.py[p], s.pz[p], level);
         double spread = Math.min(1, requireNonNull(lobes[points.material[p]]).narrowest() / NARROW);
-        float harmonic = InverseLengths.harmonicMean(inverseLengths[p], links.raysPerPoint(), keys.side(s, p));
+        float harmonic = InverseLengths.harmonicMean(inverseLengths[p], lobeRays, keys.side(s, p));
         return ACCURACY * spread * harmonic < points.radius[p] && level + 1 < LEVELS;
     }
 

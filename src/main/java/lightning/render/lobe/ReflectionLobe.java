@@ -18,6 +18,7 @@ public final class ReflectionLobe {
     private double z;
     private double weight;
     private double schlick;
+    private double density;
 
     /**
      * Sets the view and the roughness.
@@ -56,10 +57,33 @@ public final class ReflectionLobe {
         x = twice * hx - viewX;
         y = twice * hy;
         z = twice * hz - viewZ;
+        weigh(hz / length, vh);
+    }
+
+    /** Moves to a unit direction. */
+    public void moveTo(double toX, double toY, double toZ) {
+        x = toX;
+        y = toY;
+        z = toZ;
+        double hx = viewX + x;
+        double hz = viewZ + z;
+        double length = Math.sqrt(hx * hx + y * y + hz * hz);
+        weigh(hz / length, (viewX * hx + viewZ * hz) / length);
+    }
+
+    /** @param nh cosine between the normal and that of the facet, as {@code vh} between the view and the facet's */
+    private void weigh(double nh, double vh) {
         double square = alpha * alpha;
         weight = z > 0 ? 2 * z / (z + Math.sqrt(square + (1 - square) * (z * z))) : 0;
         double rest = 1 - Math.clamp(vh, 0, 1);
         schlick = rest * rest * (rest * rest) * rest;
+        double t = nh * nh * (square - 1) + 1;
+        density = square / (Math.PI * t * t) / (2 * (viewZ + Math.sqrt(square + (1 - square) * (viewZ * viewZ))));
+    }
+
+    /** Returns the density of the directions of {@link #reflect}, per steradian. */
+    public double density() {
+        return density;
     }
 
     /** Returns component x of the unit direction. */

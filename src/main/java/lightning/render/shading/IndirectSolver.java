@@ -86,6 +86,20 @@ public final class IndirectSolver {
         return light;
     }
 
+    /** Returns the light that surfels gather, without the noise of their few rays. */
+    private float[][] smooth(ReflectionPaths paths, float[][] atSurfels) {
+        int gathering = paths.gatheringSurfels();
+        float[] noisy = new float[STRIDE * gathering];
+        for (int i = 0; i < gathering; i++) {
+            for (int c = 0; c < 3; c++) {
+                noisy[STRIDE * i + c] = atSurfels[c][i];
+            }
+        }
+        float[][] smooth = {atSurfels[0].clone(), atSurfels[1].clone(), atSurfels[2].clone()};
+        run(gathering, (from, to) -> paths.filterSurfels(noisy, smooth, from, to));
+        return smooth;
+    }
+
     /**
      * Writes the light at reflection points: what a picture would show of the surfels, and the sky.
      *
@@ -97,11 +111,12 @@ public final class IndirectSolver {
         int[] details = paths.surfelOfDetail();
         int whole = surfels - details.length;
         float[] shown = new float[STRIDE * (surfels + SkyCells.COUNT)];
+        float[][] smooth = smooth(paths, atSurfels);
         run(surfels, (from, to) -> {
             for (int s = from; s < to; s++) {
                 int gathering = s < whole ? s : details[s - whole];
                 for (int c = 0; c < 3; c++) {
-                    shown[STRIDE * s + c] = seen[c][s] + albedo[c][s] * (direct[c][s] + atSurfels[c][gathering]);
+                    shown[STRIDE * s + c] = seen[c][s] + albedo[c][s] * (direct[c][s] + smooth[c][gathering]);
                 }
             }
         });
