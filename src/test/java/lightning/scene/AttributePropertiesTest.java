@@ -31,6 +31,7 @@ import lightning.scene.light.Switches;
 import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.Bulb;
 import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.Transmission;
@@ -51,7 +52,8 @@ class AttributePropertiesTest {
                     entry("BumpMapping.normalMap", "normals"), entry("Cone.angle", "cone half-angle"),
                     entry("Cone.dropoff", "edge falloff"), entry("Cone.doors", "barn doors"), entry("Cone.profile", "IES profile"),
                     entry("AreaShape.up", "roll axis"), entry("AreaShape.visibility", "visible to camera"),
-                    entry("Transmission.ior", "IOR"),
+                    entry("Transmission.ior", "IOR"), entry("Coat.weight", "coat"), entry("Coat.roughness", "coat roughness"),
+                    entry("Coat.ior", "coat IOR"),
                     entry("Emission.unit", "intensity unit"),
                     entry("Contribution.diffuse", "diffuse gain"), entry("Contribution.specular", "specular gain"),
                     entry("Contribution.gains", "gains on objects"));
@@ -107,6 +109,7 @@ class AttributePropertiesTest {
         return component.getType() == AreaShape.class || component.getType() == Cone.class || component.getType() == Switches.class
                 || component.getType() == DistanceFalloff.class || component.getType() == Emission.class
                 || component.getType() == BumpMapping.class
+                || component.getType() == Coat.class
                 || component.getType() == Transmission.class
                 || component.getType() == Contribution.class
                         ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(keyword(component));

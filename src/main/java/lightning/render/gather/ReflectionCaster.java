@@ -54,7 +54,7 @@ final class ReflectionCaster {
         this.directions = directions;
         this.lobes = lobes;
         this.keys = keys;
-        batch = new RayBatch(geometry, scene, tracer);
+        batch = new RayBatch(geometry, scene, tracer, true);
         normals = new SurfaceNormals(batch);
     }
 
@@ -122,13 +122,13 @@ final class ReflectionCaster {
     private void weigh(ReflectionPoints points, int p, int ray, int k, int primitive) {
         int shape = glows.index(primitive);
         if (k >= directions.rays) {
-            if (shape < 0 || shape != aimed[ray]) {
+            if (shape < 0 || shape != aimed[ray] || batch.isMirrored(ray)) {
                 color[ray] = 0;
                 white[ray] = 0;
             }
             return;
         }
-        if (shape < 0 || density[ray] == 0) {
+        if (shape < 0 || density[ray] == 0 || batch.isMirrored(ray)) {
             return;
         }
         SurfaceColumns s = points.surface();

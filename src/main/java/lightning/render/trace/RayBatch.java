@@ -1,12 +1,16 @@
 package lightning.render.trace;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
+import java.util.Objects;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.tree.CandidateList;
 import lightning.scene.Scene;
+import lightning.scene.material.Material;
 import lightning.scene.material.Transmission;
 import org.jspecify.annotations.Nullable;
 
@@ -23,6 +27,8 @@ public final class RayBatch {
     public static final int MAX_RAYS = RayColumns.MAX_RAYS;
     /** A ray that passes more surfaces than this meets nothing, not even the background: its tint is black. */
     public static final int MAX_SURFACES = 256;
+    /** Surfaces at which a ray may meet a mirror. */
+    private static final int MAX_MIRRORS = 4;
 
     /** Origins, render space. */
     public final float[] startX = new float[MAX_RAYS + 64];
@@ -51,12 +57,27 @@ public final class RayBatch {
     private final double[] passed = new double[MAX_RAYS];
     private boolean tinted;
     private final boolean hasPassableSurfaces;
+    /** Share that each material reflects in the mirrored direction; null if rays end there, as at all materials initially. */
+    private final @Nullable Rgb[] mirrors;
+    private final boolean[] isMirrored = new boolean[MAX_RAYS];
+    private final double[] mirroredDirection = new double[3];
 
+    /** Creates a batch whose rays end at mirrors. */
     public RayBatch(Geometry geometry, Scene scene, Tracer tracer) {
+        this(geometry, scene, tracer, false);
+    }
+
+    /** @param followsMirrors whether rays go on in the mirrored direction at surfaces that reflect most light so ({@link Material#mirrorTint}) */
+    public RayBatch(Geometry geometry, Scene scene, Tracer tracer, boolean followsMirrors) {
+        mirrors = new Rgb[geometry.materials().count()];
+        if (followsMirrors) {
+            Arrays.setAll(mirrors, m -> geometry.materials().material(m).mirrorTint());
+        }
         this.geometry = geometry;
         primitives = geometry.primitives();
         materials = geometry.materials();
-        hasPassableSurfaces = materials.transparentCount() > 0 || geometry.hasLightFaces();
+        hasPassableSurfaces =
+                materials.transparentCount() > 0 || geometry.hasLightFaces() || Arrays.stream(mirrors).anyMatch(Objects::nonNull);
         this.tracer = tracer;
         rowBuilder = new HitRowBuilder(geometry, tracer);
         rays = new RayColumns(new CameraRays(scene.camera(), scene.picture()));
@@ -72,7 +93,7 @@ public final class RayBatch {
     public void trace(int count) {
         traceToFirst(count);
         for (int pass = 1, moved = count; hasPassableSurfaces && moved > 0; pass++) {
-            moved = moveThroughSurfaces(moved, pass > MAX_SURFACES);
+            moved = moveThroughSurfaces(moved, pass);
             findNearest(moved);
         }
     }
@@ -87,6 +108,7 @@ public final class RayBatch {
         for (int i = 0; i < count; i++) {
             rays.slot[i] = (short) i;
             passed[i] = 0;
+            isMirrored[i] = false;
         }
         tinted = false;
         System.arraycopy(rays.slot, 0, selected, 0, count);
@@ -123,13 +145,18 @@ public final class RayBatch {
     }
 
     /** Moves the origins of selected rays that pass a surface to its other side; selects these and returns their number. */
-    private int moveThroughSurfaces(int count, boolean stop) {
+    private int moveThroughSurfaces(int count, int pass) {
         int moved = 0;
         for (int i = 0; i < count; i++) {
             int ray = selected[i];
             int primitive = rays.primitive[ray];
-            if (primitive >= 0 && (materials.isTransparent(primitives.material[primitive]) || geometry.isLightFace(primitive))) {
-                if (stop) {
+            if (primitive >= 0 && mirrors[primitives.material[primitive]] != null) {
+                if (pass <= MAX_MIRRORS) {
+                    mirror(ray, primitive);
+                    selected[moved++] = (short) ray;
+                }
+            } else if (primitive >= 0 && (materials.isTransparent(primitives.material[primitive]) || geometry.isLightFace(primitive))) {
+                if (pass > MAX_SURFACES) {
                     rays.primitive[ray] = -1;
                     allocateTints();
                     multiplyTint(ray, Rgb.BLACK, 1);
@@ -140,6 +167,28 @@ public final class RayBatch {
             }
         }
         return moved;
+    }
+
+    /** Sends a ray on in the mirrored direction. */
+    private void mirror(int ray, int primitive) {
+        computeSurface(ray, primitive);
+        SurfacePoint.writeReflection(surface.nx, surface.ny, surface.nz, (float) rays.dx[ray], (float) rays.dy[ray], (float) rays.dz[ray],
+                mirroredDirection);
+        allocateTints();
+        multiplyTint(ray, requireNonNull(mirrors[primitives.material[primitive]]), 1);
+        passed[ray] += rays.t[ray];
+        isMirrored[ray] = true;
+        startX[ray] = surface.px;
+        startY[ray] = surface.py;
+        startZ[ray] = surface.pz;
+        rays.dx[ray] = mirroredDirection[0];
+        rays.dy[ray] = mirroredDirection[1];
+        rays.dz[ray] = mirroredDirection[2];
+    }
+
+    /** Returns whether a ray met a mirror on its way. */
+    public boolean isMirrored(int ray) {
+        return isMirrored[ray];
     }
 
     private void moveThroughSurface(int ray, int primitive) {

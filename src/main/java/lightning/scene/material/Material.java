@@ -5,6 +5,7 @@ import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Material of a surface. All colors are linear. {@link MaterialAttribute} has the ranges and says which attributes belong to which shading
@@ -46,6 +47,10 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
 
     /** Roughness of a principled material below which it reflects as a mirror does: its blur would be about a degree. */
     public static final double MIRROR_ROUGHNESS = 0.08;
+
+    /** Share of light, and roughness, that make a mirror of a surface seen in blurred reflections. */
+    private static final double MIRROR_SHARE = 0.5;
+    private static final double SATIN = 0.35;
 
     /** Upper bound of the sum of a surface's and its coat's terms, several times scattered, in terms of one (shading.PrincipledWeights). */
     private static final double MAX_LAYERS = 8;
@@ -194,6 +199,21 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
     /** Returns whether its own color reflects; a transparent material also reflects, depending on the angle. */
     public boolean isMirror() {
         return (float) reflective.max() > 0 || isSmooth() || hasSmoothCoat();
+    }
+
+    /**
+     * Returns the color of what it mirrors if it reflects most light nearly as a mirror does: a smooth or satin metal, or a reflective surface;
+     * null for others. Blurred reflections of other surfaces show such a surface as a mirror.
+     */
+    public @Nullable Rgb mirrorTint() {
+        if (transmission.isTransparent()) {
+            return null;
+        }
+        if (isPrincipled()) {
+            return metalness < MIRROR_SHARE || roughness > SATIN || texture.isPresent() ? null
+                    : base.times(metalness).plus(specularTint.times((1 - metalness) * f0));
+        }
+        return reflective.max() < MIRROR_SHARE ? null : reflective;
     }
 
     /** Returns whether rays that hit it are traced further: it reflects or is transparent. */

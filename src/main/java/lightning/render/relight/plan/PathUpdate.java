@@ -10,6 +10,7 @@ import lightning.render.trace.MaterialTable;
 import lightning.render.trace.ShapeChange;
 import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
+import lightning.scene.material.Material;
 
 /** Update of the paths of indirect light. */
 public enum PathUpdate {
@@ -42,10 +43,16 @@ public enum PathUpdate {
 
     private static boolean haveSamePaths(PixelCache cache, MaterialTable after) {
         MaterialTable before = cache.geometry().materials();
+        boolean blurs = requireNonNull(cache.indirect()).structure().reflections() != null;
         return before == after || before.count() == after.count()
                 && IntStream.range(0, after.count()).allMatch(m -> mirrors(before, m) == mirrors(after, m) && before.hasSamePaths(m, after)
-                        && Objects.equals(RoughLobes.of(before.material(m)), RoughLobes.of(after.material(m))))
+                        && (!blurs || reflectAlike(before.material(m), after.material(m))))
                 && requireNonNull(cache.indirect()).structure().canServe(cache.geometry(), after);
+    }
+
+    /** Returns whether rays of blurred reflections start from and end at both materials in the same way. */
+    private static boolean reflectAlike(Material a, Material b) {
+        return a == b || Objects.equals(RoughLobes.of(a), RoughLobes.of(b)) && Objects.equals(a.mirrorTint(), b.mirrorTint());
     }
 
     /** Returns whether a material mirrors or transmits light, even if the view casts reflected rays from all materials. */

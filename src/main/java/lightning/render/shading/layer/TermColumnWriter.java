@@ -25,6 +25,8 @@ final class TermColumnWriter {
     private final int[] recomputed = RowBits.allocate();
     private final double[] factors = new double[TermKernel.MAX_ROWS];
     private final @Nullable PrincipledMaterial[] principledMaterials;
+    /** For each material whether its diffuse term is less than the cosine. */
+    private final boolean[] losesDiffuse;
     private final PrincipledWeights weights = new PrincipledWeights();
     private final float[] coatSpecular;
     private final float[] coatGrazing;
@@ -37,6 +39,10 @@ final class TermColumnWriter {
         isDiffuseOnly = diffuseOnly;
         principledMaterials = new PrincipledMaterial[materials.count()];
         Arrays.setAll(principledMaterials, m -> PrincipledMaterial.of(materials.material(m)));
+        losesDiffuse = new boolean[materials.count()];
+        for (int m = 0; m < losesDiffuse.length; m++) {
+            losesDiffuse[m] = materials.isMetallic(m) && !materials.isPrincipled(m);
+        }
         boolean isCoated = Arrays.stream(principledMaterials).anyMatch(m -> m != null && m.coat() != null);
         coatSpecular = new float[isCoated ? TermKernel.MAX_ROWS : 0];
         coatGrazing = new float[coatSpecular.length];
@@ -53,7 +59,7 @@ final class TermColumnWriter {
     /** Replaces the cosine of metallic rows of a set by their diffuse term. */
     void writeMetallicDiffuse(HitRows rows, int[] queried, float[] column) {
         for (int r = 0; r < rows.runCount; r++) {
-            if (materials.isMetallic(rows.runMaterial[r]) && !materials.isPrincipled(rows.runMaterial[r])) {
+            if (losesDiffuse[rows.runMaterial[r]]) {
                 terms.metallicDiffuses(rows, rows.runStart(r), rows.runEnd[r], queried, column);
             }
         }
