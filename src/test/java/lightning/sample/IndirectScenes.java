@@ -42,6 +42,12 @@ public final class IndirectScenes {
             plane left { material red  at -1 0 0  rotate 0 0 90  scale 2 1 2 }
             plane right { material green  at 1 0 0  rotate 0 0 90  scale 2 1 2 }
             """;
+    private static final String PRINCIPLED = """
+            material brass { model principled  base 0.9 0.7 0.3  metalness 1  roughness 0.3 }
+            material plastic { model principled  base 0.4 0.2 0.1  roughness 0.4 }
+            material lacquer { model principled  base 0.5 0.1 0.1  metalness 0.5  roughness 0.5  coat 1  coat_roughness 0.15 }
+            material neon { diffuse 0.1 0.1 0.1  glow 3 2 1 }
+            """;
     private static final TextureMap CHECKERS =
             new TextureMap("checkers.png", 3, 2,
                     new Texture(2, 2, new float[] {1, 1, 1, 0.2f, 0.3f, 0.1f, 0.1f, 0.4f, 0.6f, 0.9f, 0.8f, 1}));
@@ -90,6 +96,24 @@ public final class IndirectScenes {
                 plane wall { material white  at 0 0 0  rotate 0 0 90  scale 2 1 2 }
                 light lamp point { at 0.6 0.5 0 }
                 """, new IndirectSettings(3, 16, 4, false)));
+        scenes.put("rough metal and lacquer",
+                scene("size 32 24  depth 2  antialias edges  samples 2", CAMERA + PRINCIPLED + ROOM + LAMP + """
+                        sphere ball { material brass  at 0.3 -0.5 -0.2  scale 0.5 0.5 0.5 }
+                        sphere other { material lacquer  at -0.5 -0.6 0.2  scale 0.4 0.4 0.4 }
+                        plane table { material plastic  at 0 -0.98 0  scale 1.5 1 1.5 }
+                        sphere bulb { material neon  at 0 0.5 0.2  scale 0.08 0.08 0.08 }
+                        sphere glass { material glass  at 0.3 0.1 0.5  scale 0.2 0.2 0.2 }
+                        """, new IndirectSettings(2, 16, 4, false)));
+        scenes.put("rough metal without indirect light", scene("size 32 24  depth 2", CAMERA + PRINCIPLED + ROOM + """
+                sphere ball { material brass  at 0.3 -0.5 -0.2  scale 0.5 0.5 0.5 }
+                sphere mirror { material mirror  at -0.5 -0.6 0.2  scale 0.4 0.4 0.4 }
+                light panel rect { at 0 0.9 0  direction 0 -1 0  width 0.6  height 0.4  samples 4 }
+                """, new IndirectSettings(2, 16, 4, false)).withoutIndirect());
+        scenes.put("rough metal below an environment", withEnvironment(scene("size 24 16  depth 1", CAMERA + PRINCIPLED + """
+                world { ambience 0  rotation 30 }
+                sphere ball { material brass  at 0.3 -0.5 -0.2  scale 0.5 0.5 0.5 }
+                plane table { material plastic  at 0 -1 0  scale 3 1 3 }
+                """, new IndirectSettings(2, 16, 4, false)).withoutIndirect()));
         scenes.put("sky", scene("size 24 16  depth 1", CAMERA + "world { background 0.4 0.6 1 }\n" + ROOM,
                 new IndirectSettings(2, 64, 2, true)));
         scenes.put("environment with a sun", withEnvironment(scene("size 32 20  depth 2", CAMERA + """

@@ -1,0 +1,73 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.file.Path;
+import lightning.base.work.Progress;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
+import lightning.render.image.Film;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.Scene;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * Tests that white principled surfaces in uniform white light reflect all of it: the pixels of a ball in a furnace, a glowing sphere. Rays of a
+ * point are 64, so a pixel's own error is the same whatever the light is; the mean over the ball is tested.
+ */
+class WhiteFurnaceTest {
+    private static final String METAL = "base 1 1 1  metalness 1  roughness ";
+    private static final String NONMETAL = "base 1 1 1  metalness 0  roughness ";
+    private static final String COATED = "base 1 1 1  metalness 0.5  coat 1  coat_roughness 0.3  roughness ";
+
+    @ParameterizedTest
+    @CsvSource({"0", "0.07", "0.08", "0.15", "0.3", "0.5", "0.7", "0.9", "1"})
+    void whiteMetal_reflectsAllLight(String roughness) throws JenException {
+        assertThat(mean(METAL + roughness)).isCloseTo(1, within(0.01));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0", "0.07", "0.08", "0.15", "0.3", "0.5", "0.7", "0.9", "1"})
+    void whiteNonmetal_sendsAllLightBack(String roughness) throws JenException {
+        assertThat(mean(NONMETAL + roughness)).isCloseTo(1, within(0.01));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0", "0.08", "0.3", "0.6", "1"})
+    void coatedSurface_sendsAllLightBack(String roughness) throws JenException {
+        assertThat(mean(COATED + roughness)).isCloseTo(1, within(0.01));
+    }
+
+    /** Returns the mean of the pixels that show the ball. */
+    private static double mean(String material) throws JenException {
+        Scene scene = JenReader.read("""
+                jen 1
+                picture { size 48 48  depth 2  indirect { } }
+                camera { from 0 0 5  to 0 0 0  fov 20 }
+                world { ambience 0 }
+                material furnace { diffuse 0 0 0  glow 1 1 1 }
+                material white { model principled  %s }
+                sphere walls { material furnace  scale 50 50 50 }
+                sphere ball { material white }
+                """.replace("%s", material), "furnace", Path.of(".")).scene();
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+            renderer.render(scene, Progress.NONE);
+            Film film = renderer.film();
+            double sum = 0;
+            int count = 0;
+            for (int y = 0; y < 48; y++) {
+                for (int x = 0; x < 48; x++) {
+                    // The ball has the radius 1 at the distance 5; its outermost pixels are left out.
+                    double angle = Math.tan(Math.toRadians(10)) / 24 * Math.hypot(x - 23.5, y - 23.5);
+                    if (Math.sin(Math.atan(angle)) < 0.19) {
+                        sum += film.red(x, y);
+                        count++;
+                    }
+                }
+            }
+            return sum / count;
+        }
+    }
+}
