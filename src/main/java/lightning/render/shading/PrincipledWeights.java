@@ -3,6 +3,7 @@ package lightning.render.shading;
 import static java.util.Objects.requireNonNull;
 
 import lightning.render.lobe.DirectionalAlbedo;
+import lightning.render.trace.HitRows;
 
 /**
  * Weights of what a principled surface reflects, seen from one direction.
@@ -27,11 +28,20 @@ public final class PrincipledWeights {
     private float mirrorGrazing;
     private float coat;
 
-    /** Moves to a surface with this unit normal and unit direction of the ray that hit it. */
-    public void moveTo(PrincipledMaterial m, float nx, float ny, float nz, float vx, float vy, float vz) {
+    /** Moves to a row of a material. */
+    public void moveTo(PrincipledMaterial m, HitRows rows, int row) {
+        moveTo(m, m.roughness(rows, row), rows.nx[row], rows.ny[row], rows.nz[row], rows.vx[row], rows.vy[row], rows.vz[row]);
+    }
+
+    /**
+     * Moves to a surface with this unit normal and unit direction of the ray that hit it.
+     *
+     * @param roughness of the surface below the coat, including its map
+     */
+    public void moveTo(PrincipledMaterial m, float roughness, float nx, float ny, float nz, float vx, float vy, float vz) {
         float cosine = Math.clamp(-(nx * vx + ny * vy + nz * vz), 0, 1);
-        float a = DirectionalAlbedo.ofF0(cosine, m.roughness());
-        float b = DirectionalAlbedo.grazing(cosine, m.roughness());
+        float a = DirectionalAlbedo.ofF0(cosine, roughness);
+        float b = DirectionalAlbedo.grazing(cosine, roughness);
         float rest = 1 - cosine;
         mirrorGrazing = rest * rest * (rest * rest) * rest;
         multiple = Math.max(0, 1 - a - b) / Math.max(a, MIN_SHARE);

@@ -25,6 +25,7 @@ import lightning.scene.value.SceneLimits;
  * @param f0           metallic: reflectance of a nonmetal at normal incidence
  * @param specularTint principled: color of a nonmetal's reflection at normal incidence
  * @param coat         principled: clear layer over it
+ * @param surfaceMaps  principled: images of its roughness and metalness, which a transparent one ignores
  * @param reflective   k<sub>reflect</sub> per channel
  * @param texture      color texture
  * @param bumpMapping  bump and normal map
@@ -35,7 +36,8 @@ import lightning.scene.value.SceneLimits;
 public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> glowMap, Bulb bulb, ShadingModel model, Rgb diffuse,
         Rgb specular, double shininess,
         Rgb base,
-        double metalness, double roughness, double f0, Rgb specularTint, Coat coat, Rgb reflective, Optional<TextureMap> texture,
+        double metalness, double roughness, double f0, Rgb specularTint, Coat coat, SurfaceMaps surfaceMaps, Rgb reflective,
+        Optional<TextureMap> texture,
         BumpMapping bumpMapping, Transmission transmission, AlphaCutout cutout) implements MaterialBuilder.With {
 
     /**
@@ -70,6 +72,10 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         coat = new Coat(MaterialAttribute.COAT.checkFor(model, coat.weight()),
                 MaterialAttribute.COAT_ROUGHNESS.checkFor(model, coat.roughness()),
                 MaterialAttribute.COAT_IOR.checkFor(model, coat.ior()));
+        surfaceMaps = new SurfaceMaps(MaterialAttribute.ROUGHNESS_MAP.checkFor(model, surfaceMaps.roughness()),
+                MaterialAttribute.ROUGHNESS_CHANNEL.checkFor(model, surfaceMaps.roughnessChannel()),
+                MaterialAttribute.METALNESS_MAP.checkFor(model, surfaceMaps.metalness()),
+                MaterialAttribute.METALNESS_CHANNEL.checkFor(model, surfaceMaps.metalnessChannel()));
         reflective = MaterialAttribute.REFLECTIVE.checkFor(model, reflective);
     }
 
@@ -80,7 +86,7 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
                 MaterialAttribute.MODEL.initial(), MaterialAttribute.DIFFUSE.initial(), MaterialAttribute.SPECULAR.initial(),
                 MaterialAttribute.SHININESS.initial(),
                 MaterialAttribute.BASE.initial(), MaterialAttribute.METALNESS.initial(), MaterialAttribute.ROUGHNESS.initial(),
-                MaterialAttribute.F0.initial(), MaterialAttribute.SPECULAR_TINT.initial(), Coat.NONE,
+                MaterialAttribute.F0.initial(), MaterialAttribute.SPECULAR_TINT.initial(), Coat.NONE, SurfaceMaps.NONE,
                 MaterialAttribute.REFLECTIVE.initial(), MaterialAttribute.TEXTURE.initial(),
                 BumpMapping.NONE, Transmission.NONE, AlphaCutout.NONE);
     }
@@ -92,8 +98,8 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
 
     /** Returns whether the images that rows of both look up are the same. */
     public boolean hasSameTextures(Material o) {
-        return MaterialAttribute.MAPS.stream().filter(map -> map.term() == MaterialTerm.TEXEL)
-                .allMatch(map -> map.get(this).equals(map.get(o)));
+        return MaterialAttribute.ALL.stream().filter(attribute -> attribute.term().changesTexels())
+                .allMatch(attribute -> attribute.get(this).equals(attribute.get(o)));
     }
 
     /** Returns this material without any image; where an image says which parts glow, none does. */
@@ -117,7 +123,17 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         return model == ShadingModel.PRINCIPLED && !transmission.isTransparent();
     }
 
-    /** Returns the width α of a metallic material's highlights: the square of its roughness. */
+    /** Returns the roughness where its map has a value. */
+    public double mappedRoughness(float texel) {
+        return Math.clamp(roughness * texel, 0, 1);
+    }
+
+    /** Returns the metalness where its map has a value. */
+    public double mappedMetalness(float texel) {
+        return Math.clamp(metalness * texel, 0, 1);
+    }
+
+    /** Returns the width α of a metallic material's highlights, before a map: the square of its roughness. */
     public double alpha() {
         return alpha(roughness);
     }
@@ -128,7 +144,7 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         return clamped * clamped;
     }
 
-    /** Returns whether it reflects as a mirror does, below its coat: it is principled and smooth. */
+    /** Returns whether it reflects as a mirror does, below its coat: it is principled and smooth, whatever its roughness map. */
     public boolean isSmooth() {
         return isPrincipled() && roughness < MIRROR_ROUGHNESS;
     }
@@ -148,7 +164,8 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
      * shading.LightingEquation).
      */
     public double maxTerm() {
-        double alpha = coat.isVisible() ? Math.min(alpha(), coat.alpha()) : alpha();
+        double base = surfaceMaps.roughness().isPresent() ? alpha(0) : alpha();
+        double alpha = coat.isVisible() ? Math.min(base, coat.alpha()) : base;
         double coated = model == ShadingModel.PRINCIPLED ? MAX_LAYERS : 1;
         return isMetallic() ? coated * Math.max(1, (1 + 0x1p-20) / (2 * alpha * alpha * alpha)) : 1;
     }

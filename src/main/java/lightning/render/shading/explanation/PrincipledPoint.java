@@ -22,7 +22,7 @@ record PrincipledPoint(SurfacePoint at, PrincipledMaterial material, PrincipledW
             return null;
         }
         var weights = new PrincipledWeights();
-        weights.moveTo(principled, at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz());
+        weights.moveTo(principled, (float) at.roughness(), at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz());
         return new PrincipledPoint(at, principled, weights);
     }
 
