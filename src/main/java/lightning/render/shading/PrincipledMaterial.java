@@ -18,16 +18,17 @@ import org.jspecify.annotations.Nullable;
  * @param isSmooth    whether its surface reflects a mirrored ray
  * @param coat        coat; null for none
  * @param isCoatSmooth whether the coat reflects a mirrored ray
+ * @param hasRoughnessMap whether its rows differ in roughness
  * @param mixed       colors of rows of different metalness; null if it has no metalness map
  */
 public record PrincipledMaterial(Material material, float roughness, float nonmetalF0, boolean isSmooth, @Nullable Coat coat,
-        boolean isCoatSmooth, @Nullable PrincipledColors mixed) {
+        boolean isCoatSmooth, boolean hasRoughnessMap, @Nullable PrincipledColors mixed) {
 
     /** Returns the properties of a material; null if it is not principled or transparent. */
     public static @Nullable PrincipledMaterial of(Material m) {
         return !m.isPrincipled() ? null
                 : new PrincipledMaterial(m, (float) m.roughness(), (float) (m.f0() * m.specularTint().max()), m.isSmooth(),
-                        m.coat().isVisible() ? m.coat() : null, m.hasSmoothCoat(),
+                        m.coat().isVisible() ? m.coat() : null, m.hasSmoothCoat(), m.surfaceMaps().roughness().isPresent(),
                         m.surfaceMaps().metalness().isPresent() ? new PrincipledColors(m) : null);
     }
 
@@ -36,14 +37,9 @@ public record PrincipledMaterial(Material material, float roughness, float nonme
         return isSmooth || isCoatSmooth;
     }
 
-    /** Returns whether its rows differ in roughness. */
-    public boolean hasRoughnessMap() {
-        return material.surfaceMaps().roughness().isPresent();
-    }
-
     /** Returns the roughness of a row below the coat, 0…1. */
     public float roughness(HitRows rows, int row) {
-        return hasRoughnessMap() ? (float) mappedRoughness(rows, row) : roughness;
+        return hasRoughnessMap ? (float) mappedRoughness(rows, row) : roughness;
     }
 
     /** Returns the width α of the highlights of a row below the coat; the material has a roughness map. */
