@@ -152,6 +152,7 @@ final class EffectsCommand implements Callable<Integer> {
             case PATTERN -> "anti-aliasing";
             case OWNER -> "shape of each row";
             case TRANSPARENT -> "seen through transparent surfaces";
+            case ROUGHNESS_TEXEL, METALNESS_TEXEL -> "values of " + part.map().orElseThrow().title() + "s";
             default -> "colors of " + part.map().orElseThrow().title() + "s";
         };
     }

@@ -10,12 +10,15 @@ import lightning.scene.OverflowCheck;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
 import lightning.scene.light.FaceVisibility;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightRig;
 import lightning.scene.light.LightType;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
+import lightning.scene.material.SurfaceMaps;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
@@ -32,6 +35,11 @@ import net.jqwik.api.Combinators;
  * camera looks at the first shape, from as near or as far as possible.
  */
 public final class EdgeCaseScenes {
+    /** Maps whose channels have the least and the largest factors. */
+    private static final SurfaceMaps DARK_AND_LIGHT = SurfaceMaps.NONE
+            .withRoughness(Optional.of(new TextureMap("m.png", 1, 1, new Texture(2, 1, new float[] {0, 0, 1, 0, 1, 0}))))
+            .withMetalness(Optional.of(new TextureMap("m.png", 1, 1, new Texture(2, 1, new float[] {0, 0, 1, 0, 1, 0}))));
+
     private EdgeCaseScenes() {}
 
     /** Returns all such scenes that {@link Scene} accepts. */
@@ -165,7 +173,7 @@ public final class EdgeCaseScenes {
                         .withModel(reflective.isBlack() ? ShadingModel.PRINCIPLED : ShadingModel.METALLIC)
                         .withAmbient(Rgb.gray(ambient)).withGlow(Rgb.gray(glow)).withBase(base).withMetalness(metalness)
                         .withRoughness(roughness).withF0(f0)
-                        .withReflective(reflective));
+                        .withReflective(reflective).withSurfaceMaps(f0 == 0 ? DARK_AND_LIGHT : SurfaceMaps.NONE));
     }
 
     private static Arbitrary<Material> phong() {

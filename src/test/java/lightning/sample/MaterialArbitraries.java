@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.material.AlphaCutout;
@@ -14,6 +15,7 @@ import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.material.ShadowCasting;
+import lightning.scene.material.SurfaceMaps;
 import lightning.scene.material.Transmission;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -22,10 +24,11 @@ import net.jqwik.api.Tuple;
 
 /** Arbitrary materials: matte and glossy, glowing and not, reflective and black, plain and textured. */
 final class MaterialArbitraries {
-    /** Images besides those that {@link #phong}, {@link #metallic} and {@link #cutouts} set. */
+    /** Images besides those that {@link #phong}, {@link #metallic}, {@link #principled} and {@link #cutouts} set. */
     private static final List<MaterialAttribute<Optional<TextureMap>>> OTHER_MAPS = MaterialAttribute.MAPS.stream()
             .filter(map -> !List
-                    .of(MaterialAttribute.TEXTURE, MaterialAttribute.CUTOUT, MaterialAttribute.BUMP, MaterialAttribute.NORMAL_MAP)
+                    .of(MaterialAttribute.TEXTURE, MaterialAttribute.CUTOUT, MaterialAttribute.BUMP, MaterialAttribute.NORMAL_MAP,
+                            MaterialAttribute.ROUGHNESS_MAP, MaterialAttribute.METALNESS_MAP)
                     .contains(map))
             .toList();
 
@@ -70,8 +73,18 @@ final class MaterialArbitraries {
     }
 
     private static Arbitrary<Material> principled(String name) {
-        return Combinators.combine(metallic(name), colorsOrWhite(), coats())
-                .as((material, tint, coat) -> material.withModel(ShadingModel.PRINCIPLED).withSpecularTint(tint).withCoat(coat));
+        return Combinators.combine(metallic(name), colorsOrWhite(), coats(), surfaceMaps())
+                .as((material, tint, coat, maps) -> material.withModel(ShadingModel.PRINCIPLED).withSpecularTint(tint).withCoat(coat)
+                        .withSurfaceMaps(maps));
+    }
+
+    /** Returns none in half of the cases. */
+    private static Arbitrary<SurfaceMaps> surfaceMaps() {
+        Arbitrary<Optional<TextureMap>> mostly =
+                Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Optional.<TextureMap>empty())), Tuple.of(3, maps().map(Optional::of)));
+        Arbitrary<TextureChannel> channels = Arbitraries.of(TextureChannel.class);
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(SurfaceMaps.NONE)),
+                Tuple.of(1, Combinators.combine(mostly, channels, mostly, channels).as(SurfaceMaps::new)));
     }
 
     private static Arbitrary<Rgb> colorsOrWhite() {
@@ -125,6 +138,12 @@ final class MaterialArbitraries {
                 unitValues().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.COAT, to)),
                 roughness().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.COAT_ROUGHNESS, to)),
                 iors().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.COAT_IOR, to)),
+                surfaceMaps().map(SurfaceMaps::roughness).map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.ROUGHNESS_MAP, to)),
+                surfaceMaps().map(SurfaceMaps::metalness).map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.METALNESS_MAP, to)),
+                Arbitraries.of(TextureChannel.class)
+                        .map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.ROUGHNESS_CHANNEL, to)),
+                Arbitraries.of(TextureChannel.class)
+                        .map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.METALNESS_CHANNEL, to)),
                 colorsOrBlack().map(MaterialChange.Reflective::new),
                 colorsOrBlack().map(MaterialChange.Reflective::new),
                 Arbitraries.of(Rgb.BLACK).map(MaterialChange.Reflective::new),

@@ -34,6 +34,7 @@ import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
+import lightning.scene.material.SurfaceMaps;
 import lightning.scene.material.Transmission;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
@@ -49,7 +50,9 @@ class AttributePropertiesTest {
     /** Titles, or keywords of scene files, that differ from the name of their component. */
     private static final Map<String,
             String> KEYWORDS = Map.ofEntries(entry("World.lightCount", "lamps"), entry("Transmission.color", "transparency"),
-                    entry("BumpMapping.normalMap", "normals"), entry("Cone.angle", "cone half-angle"),
+                    entry("BumpMapping.normalMap", "normals"),
+                    entry("SurfaceMaps.roughness", "roughness map"), entry("SurfaceMaps.metalness", "metalness map"),
+                    entry("Cone.angle", "cone half-angle"),
                     entry("Cone.dropoff", "edge falloff"), entry("Cone.doors", "barn doors"), entry("Cone.profile", "IES profile"),
                     entry("AreaShape.up", "roll axis"), entry("AreaShape.visibility", "visible to camera"),
                     entry("Transmission.ior", "IOR"), entry("Coat.weight", "coat"), entry("Coat.roughness", "coat roughness"),
@@ -110,6 +113,7 @@ class AttributePropertiesTest {
                 || component.getType() == DistanceFalloff.class || component.getType() == Emission.class
                 || component.getType() == BumpMapping.class
                 || component.getType() == Coat.class
+                || component.getType() == SurfaceMaps.class
                 || component.getType() == Transmission.class
                 || component.getType() == Contribution.class
                         ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(keyword(component));

@@ -13,6 +13,7 @@ import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.material.ShadowCasting;
+import lightning.scene.material.SurfaceMaps;
 import lightning.scene.material.Transmission;
 import lightning.scene.node.Solid;
 
@@ -29,7 +30,8 @@ record PovMaterialWriter(List<String> warnings) {
     /** Images that this class writes, or warns of. */
     private static final List<MaterialAttribute<Optional<TextureMap>>> WRITTEN =
             List.of(MaterialAttribute.TEXTURE, MaterialAttribute.CUTOUT,
-                    MaterialAttribute.BUMP, MaterialAttribute.NORMAL_MAP, MaterialAttribute.GLOW_MAP);
+                    MaterialAttribute.BUMP, MaterialAttribute.NORMAL_MAP, MaterialAttribute.GLOW_MAP, MaterialAttribute.ROUGHNESS_MAP,
+                    MaterialAttribute.METALNESS_MAP);
 
     /**
      * Returns the texture of a shape, on one or several lines.
@@ -71,7 +73,7 @@ record PovMaterialWriter(List<String> warnings) {
     private String text(Material material, Solid solid, String image) {
         MaterialAttribute.MAPS.stream().filter(map -> !WRITTEN.contains(map) && map.get(material).isPresent())
                 .forEach(map -> warn("material " + material.name() + ": its " + map.title() + " is left out"));
-        Material m = withMeanGlow(material.isMetallic() ? phong(material) : material);
+        Material m = withMeanGlow(material.isMetallic() ? phong(withMeanSurface(material)) : material);
         if (m.transmission().isTransparent()) {
             return transparent(m) + shadows(m);
         }
@@ -87,6 +89,17 @@ record PovMaterialWriter(List<String> warnings) {
         Rgb mean = m.glowMap().get().image().areas().mean();
         Bulb bulb = m.bulb().withGlow(times(m.bulb().glow(), mean));
         return m.withGlow(times(m.glow(), mean)).withBulb(bulb).withGlowMap(Optional.empty());
+    }
+
+    /** Returns a material whose roughness and metalness have the means of their maps, if it has some. */
+    private Material withMeanSurface(Material m) {
+        SurfaceMaps maps = m.surfaceMaps();
+        if (!m.isPrincipled() || maps.roughness().isEmpty() && maps.metalness().isEmpty()) {
+            return m;
+        }
+        warn("material " + m.name() + ": maps of roughness and metalness are replaced by their means");
+        return m.withRoughness(m.mappedRoughness(maps.meanRoughness()))
+                .withMetalness(m.mappedMetalness(maps.meanMetalness())).withSurfaceMaps(SurfaceMaps.NONE);
     }
 
     /**

@@ -1,5 +1,7 @@
 package lightning.render.gather;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -8,12 +10,14 @@ import lightning.render.image.Film;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
 import lightning.render.trace.TexelColumns;
 import lightning.render.trace.TileVisibility;
 import lightning.render.trace.Tracer;
 import lightning.scene.Scene;
+import lightning.scene.material.Material;
 
 /**
  * Traces the surfaces that a picture shows, through some pixels of each tile: those seen directly, and those seen in mirrors and through
@@ -24,6 +28,7 @@ final class CandidateTracer {
 
     private final TileVisibility visibility;
     private final int depth;
+    private final MaterialTable materials;
     private final BitSet selected = new BitSet();
     /** For each material whether it mirrors or transmits light; others may cast bounce rays too, which show nothing. */
     private final boolean[] bounces;
@@ -34,7 +39,7 @@ final class CandidateTracer {
     CandidateTracer(Geometry geometry, Scene scene, Tracer tracer, int step) {
         visibility = new TileVisibility(geometry, scene, tracer);
         depth = scene.picture().depth();
-        MaterialTable materials = geometry.materials();
+        materials = geometry.materials();
         bounces = new boolean[materials.count()];
         for (int m = 0; m < bounces.length; m++) {
             bounces[m] = MaterialTable.CASTS_REFLECTIONS.test(materials.material(m));
@@ -91,10 +96,17 @@ final class CandidateTracer {
         for (int row : rowByPixel) {
             if (row != NONE) {
                 sorted.add(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], rows.owner[row],
-                        rows.vx[row], rows.vy[row], rows.vz[row]);
+                        rows.vx[row], rows.vy[row], rows.vz[row],
+                        roughness(rows, row));
             }
         }
         return sorted;
+    }
+
+    private float roughness(HitRows rows, int row) {
+        Material material = materials.material(rows.material(row));
+        return !material.isPrincipled() ? 0 : (float) (material.surfaceMaps().roughness().isEmpty() ? material.roughness()
+                : material.mappedRoughness(requireNonNull(rows.texel(ColumnGroup.ROUGHNESS_TEXEL, 0))[row]));
     }
 
     private static HitRows allocate(int count, TexelColumns texels, boolean transparent) {

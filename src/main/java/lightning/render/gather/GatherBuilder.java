@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import lightning.base.work.Progress;
 import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
@@ -176,7 +177,8 @@ public final class GatherBuilder {
             RoughLobes its = lobes[m];
             steps[m] = its == null ? 0 : (float) ReflectionPlacer.step(its.narrowest());
         }
-        ReflectionGroup[] groups = ReflectionGroup.of(reflecting.points, steps);
+        ReflectionGroup[] groups = ReflectionGroup.of(reflecting.points, steps,
+                IntStream.range(0, steps.length).mapToObj(geometry.materials()::material).toList());
         return new ReflectionPaths(reflecting.points, reflecting.links, groups,
                 ReflectionFilter.build(groups, reflecting.points.count(), workers, progress), steps, seenGlows, surfels.surfelOfDetail,
                 SurfelFilter.build(surfels.surfels(), surfels.links.points(), keys, workers, progress));

@@ -2,11 +2,13 @@ package lightning.render.gather;
 
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.List;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
+import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -58,12 +60,14 @@ public final class GatherStructure {
      * @param keys   of the cells of the gather points
      * @param shapes glowing objects at which rays are aimed
      * @param seen   those at which rays of reflections are aimed
+     * @param materials materials of reflection points, by number; none without these
      */
-    public record Metadata(CellKeys keys, GlowShapes shapes, GlowShapes seen) {}
+    public record Metadata(CellKeys keys, GlowShapes shapes, GlowShapes seen, List<Material> materials) {}
 
     /** Returns what stored paths refer to. */
     public Metadata metadata() {
-        return new Metadata(points.sources().keys(), glow.shapes(), reflections == null ? GlowShapes.none() : reflections.glows());
+        return new Metadata(points.sources().keys(), glow.shapes(), reflections == null ? GlowShapes.none() : reflections.glows(),
+                reflections == null ? List.of() : reflections.materials());
     }
 
     /** Writes these paths, which must contain all rows. */
@@ -93,7 +97,8 @@ public final class GatherStructure {
         return new GatherStructure(GatherPoints.readFrom(in, metadata.keys), RayLinks.readFrom(in), RimLinks.readFrom(in),
                 RayLinks.readFrom(in),
                 SurfelRows.readFrom(in), TiltedNormals.readFrom(in), GlowPaths.readFrom(in, metadata.shapes), null,
-                in.readInt() == 0 ? null : ReflectionPaths.readFrom(in, metadata.keys, metadata.seen), in.readInt() != 0, in.readInt(),
+                in.readInt() == 0 ? null : ReflectionPaths.readFrom(in, metadata.keys, metadata.seen, metadata.materials),
+                in.readInt() != 0, in.readInt(),
                 in.readLong());
     }
 

@@ -10,6 +10,7 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.RayBatch;
 import lightning.render.trace.Tracer;
 import lightning.scene.Scene;
+import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
 /** Casts the rays into which rough surfaces reflect their views. Holds scratch memory: use one instance per thread. */
@@ -143,6 +144,11 @@ final class ReflectionCaster {
         }
     }
 
+    /** Returns the width α of a lobe of a point; 0 if it is smooth. */
+    private static double alpha(ReflectionPoints points, int p, RoughLobes its, boolean isCoat) {
+        return isCoat ? its.coatAlpha() : its.alpha() == 0 ? 0 : Material.alpha(points.seen.roughness[p]);
+    }
+
     /** Returns the rays of each lobe. */
     private int raysOf(RoughLobes its) {
         return its.areTwo() ? directions.rays / 2 : directions.rays;
@@ -153,7 +159,7 @@ final class ReflectionCaster {
             return 0;
         }
         RoughLobes its = requireNonNull(lobes[points.material[p]]);
-        double alpha = its.isOfCoat(k) ? its.coatAlpha() : its.alpha();
+        double alpha = alpha(points, p, its, its.isOfCoat(k));
         return keys.detailLevel(rows.px[row], rows.py[row], rows.pz[row], distance, DETAIL * alpha * distance);
     }
 
@@ -210,7 +216,7 @@ final class ReflectionCaster {
     /** Chooses the direction of a ray of a lobe. */
     private void reflect(ReflectionPoints points, int p, int k, int at, RoughLobes its, double cosine) {
         boolean isCoat = its.isOfCoat(k);
-        lobe.aim(cosine, isCoat ? its.coatAlpha() : its.alpha());
+        lobe.aim(cosine, alpha(points, p, its, isCoat));
         int place = directions.first(points.seed[p]) + k;
         lobe.reflect(directions.share(place), directions.cos(place), directions.sin(place));
         double z = lobe.z() < 0 ? -lobe.z() : lobe.z();
@@ -239,8 +245,8 @@ final class ReflectionCaster {
                 if (angle > 0 && z > 0 && points.sources.isAbove(p, d)) {
                     double x = d[0] * tangent[0] + d[1] * tangent[1] + d[2] * tangent[2];
                     double y = d[0] * bitangent[0] + d[1] * bitangent[1] + d[2] * bitangent[2];
-                    addAimed(at, its, false, cosine, x, y, z, angle);
-                    addAimed(at, its, true, cosine, x, y, z, angle);
+                    addAimed(at, its, false, alpha(points, p, its, false), cosine, x, y, z, angle);
+                    addAimed(at, its, true, its.coatAlpha(), cosine, x, y, z, angle);
                 } else {
                     d[0] = s.nx[p];
                     d[1] = s.ny[p];
@@ -253,8 +259,7 @@ final class ReflectionCaster {
     }
 
     /** Adds the weights of an aimed ray for one lobe, relative to those of the rays of lobes. */
-    private void addAimed(int at, RoughLobes its, boolean isCoat, double cosine, double x, double y, double z, double angle) {
-        double alpha = isCoat ? its.coatAlpha() : its.alpha();
+    private void addAimed(int at, RoughLobes its, boolean isCoat, double alpha, double cosine, double x, double y, double z, double angle) {
         if (alpha > 0) {
             lobe.aim(cosine, alpha);
             lobe.moveTo(x, y, z);

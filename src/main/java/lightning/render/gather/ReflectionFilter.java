@@ -29,6 +29,6 @@ final class ReflectionFilter {
         SurfaceColumns s = group.surface;
         float share = group.radius[q] / group.radius[p];
         return (float) Math.sqrt(ReflectionWeight.at(group, q, reach, s.px[p], s.py[p], s.pz[p], s.nx[p], s.ny[p], s.nz[p], group.rx[p],
-                group.ry[p], group.rz[p])) * (share * share);
+                group.ry[p], group.rz[p], group.roughness[p])) * (share * share);
     }
 }

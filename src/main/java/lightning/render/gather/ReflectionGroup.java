@@ -1,6 +1,12 @@
 package lightning.render.gather;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
+import java.util.List;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.HitRows.ColumnGroup;
+import lightning.scene.material.Material;
 
 /** Reflection points of one material. */
 final class ReflectionGroup {
@@ -12,11 +18,15 @@ final class ReflectionGroup {
     final float[] rx;
     final float[] ry;
     final float[] rz;
+    /** Roughness with its map. */
+    final float[] roughness;
     /** Width of the cells of directions, about radians. */
     final float step;
     final PointGroups groups;
+    final Material material;
 
-    private ReflectionGroup(ReflectionPoints points, int[] number, float step) {
+    private ReflectionGroup(ReflectionPoints points, int[] number, float step, Material material) {
+        this.material = material;
         this.number = number;
         this.step = step;
         surface = new SurfaceColumns(number.length);
@@ -24,6 +34,7 @@ final class ReflectionGroup {
         rx = new float[number.length];
         ry = new float[number.length];
         rz = new float[number.length];
+        roughness = new float[number.length];
         for (int i = 0; i < number.length; i++) {
             int p = number[i];
             surface.add(points.surface(), p);
@@ -31,6 +42,7 @@ final class ReflectionGroup {
             rx[i] = points.rx[p];
             ry[i] = points.ry[p];
             rz[i] = points.rz[p];
+            roughness[i] = points.seen.roughness[p];
         }
         groups = new PointGroups(surface, radius);
     }
@@ -38,9 +50,10 @@ final class ReflectionGroup {
     /**
      * Returns the groups by material.
      *
-     * @param steps width of the cells of directions by material; 0 for materials without reflection points
+     * @param steps     width of the cells of directions by material; 0 for materials without reflection points
+     * @param materials all materials
      */
-    static ReflectionGroup[] of(ReflectionPoints points, float[] steps) {
+    static ReflectionGroup[] of(ReflectionPoints points, float[] steps, List<Material> materials) {
         int[][] numbers = new int[steps.length][];
         int[] count = new int[steps.length];
         for (int p = 0; p < points.count(); p++) {
@@ -52,8 +65,14 @@ final class ReflectionGroup {
             numbers[points.material[p]][count[points.material[p]]++] = p;
         }
         ReflectionGroup[] groups = new ReflectionGroup[steps.length];
-        Arrays.setAll(groups, m -> new ReflectionGroup(points, numbers[m], steps[m]));
+        Arrays.setAll(groups, m -> new ReflectionGroup(points, numbers[m], steps[m], materials.get(m)));
         return groups;
+    }
+
+    /** Returns the roughness of a row of the material, with its map. */
+    float roughness(HitRows rows, int row) {
+        return (float) (material.surfaceMaps().roughness().isEmpty() ? material.roughness()
+                : material.mappedRoughness(requireNonNull(rows.texel(ColumnGroup.ROUGHNESS_TEXEL, 0))[row]));
     }
 
     int count() {

@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * What the rays of reflection points meet, by ray: a surfel, or a cell of the sky. First the surfels are known by the keys of their cells.
- * A ray has a weight that the reflectance at normal incidence multiplies, and one that no color multiplies.
+ * A ray has a weight that the reflectance at normal incidence multiplies, and one that no color multiplies; only their ratios count.
  */
 public final class ReflectionLinks {
     /** Bytes of a ray while links are built: two keys, a flag, two weights and a number, half as many in reserve. */
@@ -21,8 +21,6 @@ public final class ReflectionLinks {
     private static final byte SURFEL = 1;
 
     private final int raysPerPoint;
-    /** Rays by whose number weights are divided: those of lobes. */
-    private final int lobeRays;
     private final @Nullable PathMemory memory;
     private int rays;
     private long[] keys = {};
@@ -35,9 +33,8 @@ public final class ReflectionLinks {
     private float @Nullable [][] tint;
     private @Nullable RayTints tints;
 
-    ReflectionLinks(int raysPerPoint, int lobeRays, @Nullable PathMemory memory) {
+    ReflectionLinks(int raysPerPoint, @Nullable PathMemory memory) {
         this.raysPerPoint = raysPerPoint;
-        this.lobeRays = lobeRays;
         this.memory = memory;
     }
 
@@ -154,21 +151,29 @@ public final class ReflectionLinks {
     }
 
     /**
-     * Adds up what a point reflects, in the order of its rays.
+     * Computes the mean light that a point reflects, in the order of its rays.
      *
      * @param light red, green and blue light of each surfel and of each cell of the sky, and one unused value each
-     * @param color receives red, green and blue that the reflectance multiplies, as {@code white} that no color multiplies
+     * @param color receives red, green and blue of the mean with the weights that the reflectance multiplies, as {@code white} with those
+     *              that no color multiplies; 0 if all weights are 0
      */
-    public void sum(int point, float[] light, float[] color, float[] white) {
+    public void mean(int point, float[] light, float[] color, float[] white) {
         Arrays.fill(color, 0);
         Arrays.fill(white, 0);
         int from = point * raysPerPoint;
         int next = tints == null ? 0 : tints.firstFrom(from);
-        float scale = STEP / lobeRays;
+        int colorSum = 0;
+        int whiteSum = 0;
+        for (int ray = from; ray < from + raysPerPoint; ray++) {
+            colorSum += weights[ray] >>> 16;
+            whiteSum += weights[ray] & 0xFFFF;
+        }
+        float colorScale = colorSum == 0 ? 0 : 1f / colorSum;
+        float whiteScale = whiteSum == 0 ? 0 : 1f / whiteSum;
         for (int ray = from; ray < from + raysPerPoint; ray++) {
             boolean isTinted = tints != null && next < tints.count() && tints.ray()[next] == ray;
-            float a = (weights[ray] >>> 16) * scale;
-            float b = (weights[ray] & 0xFFFF) * scale;
+            float a = (weights[ray] >>> 16) * colorScale;
+            float b = (weights[ray] & 0xFFFF) * whiteScale;
             int at = 4 * number[ray];
             for (int c = 0; c < 3; c++) {
                 float its = isTinted ? light[at + c] * requireNonNull(tints).tint()[c][next] : light[at + c];
@@ -181,7 +186,6 @@ public final class ReflectionLinks {
 
     void writeTo(ColumnWriter out) throws IOException {
         out.writeInt(raysPerPoint);
-        out.writeInt(lobeRays);
         out.writeInt(rays);
         out.writeArray(number);
         out.writeArray(weights);
@@ -189,7 +193,7 @@ public final class ReflectionLinks {
     }
 
     static ReflectionLinks readFrom(ColumnReader in) throws IOException {
-        var links = new ReflectionLinks(in.readInt(), in.readInt(), null);
+        var links = new ReflectionLinks(in.readInt(), null);
         links.rays = in.readInt();
         links.number = in.readInts();
         links.weights = in.readInts();

@@ -1,8 +1,11 @@
 package lightning.render.gather;
 
 import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
+import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
 /** Paths of blurred reflections: from surfels and the sky to reflection points to rows. Immutable. */
@@ -40,14 +43,23 @@ public final class ReflectionPaths {
         surfelFilter.writeTo(out);
     }
 
-    /** @param glows objects that were shown glowing */
-    static ReflectionPaths readFrom(ColumnReader in, CellKeys keys, GlowShapes glows) throws IOException {
+    /**
+     * @param glows     objects that were shown glowing
+     * @param materials all materials
+     */
+    static ReflectionPaths readFrom(ColumnReader in, CellKeys keys, GlowShapes glows, List<Material> materials)
+            throws IOException {
         ReflectionPoints points = ReflectionPoints.readFrom(in, keys);
         ReflectionLinks links = ReflectionLinks.readFrom(in);
         PointFilter filter = PointFilter.readFrom(in);
         float[] steps = in.readFloats();
-        return new ReflectionPaths(points, links, ReflectionGroup.of(points, steps), filter, steps, glows, in.readInts(),
+        return new ReflectionPaths(points, links, ReflectionGroup.of(points, steps, materials), filter, steps, glows, in.readInts(),
                 PointFilter.readFrom(in));
+    }
+
+    /** Returns the materials of the groups. */
+    List<Material> materials() {
+        return Arrays.stream(groups).map(group -> group.material).toList();
     }
 
     /** Returns the objects that were shown glowing when the paths were built. */

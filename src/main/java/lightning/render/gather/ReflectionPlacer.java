@@ -51,7 +51,7 @@ final class ReflectionPlacer {
         this.materialOf = materialOf;
         points = new ReflectionPoints(keys);
         this.lobeRays = lobeRays;
-        links = new ReflectionLinks(raysPerPoint, lobeRays, memory);
+        links = new ReflectionLinks(raysPerPoint, memory);
     }
 
     /** Returns the width of the cells of directions for a lobe of width α, about radians. */

@@ -69,11 +69,12 @@ final class ReflectionWeigher {
 
     private void findBest(HitRows rows, int row, ReflectionGroup group, NearPoints its, int count) {
         Arrays.fill(bestWeight, 0);
+        float roughness = group.roughness(rows, row);
         ReflectionPoints.mirror(rows.nx[row], rows.ny[row], rows.nz[row], rows.vx[row], rows.vy[row], rows.vz[row], mirrored);
         for (int i = 0; i < count; i++) {
             int p = its.point(its.near[i]);
             float w = ReflectionWeight.at(group, p, group.radius[p], rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row],
-                    rows.nz[row], mirrored[0], mirrored[1], mirrored[2]);
+                    rows.nz[row], mirrored[0], mirrored[1], mirrored[2], roughness);
             if (w > bestWeight[BEST]) {
                 insert(p, w);
             }

@@ -6,6 +6,8 @@ final class ReflectionWeight {
     private static final float ANGLE = 1.5f;
     /** Distance from the tangent plane at which a point is not valid, relative to its radius. */
     private static final float PLANE = 0.3f;
+    /** Difference of roughness at which a point is not valid: a map of roughness stays sharp. */
+    private static final float ROUGHNESS = 0.15f;
 
     private ReflectionWeight() {}
 
@@ -16,9 +18,10 @@ final class ReflectionWeight {
      * @param g      its group
      * @param radius distance at which it is 0, scene units
      * @param rx     mirrored view at the place, as {@code ry} and {@code rz}
+     * @param roughness of the surface there, with its map
      */
     static float at(ReflectionGroup g, int p, float radius, float x, float y, float z, float nx, float ny, float nz, float rx, float ry,
-            float rz) {
+            float rz, float roughness) {
         SurfaceColumns s = g.surface;
         float dx = x - s.px[p];
         float dy = y - s.py[p];
@@ -32,7 +35,8 @@ final class ReflectionWeight {
         float az = rz - g.rz[p];
         float angle = (float) Math.sqrt(ax * ax + ay * ay + az * az) / (ANGLE * g.step);
         float plane = Math.abs(dx * (s.nx[p] + nx) + dy * (s.ny[p] + ny) + dz * (s.nz[p] + nz)) * 0.5f / (PLANE * radius);
-        float worst = Math.max(Math.max((float) Math.sqrt(square) / radius, angle), plane);
+        float blur = Math.abs(roughness - g.roughness[p]) / ROUGHNESS;
+        float worst = Math.max(Math.max((float) Math.sqrt(square) / radius, angle), Math.max(plane, blur));
         float weight = worst < 1 ? 1 - worst : 0;
         return weight * weight;
     }

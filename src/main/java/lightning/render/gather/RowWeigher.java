@@ -1,7 +1,10 @@
 package lightning.render.gather;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.SurfacePoint;
 import lightning.render.trace.TexelColumns;
 import org.jspecify.annotations.Nullable;
@@ -47,7 +50,11 @@ public final class RowWeigher {
 
     /** Returns the weights of one point: those of its row in any level. */
     public RowWeights weigh(SurfacePoint point) {
-        HitRows row = new HitRows(1, TexelColumns.NONE);
+        float[] roughness = point.maps().get(ColumnGroup.ROUGHNESS_TEXEL);
+        HitRows row = new HitRows(1, roughness == null ? TexelColumns.NONE : TexelColumns.ROUGHNESS);
+        if (roughness != null) {
+            requireNonNull(row.texel(ColumnGroup.ROUGHNESS_TEXEL, 0))[0] = roughness[0];
+        }
         row.px[0] = point.px();
         row.py[0] = point.py();
         row.pz[0] = point.pz();

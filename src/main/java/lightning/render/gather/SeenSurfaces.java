@@ -12,6 +12,8 @@ final class SeenSurfaces {
     float[] vx;
     float[] vy;
     float[] vz;
+    /** Roughness of principled surfaces with their maps, 0…1; otherwise 0. */
+    float[] roughness;
 
     SeenSurfaces(int capacity) {
         this(new SurfaceColumns(capacity), capacity);
@@ -22,6 +24,7 @@ final class SeenSurfaces {
         vx = new float[capacity];
         vy = new float[capacity];
         vz = new float[capacity];
+        roughness = new float[capacity];
     }
 
     void writeTo(ColumnWriter out) throws IOException {
@@ -29,6 +32,7 @@ final class SeenSurfaces {
         out.writeArray(Arrays.copyOf(vx, count()));
         out.writeArray(Arrays.copyOf(vy, count()));
         out.writeArray(Arrays.copyOf(vz, count()));
+        out.writeArray(Arrays.copyOf(roughness, count()));
     }
 
     static SeenSurfaces readFrom(ColumnReader in) throws IOException {
@@ -36,6 +40,7 @@ final class SeenSurfaces {
         seen.vx = in.readFloats();
         seen.vy = in.readFloats();
         seen.vz = in.readFloats();
+        seen.roughness = in.readFloats();
         return seen;
     }
 
@@ -43,18 +48,20 @@ final class SeenSurfaces {
         return surfaces.count();
     }
 
-    void add(float px, float py, float pz, float nx, float ny, float nz, int primitive, float itsX, float itsY, float itsZ) {
+    void add(float px, float py, float pz, float nx, float ny, float nz, int primitive, float itsX, float itsY, float itsZ,
+            float itsRoughness) {
         reserveViews(surfaces.count + 1);
         vx[surfaces.count] = itsX;
         vy[surfaces.count] = itsY;
         vz[surfaces.count] = itsZ;
+        roughness[surfaces.count] = itsRoughness;
         surfaces.add(px, py, pz, nx, ny, nz, primitive);
     }
 
     /** Adds surface {@code i} of others. */
     void add(SeenSurfaces o, int i) {
         add(o.surfaces.px[i], o.surfaces.py[i], o.surfaces.pz[i], o.surfaces.nx[i], o.surfaces.ny[i], o.surfaces.nz[i],
-                o.surfaces.primitive[i], o.vx[i], o.vy[i], o.vz[i]);
+                o.surfaces.primitive[i], o.vx[i], o.vy[i], o.vz[i], o.roughness[i]);
     }
 
     private void reserveViews(int count) {
@@ -63,6 +70,7 @@ final class SeenSurfaces {
             vx = Arrays.copyOf(vx, length);
             vy = Arrays.copyOf(vy, length);
             vz = Arrays.copyOf(vz, length);
+            roughness = Arrays.copyOf(roughness, length);
         }
     }
 }

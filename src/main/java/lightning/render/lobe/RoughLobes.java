@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Lobes by which a principled material blurs its surroundings. Smooth ones reflect a mirrored ray and are not among them.
  *
- * @param alpha     width α of the surface below the coat; 0 if it is smooth
+ * @param alpha     width α of the surface below the coat, with the mean of its map; 0 if it is smooth
  * @param coatAlpha width α of the coat; 0 if it is smooth or there is none
  * @param coat      coat, smooth or not; null for none
  */
@@ -16,8 +16,13 @@ public record RoughLobes(double alpha, double coatAlpha, @Nullable Coat coat) {
     /** Returns the lobes of a material; null if it reflects nothing or sharply. */
     public static @Nullable RoughLobes of(Material m) {
         return !m.reflectsRoughly() ? null
-                : new RoughLobes(m.isSmooth() ? 0 : m.alpha(), m.coat().isVisible() && !m.hasSmoothCoat() ? m.coat().alpha() : 0,
+                : new RoughLobes(m.isSmooth() ? 0 : Material.alpha(meanRoughness(m)),
+                        m.coat().isVisible() && !m.hasSmoothCoat() ? m.coat().alpha() : 0,
                         m.coat().isVisible() ? m.coat() : null);
+    }
+
+    private static double meanRoughness(Material m) {
+        return m.surfaceMaps().roughness().isEmpty() ? m.roughness() : m.mappedRoughness(m.surfaceMaps().meanRoughness());
     }
 
     /** Returns whether both the surface and its coat blur. */

@@ -50,7 +50,7 @@ public final class IndirectSolver {
 
     /**
      * Returns the light at all gather points: red, green, blue. If the paths contain reflections, six columns follow with the light at
-     * reflection points: red, green and blue that the reflectance multiplies, and the same that no color multiplies.
+     * reflection points: red, green and blue of what the reflectance multiplies, and the same of what no color multiplies.
      *
      * @param direct lights' diffuse sum at each surfel
      * @param albedo of each surfel
@@ -128,7 +128,7 @@ public final class IndirectSolver {
             float[] one = new float[3];
             float[] other = new float[3];
             for (int p = from; p < to; p++) {
-                paths.links().sum(p, shown, one, other);
+                paths.links().mean(p, shown, one, other);
                 System.arraycopy(one, 0, color, STRIDE * p, 3);
                 System.arraycopy(other, 0, white, STRIDE * p, 3);
             }

@@ -1,5 +1,10 @@
 package lightning.render.shading;
 
+import static java.util.Objects.requireNonNull;
+
+import lightning.render.trace.HitRows;
+import lightning.render.trace.HitRows.ColumnGroup;
+import lightning.render.trace.PrincipledColors;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
@@ -7,23 +12,47 @@ import org.jspecify.annotations.Nullable;
 /**
  * What an opaque principled material needs beside {@link ShadingMaterial}.
  *
- * @param roughness   of the surface below the coat, 0…1
+ * @param material    the material
+ * @param roughness   of the surface below the coat, 0…1, before its map
  * @param nonmetalF0  largest channel of the reflectance of its nonmetal part at normal incidence
  * @param isSmooth    whether its surface reflects a mirrored ray
  * @param coat        coat; null for none
  * @param isCoatSmooth whether the coat reflects a mirrored ray
+ * @param hasRoughnessMap whether its rows differ in roughness
+ * @param mixed       colors of rows of different metalness; null if it has no metalness map
  */
-public record PrincipledMaterial(float roughness, float nonmetalF0, boolean isSmooth, @Nullable Coat coat, boolean isCoatSmooth) {
+public record PrincipledMaterial(Material material, float roughness, float nonmetalF0, boolean isSmooth, @Nullable Coat coat,
+        boolean isCoatSmooth, boolean hasRoughnessMap, @Nullable PrincipledColors mixed) {
 
     /** Returns the properties of a material; null if it is not principled or transparent. */
     public static @Nullable PrincipledMaterial of(Material m) {
         return !m.isPrincipled() ? null
-                : new PrincipledMaterial((float) m.roughness(), (float) (m.f0() * m.specularTint().max()), m.isSmooth(),
-                        m.coat().isVisible() ? m.coat() : null, m.hasSmoothCoat());
+                : new PrincipledMaterial(m, (float) m.roughness(), (float) (m.f0() * m.specularTint().max()), m.isSmooth(),
+                        m.coat().isVisible() ? m.coat() : null, m.hasSmoothCoat(), m.surfaceMaps().roughness().isPresent(),
+                        m.surfaceMaps().metalness().isPresent() ? new PrincipledColors(m) : null);
     }
 
     /** Returns whether it needs the color of a mirrored ray. */
     public boolean isMirror() {
         return isSmooth || isCoatSmooth;
+    }
+
+    /** Returns the roughness of a row below the coat, 0…1. */
+    public float roughness(HitRows rows, int row) {
+        return hasRoughnessMap ? (float) mappedRoughness(rows, row) : roughness;
+    }
+
+    /** Returns the width α of the highlights of a row below the coat; the material has a roughness map. */
+    public double mappedAlpha(HitRows rows, int row) {
+        return Material.alpha(mappedRoughness(rows, row));
+    }
+
+    private double mappedRoughness(HitRows rows, int row) {
+        return material.mappedRoughness(requireNonNull(rows.texel(ColumnGroup.ROUGHNESS_TEXEL, 0))[row]);
+    }
+
+    /** Returns the metalness of a row; the material has a metalness map. */
+    double mappedMetalness(HitRows rows, int row) {
+        return material.mappedMetalness(requireNonNull(rows.texel(ColumnGroup.METALNESS_TEXEL, 0))[row]);
     }
 }

@@ -4,16 +4,18 @@ import static java.util.Objects.requireNonNull;
 
 import lightning.render.lobe.CoatShare;
 import lightning.render.lobe.DirectionalAlbedo;
+import lightning.render.trace.HitRows;
 
 /**
  * Weights of what a principled surface reflects, seen from one direction.
  *
  * <pre>
  * I = emitted + kd·d·Idiff + (F0 + q·F0²)·Ispec + Igraz
- * Ispec = Σ Ispec of lights + reflected light·(1 − s)     Igraz = Σ Igraz of lights + reflected light·s + coat
+ * Ispec = Σ Ispec of lights + a·L      Igraz = Σ Igraz of lights + b·L' + coat
  * </pre>
  *
- * <p>d is the share of light that neither the coat nor the surface reflects before it is scattered below (the albedo scaling of C. Kulla and A.
+ * <p>L and L' are means of the light of the surroundings over the lobe, and a and b the shares of white light that it reflects ({@link
+ * DirectionalAlbedo}). d is the share of light that neither the coat nor the surface reflects before it is scattered below (the albedo scaling of C. Kulla and A.
  * Conty, Revisiting physically based shading at Imageworks, 2017). q·F0² gives back the light that is scattered several times between facets:
  * a white metal reflects all light (as E. Turquin, Practical multiple scattering compensation for microfacet models, 2019). One instance per
  * thread.
@@ -22,17 +24,30 @@ public final class PrincipledWeights {
     /** Smallest share of single scattering by which multiple scattering is estimated: it keeps q below 4. */
     private static final float MIN_SHARE = 0.25f;
 
+    private float colored;
+    private float grazing;
     private float diffuse;
     private float multiple;
     private float base;
     private float mirrorGrazing;
     private float coat;
 
-    /** Moves to a surface with this unit normal and unit direction of the ray that hit it. */
-    public void moveTo(PrincipledMaterial m, float nx, float ny, float nz, float vx, float vy, float vz) {
+    /** Moves to a row of a material. */
+    public void moveTo(PrincipledMaterial m, HitRows rows, int row) {
+        moveTo(m, m.roughness(rows, row), rows.nx[row], rows.ny[row], rows.nz[row], rows.vx[row], rows.vy[row], rows.vz[row]);
+    }
+
+    /**
+     * Moves to a surface with this unit normal and unit direction of the ray that hit it.
+     *
+     * @param roughness of the surface below the coat, including its map
+     */
+    public void moveTo(PrincipledMaterial m, float roughness, float nx, float ny, float nz, float vx, float vy, float vz) {
         float cosine = Math.clamp(-(nx * vx + ny * vy + nz * vz), 0, 1);
-        float a = DirectionalAlbedo.ofF0(cosine, m.roughness());
-        float b = DirectionalAlbedo.grazing(cosine, m.roughness());
+        float a = DirectionalAlbedo.ofF0(cosine, roughness);
+        float b = DirectionalAlbedo.grazing(cosine, roughness);
+        colored = a;
+        grazing = b;
         float rest = 1 - cosine;
         mirrorGrazing = rest * rest * (rest * rest) * rest;
         multiple = Math.max(0, 1 - a - b) / Math.max(a, MIN_SHARE);
@@ -59,6 +74,16 @@ public final class PrincipledWeights {
     /** Returns the share of light that the coat reflects, 0…1. */
     public float coat() {
         return coat;
+    }
+
+    /** Returns the part of the mean light of rough lobes that F0 multiplies. */
+    public float reflected(PrincipledMaterial m) {
+        return m.isSmooth() ? 0 : base * colored;
+    }
+
+    /** Returns the part of the mean light of rough lobes that no color multiplies. */
+    public float reflectedGrazing(PrincipledMaterial m) {
+        return (m.isSmooth() ? 0 : base * grazing) + (m.isCoatSmooth() ? 0 : coat);
     }
 
     /** Returns the part of a mirrored ray's color that F0 multiplies. */

@@ -88,6 +88,13 @@ public interface TermKernel {
     void metallicSpeculars(HitRows rows, int from, int to, int[] rowSet, double alpha, float[] gloss, float[] grazing);
 
     /**
+     * Writes the same terms of rows of different roughness.
+     *
+     * @param alpha width of the highlights of each row, {@code double[MAX_ROWS]}; unread for rows that are not in the set
+     */
+    void metallicSpeculars(HitRows rows, int from, int to, int[] rowSet, double[] alpha, float[] gloss, float[] grazing);
+
+    /**
      * Writes {@link LightingEquation#falloff} of all rows; expects {@link #computeDistances} for a point light, {@link
      * #computeConeCosines} for a spot light.
      */

@@ -506,14 +506,15 @@ public final class Geometry {
     }
 
     /**
-     * Returns the mean color of the glow map in a square around a ray's hit: red, green, blue; null without a map.
+     * Returns the mean of a map in a square around a ray's hit, as {@link SurfacePoint#maps}; null without a map.
      *
+     * @param group columns of the map
      * @param side of the square, scene units
      * @throws IllegalArgumentException if the ray misses the primitive
      */
-    public float @Nullable [] meanGlowTexelBruteForce(int primitive, Ray ray, double side) {
+    public float @Nullable [] meanMapTexelBruteForce(HitRows.ColumnGroup group, int primitive, Ray ray, double side) {
         double t = hitDistance(primitive, ray);
-        return new SurfacePointBuilder(primitives, materials).meanGlowTexel(primitive, hitPart(primitive, ray), ray, t, side);
+        return new SurfacePointBuilder(primitives, materials).meanMapTexel(group, primitive, hitPart(primitive, ray), ray, t, side);
     }
 
     private double hitDistance(int primitive, Ray ray) {

@@ -14,6 +14,7 @@ import lightning.render.column.ColumnSet;
 import lightning.render.column.ColumnWriter;
 import lightning.render.column.ElementType;
 import lightning.render.trace.tree.PointBox;
+import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
@@ -34,6 +35,10 @@ public final class HitRows {
         TEXEL(MaterialAttribute.TEXTURE),
         /** Present if any row's material has a glow map. */
         GLOW_TEXEL(MaterialAttribute.GLOW_MAP),
+        /** Present if any row's material has a roughness map. */
+        ROUGHNESS_TEXEL(MaterialAttribute.ROUGHNESS_MAP, MaterialAttribute.ROUGHNESS_CHANNEL),
+        /** Present if any row's material has a metalness map. */
+        METALNESS_TEXEL(MaterialAttribute.METALNESS_MAP, MaterialAttribute.METALNESS_CHANNEL),
         /** Present in rows of finer samples. */
         PATTERN,
         /** Present if a light of the scene illuminates only some shapes. */
@@ -41,18 +46,25 @@ public final class HitRows {
         /** Present if any row's material is transparent. */
         TRANSPARENT;
 
-        /** Groups for the colors of images of the materials: red, green and blue each. */
+        /** Groups for the colors of images of the materials: red, green and blue each, or the one channel that a map reads. */
         public static final List<ColumnGroup> TEXELS = Arrays.stream(values()).filter(group -> group.map != null).toList();
 
         /** Image whose colors the columns contain; null if they contain something else. */
         private final @Nullable MaterialAttribute<Optional<TextureMap>> map;
+        /** Channel of the image that the only column contains; null if there are columns for all channels. */
+        private final @Nullable MaterialAttribute<TextureChannel> channel;
 
         ColumnGroup() {
-            this(null);
+            this(null, null);
         }
 
-        ColumnGroup(@Nullable MaterialAttribute<Optional<TextureMap>> map) {
+        ColumnGroup(MaterialAttribute<Optional<TextureMap>> map) {
+            this(map, null);
+        }
+
+        ColumnGroup(@Nullable MaterialAttribute<Optional<TextureMap>> map, @Nullable MaterialAttribute<TextureChannel> channel) {
             this.map = map;
+            this.channel = channel;
         }
 
         /** Returns the attribute whose image the columns contain; empty if they contain something else. */
@@ -63,6 +75,16 @@ public final class HitRows {
         /** Returns a material's image for the columns of one of {@link #TEXELS}. */
         Optional<TextureMap> map(Material material) {
             return requireNonNull(map).get(material);
+        }
+
+        /** Returns the channel of a material's image in the first column of one of {@link #TEXELS}; the next columns have the next channels. */
+        int firstChannel(Material material) {
+            return channel == null ? 0 : channel.get(material).ordinal();
+        }
+
+        /** Returns the number of columns. */
+        public int columnCount() {
+            return COLUMNS[ordinal()].length;
         }
 
         /** Returns the columns of this group. */
@@ -95,6 +117,8 @@ public final class HitRows {
         GLOW_TEXEL_RED(ColumnGroup.GLOW_TEXEL, ElementType.FLOAT),
         GLOW_TEXEL_GREEN(ColumnGroup.GLOW_TEXEL, ElementType.FLOAT),
         GLOW_TEXEL_BLUE(ColumnGroup.GLOW_TEXEL, ElementType.FLOAT),
+        ROUGHNESS_TEXEL(ColumnGroup.ROUGHNESS_TEXEL, ElementType.FLOAT),
+        METALNESS_TEXEL(ColumnGroup.METALNESS_TEXEL, ElementType.FLOAT),
         PARENT(ColumnGroup.HIT, ElementType.SHORT),
         PATTERN(ColumnGroup.PATTERN, ElementType.BYTE),
         OWNER(ColumnGroup.OWNER, ElementType.INT),
@@ -293,12 +317,22 @@ public final class HitRows {
     }
 
     /**
-     * Returns red, green or blue of an image for channel 0, 1, 2, ≥ 0, in the rows whose materials have it; null if the tile has none.
+     * Returns red, green or blue of an image for column 0, 1, 2, ≥ 0, in the rows whose materials have it; null if the tile has none. Column
+     * 0 of a map that reads one channel has this channel.
      *
      * @param group one of {@link ColumnGroup#TEXELS}
      */
-    public float @Nullable [] texel(ColumnGroup group, int channel) {
-        return (float[]) columns.find(COLUMNS[group.ordinal()][channel]);
+    public float @Nullable [] texel(ColumnGroup group, int column) {
+        return (float[]) columns.find(COLUMNS[group.ordinal()][column]);
+    }
+
+    /** Returns the columns of an image that these rows have, as {@link #texel(ColumnGroup, int)}. */
+    float[][] texels(ColumnGroup group) {
+        float[][] texels = new float[group.columnCount()][];
+        for (int c = 0; c < texels.length; c++) {
+            texels[c] = requireNonNull(texel(group, c));
+        }
+        return texels;
     }
 
     /** Returns the red, green or blue texels for channel 0, 1, 2; null if the tile has none. */

@@ -17,12 +17,14 @@ import org.jspecify.annotations.Nullable;
  * @param vx unit direction of the ray; also {@code vy}, {@code vz}
  * @param diffuse k<sub>diffuse</sub> including the texture, linear RGB, {@code float[3]}
  * @param specular k<sub>specular</sub>, or F0 including the texture, linear RGB, {@code float[3]}
+ * @param roughness of a metallic material, including its map
  * @param backSide start of the refracted ray; null for opaque materials
  * @param texel texture color alone, linear RGB, {@code float[3]}; white if there is none
- * @param maps colors of the material's other images, linear RGB, {@code float[3]} each; none for images that it lacks
+ * @param maps colors of the material's other images, linear RGB, {@code float[3]} each, or {@code float[1]} of a map that reads one channel; none
+ *     for images that it lacks
  */
 public record SurfacePoint(int primitive, int material, float px, float py, float pz, float nx, float ny, float nz,
-        float vx, float vy, float vz, float[] diffuse, float[] specular, float[] texel, Map<ColumnGroup, float[]> maps,
+        float vx, float vy, float vz, float[] diffuse, float[] specular, double roughness, float[] texel, Map<ColumnGroup, float[]> maps,
         @Nullable BackSide backSide) {
 
     /**

@@ -1,5 +1,6 @@
 package lightning.render.trace;
 
+import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.Map;
 import lightning.base.math.Ray;
@@ -11,6 +12,7 @@ import lightning.render.trace.primitive.TextureFootprint;
 import lightning.render.trace.primitive.TextureLookup;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Material;
 import lightning.scene.material.Transmission;
 import org.jspecify.annotations.Nullable;
 
@@ -36,10 +38,22 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
                 diffuse[c] *= texel[c];
             }
         }
+        Map<ColumnGroup, float[]> maps = maps(surface, primitive, part);
         float[] specular = new float[3];
         for (int c = 0; c < 3; c++) {
             specular[c] = materials.metalF0(material, c) * texel[c] + materials.specular(material, c);
         }
+        Material look = materials.material(material);
+        if (look.isPrincipled() && maps.containsKey(ColumnGroup.METALNESS_TEXEL)) {
+            var colors = new PrincipledColors(look);
+            double metalness = look.mappedMetalness(maps.get(ColumnGroup.METALNESS_TEXEL)[0]);
+            for (int c = 0; c < 3; c++) {
+                diffuse[c] = colors.diffuse(c, metalness) * texel[c];
+                specular[c] = colors.metalF0(c, metalness) * texel[c] + colors.specular(c, metalness);
+            }
+        }
+        double roughness = look.isPrincipled() && maps.containsKey(ColumnGroup.ROUGHNESS_TEXEL)
+                ? look.mappedRoughness(maps.get(ColumnGroup.ROUGHNESS_TEXEL)[0]) : look.roughness();
         SurfacePoint.BackSide backSide = null;
         if (materials.isTransparent(material)) {
             surface.computeBackPoint();
@@ -47,7 +61,7 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
                     insideDistance(materials.transmission(material), surface, t));
         }
         return new SurfacePoint(primitive, material, surface.px, surface.py, surface.pz, surface.nx, surface.ny, surface.nz,
-                (float) d.x(), (float) d.y(), (float) d.z(), diffuse, specular, texel, maps(surface, primitive, part), backSide);
+                (float) d.x(), (float) d.y(), (float) d.z(), diffuse, specular, roughness, texel, maps, backSide);
     }
 
     private Map<ColumnGroup, float[]> maps(SurfaceHit surface, int primitive, int part) {
@@ -57,7 +71,8 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
             if (map != null && group != ColumnGroup.TEXEL) {
                 float[] texel = new float[3];
                 new TextureLookup().lookUpMap(primitives, primitive, part, map, surface.localX, surface.localY, surface.localZ, texel);
-                texels.put(group, texel);
+                int first = group.firstChannel(materials.material(primitives.material[primitive]));
+                texels.put(group, Arrays.copyOfRange(texel, first, first + group.columnCount()));
             }
         }
         return texels;
@@ -70,9 +85,13 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
         return new Vec3(surface.backX, surface.backY, surface.backZ);
     }
 
-    /** Returns the mean color of the glow map in a square around a ray's hit; null if the material has none. */
-    float @Nullable [] meanGlowTexel(int primitive, int part, Ray ray, double t, double side) {
-        TextureMap map = materials.map(ColumnGroup.GLOW_TEXEL, primitives.material[primitive]);
+    /**
+     * Returns the mean of a map in a square around a ray's hit, as {@link SurfacePoint#maps}; null if the material has none.
+     *
+     * @param group columns of the map
+     */
+    float @Nullable [] meanMapTexel(ColumnGroup group, int primitive, int part, Ray ray, double t, double side) {
+        TextureMap map = materials.map(group, primitives.material[primitive]);
         if (map == null) {
             return null;
         }
@@ -80,7 +99,8 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
         float[] texel = new float[3];
         new TextureFootprint().lookUpMap(primitives, primitive, part, map, surface.localX, surface.localY, surface.localZ, surface.nx,
                 surface.ny, surface.nz, side, texel);
-        return texel;
+        int first = group.firstChannel(materials.material(primitives.material[primitive]));
+        return Arrays.copyOfRange(texel, first, first + group.columnCount());
     }
 
     private SurfaceHit hit(int primitive, int part, Ray ray, double t) {

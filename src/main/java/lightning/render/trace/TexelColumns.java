@@ -14,6 +14,8 @@ public record TexelColumns(int bits) {
     public static final TexelColumns NONE = new TexelColumns(0);
     /** Colors of textures and of vertices, which multiply the main color. */
     public static final TexelColumns COLORS = NONE.with(ColumnGroup.TEXEL);
+    /** Factors of the roughness. */
+    public static final TexelColumns ROUGHNESS = NONE.with(ColumnGroup.ROUGHNESS_TEXEL);
     public static final TexelColumns ALL = ColumnGroup.TEXELS.stream().map(NONE::with).reduce(NONE, TexelColumns::or);
 
     /** Returns these and the columns of a group. */

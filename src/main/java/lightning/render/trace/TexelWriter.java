@@ -33,11 +33,10 @@ final class TexelWriter {
     }
 
     private void write(ColumnGroup group, HitRows rows, int row, RayColumns rays) {
-        float[] red = requireNonNull(rows.texel(group, 0));
-        float[] green = requireNonNull(rows.texel(group, 1));
-        float[] blue = requireNonNull(rows.texel(group, 2));
+        float[][] columns = rows.texels(group);
         int lastPrimitive = -1;
         boolean isMapped = false;
+        int firstChannel = 0;
         TextureMap map = null;
         for (int i = 0; i < rays.hitCount; i++) {
             int ray = rays.order[i];
@@ -46,6 +45,7 @@ final class TexelWriter {
                 lastPrimitive = primitive;
                 int material = primitives.material[primitive];
                 isMapped = materials.texels(material).has(group);
+                firstChannel = group.firstChannel(materials.material(material));
                 map = materials.map(group, material);
             }
             if (isMapped) {
@@ -55,10 +55,14 @@ final class TexelWriter {
                     lookup.lookUpMap(primitives, primitive, rays.part[ray], requireNonNull(map), rays.localX[i], rays.localY[i],
                             rays.localZ[i], texel);
                 }
-                red[row + i] = texel[0];
-                green[row + i] = texel[1];
-                blue[row + i] = texel[2];
+                writeTexel(columns, firstChannel, row + i);
             }
+        }
+    }
+
+    private void writeTexel(float[][] columns, int firstChannel, int row) {
+        for (int c = 0; c < columns.length; c++) {
+            columns[c][row] = texel[firstChannel + c];
         }
     }
 
@@ -77,18 +81,14 @@ final class TexelWriter {
     }
 
     private void writeMeans(ColumnGroup group, HitRows rows, RayColumns rays, double[] sides) {
-        float[] red = requireNonNull(rows.texel(group, 0));
-        float[] green = requireNonNull(rows.texel(group, 1));
-        float[] blue = requireNonNull(rows.texel(group, 2));
+        float[][] columns = rows.texels(group);
         for (int row = 0; row < rows.count; row++) {
             int ray = rays.order[row];
             int primitive = rays.primitive[ray];
             int material = primitives.material[primitive];
             if (materials.texels(material).has(group)) {
                 writeMean(group, primitive, rays.part[ray], rays, rows, row, sides[row]);
-                red[row] = texel[0];
-                green[row] = texel[1];
-                blue[row] = texel[2];
+                writeTexel(columns, group.firstChannel(materials.material(material)), row);
             }
         }
     }

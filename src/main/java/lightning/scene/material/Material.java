@@ -26,6 +26,7 @@ import org.jspecify.annotations.Nullable;
  * @param f0           metallic: reflectance of a nonmetal at normal incidence
  * @param specularTint principled: color of a nonmetal's reflection at normal incidence
  * @param coat         principled: clear layer over it
+ * @param surfaceMaps  principled: images of its roughness and metalness, which a transparent one ignores
  * @param reflective   k<sub>reflect</sub> per channel
  * @param texture      color texture
  * @param bumpMapping  bump and normal map
@@ -36,7 +37,8 @@ import org.jspecify.annotations.Nullable;
 public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> glowMap, Bulb bulb, ShadingModel model, Rgb diffuse,
         Rgb specular, double shininess,
         Rgb base,
-        double metalness, double roughness, double f0, Rgb specularTint, Coat coat, Rgb reflective, Optional<TextureMap> texture,
+        double metalness, double roughness, double f0, Rgb specularTint, Coat coat, SurfaceMaps surfaceMaps, Rgb reflective,
+        Optional<TextureMap> texture,
         BumpMapping bumpMapping, Transmission transmission, AlphaCutout cutout) implements MaterialBuilder.With {
 
     /**
@@ -75,6 +77,10 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         coat = new Coat(MaterialAttribute.COAT.checkFor(model, coat.weight()),
                 MaterialAttribute.COAT_ROUGHNESS.checkFor(model, coat.roughness()),
                 MaterialAttribute.COAT_IOR.checkFor(model, coat.ior()));
+        surfaceMaps = new SurfaceMaps(MaterialAttribute.ROUGHNESS_MAP.checkFor(model, surfaceMaps.roughness()),
+                MaterialAttribute.ROUGHNESS_CHANNEL.checkFor(model, surfaceMaps.roughnessChannel()),
+                MaterialAttribute.METALNESS_MAP.checkFor(model, surfaceMaps.metalness()),
+                MaterialAttribute.METALNESS_CHANNEL.checkFor(model, surfaceMaps.metalnessChannel()));
         reflective = MaterialAttribute.REFLECTIVE.checkFor(model, reflective);
     }
 
@@ -85,7 +91,7 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
                 MaterialAttribute.MODEL.initial(), MaterialAttribute.DIFFUSE.initial(), MaterialAttribute.SPECULAR.initial(),
                 MaterialAttribute.SHININESS.initial(),
                 MaterialAttribute.BASE.initial(), MaterialAttribute.METALNESS.initial(), MaterialAttribute.ROUGHNESS.initial(),
-                MaterialAttribute.F0.initial(), MaterialAttribute.SPECULAR_TINT.initial(), Coat.NONE,
+                MaterialAttribute.F0.initial(), MaterialAttribute.SPECULAR_TINT.initial(), Coat.NONE, SurfaceMaps.NONE,
                 MaterialAttribute.REFLECTIVE.initial(), MaterialAttribute.TEXTURE.initial(),
                 BumpMapping.NONE, Transmission.NONE, AlphaCutout.NONE);
     }
@@ -97,8 +103,8 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
 
     /** Returns whether the images that rows of both look up are the same. */
     public boolean hasSameTextures(Material o) {
-        return MaterialAttribute.MAPS.stream().filter(map -> map.term() == MaterialTerm.TEXEL)
-                .allMatch(map -> map.get(this).equals(map.get(o)));
+        return MaterialAttribute.ALL.stream().filter(attribute -> attribute.term().changesTexels())
+                .allMatch(attribute -> attribute.isEquivalent(this, o));
     }
 
     /** Returns this material without any image; where an image says which parts glow, none does. */
@@ -122,7 +128,17 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         return model == ShadingModel.PRINCIPLED && !transmission.isTransparent();
     }
 
-    /** Returns the width α of a metallic material's highlights: the square of its roughness. */
+    /** Returns the roughness where its map has a value. */
+    public double mappedRoughness(float texel) {
+        return Math.clamp(roughness * texel, 0, 1);
+    }
+
+    /** Returns the metalness where its map has a value. */
+    public double mappedMetalness(float texel) {
+        return Math.clamp(metalness * texel, 0, 1);
+    }
+
+    /** Returns the width α of a metallic material's highlights, before a map: the square of its roughness. */
     public double alpha() {
         return alpha(roughness);
     }
@@ -133,7 +149,7 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         return clamped * clamped;
     }
 
-    /** Returns whether it reflects as a mirror does, below its coat: it is principled and smooth. */
+    /** Returns whether it reflects as a mirror does, below its coat: it is principled and smooth, whatever its roughness map. */
     public boolean isSmooth() {
         return isPrincipled() && roughness < MIRROR_ROUGHNESS;
     }
@@ -153,7 +169,8 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
      * shading.LightingEquation).
      */
     public double maxTerm() {
-        double alpha = coat.isVisible() ? Math.min(alpha(), coat.alpha()) : alpha();
+        double base = surfaceMaps.roughness().isPresent() ? alpha(0) : alpha();
+        double alpha = coat.isVisible() ? Math.min(base, coat.alpha()) : base;
         double coated = model == ShadingModel.PRINCIPLED ? MAX_LAYERS : 1;
         return isMetallic() ? coated * Math.max(1, (1 + 0x1p-20) / (2 * alpha * alpha * alpha)) : 1;
     }
@@ -210,7 +227,7 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
             return null;
         }
         if (isPrincipled()) {
-            return metalness < MIRROR_SHARE || roughness > SATIN || texture.isPresent() ? null
+            return metalness < MIRROR_SHARE || roughness > SATIN || texture.isPresent() || surfaceMaps.metalness().isPresent() ? null
                     : base.times(metalness).plus(specularTint.times((1 - metalness) * f0));
         }
         return reflective.max() < MIRROR_SHARE ? null : reflective;

@@ -10,6 +10,7 @@ import java.util.function.BiFunction;
 import java.util.function.Function;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
+import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureUsage;
 import lightning.scene.attribute.ChoiceKind;
@@ -59,6 +60,8 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     private static final Set<ShadingModel> PRINCIPLED = EnumSet.of(ShadingModel.PRINCIPLED);
     /** Models whose surfaces reflect only what an attribute says. */
     private static final Set<ShadingModel> NO_REFLECTIONS = EnumSet.complementOf(EnumSet.of(ShadingModel.PRINCIPLED));
+    private static final ChoiceKind<TextureChannel> CHANNELS = ChoiceKind.of(TextureChannel.class)
+            .withLabels(List.of(Messages.key("red"), Messages.key("green"), Messages.key("blue")));
     private static final List<MaterialAttribute<?>> REGISTRY = new ArrayList<>();
 
     public static final MaterialAttribute<Rgb> AMBIENT = colorAttribute("ambient", SceneLimits.MAX_EMISSION, Rgb.BLACK, Material::ambient,
@@ -124,6 +127,18 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     public static final MaterialAttribute<Double> ROUGHNESS = numberAttribute("roughness", 1, 0.05, 0.5, "", Material::roughness,
             Material::withRoughness, MaterialTerm.HIGHLIGHT, MICROFACETS, Section.SURFACE,
             "Width of highlights, and blur of reflections; 0 for a smooth surface");
+    public static final MaterialAttribute<Optional<TextureMap>> ROUGHNESS_MAP = surfaceMapAttribute("roughness_map", "roughness map",
+            new ValueKind.TextureKind("roughness_repeat", TextureUsage.DATA), SurfaceMaps.NONE.roughness(), SurfaceMaps::roughness,
+            SurfaceMaps::withRoughness, MaterialTerm.HIGHLIGHT_TEXEL, "Image that multiplies the roughness of an opaque material");
+    public static final MaterialAttribute<TextureChannel> ROUGHNESS_CHANNEL = surfaceMapAttribute("roughness_channel", "roughness channel",
+            CHANNELS, SurfaceMaps.NONE.roughnessChannel(), SurfaceMaps::roughnessChannel, SurfaceMaps::withRoughnessChannel,
+            MaterialTerm.HIGHLIGHT_TEXEL, "Channel of the roughness map that is read; all channels of a gray image are equal");
+    public static final MaterialAttribute<Optional<TextureMap>> METALNESS_MAP = surfaceMapAttribute("metalness_map", "metalness map",
+            new ValueKind.TextureKind("metalness_repeat", TextureUsage.DATA), SurfaceMaps.NONE.metalness(), SurfaceMaps::metalness,
+            SurfaceMaps::withMetalness, MaterialTerm.TEXEL, "Image that multiplies the metalness of an opaque material");
+    public static final MaterialAttribute<TextureChannel> METALNESS_CHANNEL = surfaceMapAttribute("metalness_channel", "metalness channel",
+            CHANNELS, SurfaceMaps.NONE.metalnessChannel(), SurfaceMaps::metalnessChannel, SurfaceMaps::withMetalnessChannel,
+            MaterialTerm.TEXEL, "Channel of the metalness map that is read; all channels of a gray image are equal");
     public static final MaterialAttribute<Double> F0 = numberAttribute("f0", 1, 0.01, 0.04, "reflectance at normal incidence", Material::f0,
             Material::withF0, MaterialTerm.COLOR, MICROFACETS, Section.SURFACE,
             "Reflectance of a nonmetal at normal incidence: 0.02 for water, 0.04 for plastic, 0.17 for diamond");
@@ -259,6 +274,12 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
                 (m, v) -> m.withCoat(with.apply(m.coat(), v)), MaterialTerm.HIGHLIGHT, PRINCIPLED, Section.COAT, help);
     }
 
+    private static <V> MaterialAttribute<V> surfaceMapAttribute(String name, String title, ValueKind.MaterialKind<V> kind, V initial,
+            Function<SurfaceMaps, V> get, BiFunction<SurfaceMaps, V, SurfaceMaps> with, MaterialTerm term, String help) {
+        return new MaterialAttribute<>(name, title, kind, initial, "", m -> get.apply(m.surfaceMaps()),
+                (m, v) -> m.withSurfaceMaps(with.apply(m.surfaceMaps(), v)), term, PRINCIPLED, Section.SURFACE, help);
+    }
+
     private static <V> MaterialAttribute<V> transmissionAttribute(String name, String title, ValueKind.MaterialKind<V> kind, V initial,
             String unit,
             Function<Transmission, V> get, BiFunction<Transmission, V, Transmission> with, MaterialTerm term, String help) {
@@ -266,10 +287,16 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
                 (m, v) -> m.withTransmission(with.apply(m.transmission(), v)), term, ANY, Section.CLEAR, help);
     }
 
-    /** Colors are equivalent if equal as floats, the precision of shading. */
+    /** Colors are equivalent if equal as floats, the precision of shading, and channels if there is no image. */
     @Override
     public boolean isEquivalent(Material a, Material b) {
-        return super.isEquivalent(a, b) || get(a) instanceof Rgb before && get(b) instanceof Rgb after && equalsAsFloat(before, after);
+        return super.isEquivalent(a, b) || isChannelOfNothing(a) && isChannelOfNothing(b)
+                || get(a) instanceof Rgb before && get(b) instanceof Rgb after && equalsAsFloat(before, after);
+    }
+
+    private boolean isChannelOfNothing(Material m) {
+        return this == ROUGHNESS_CHANNEL && m.surfaceMaps().roughness().isEmpty()
+                || this == METALNESS_CHANNEL && m.surfaceMaps().metalness().isEmpty();
     }
 
     private static boolean equalsAsFloat(Rgb a, Rgb b) {

@@ -10,6 +10,8 @@ public enum MaterialTerm {
     HIGHLIGHT,
     /** Texel of each row, and its color. */
     TEXEL,
+    /** Texel of each row, and with it the specular term of each light and the color. */
+    HIGHLIGHT_TEXEL,
     /** Set of rows: the extent of the surface. */
     COVERAGE,
     /** Normal of each row, and all values that depend on it. */
@@ -17,5 +19,10 @@ public enum MaterialTerm {
     /** Direction of rays after the surface. */
     REFRACTION,
     /** Occlusion of shadow rays. */
-    SHADOW
+    SHADOW;
+
+    /** Returns whether it includes the texels of rows. */
+    public boolean changesTexels() {
+        return this == TEXEL || this == HIGHLIGHT_TEXEL;
+    }
 }

@@ -68,6 +68,7 @@ class LeftOutFilesTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
         "material m { normal_map \"a.png\" } | 1:31",
+        "material m { model principled roughness_map \"a.png\" } | 1:51",
         "material m { cutout \"a.png\" } | 1:27",
         "light l spot { gobo \"a.png\" } | 1:27",
         "light l spot { profile \"a.ies\" } | 1:30",

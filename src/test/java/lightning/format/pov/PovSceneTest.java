@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -213,6 +214,21 @@ class PovSceneTest {
                 """, "p.jen", folder).scene(), "x");
         assertThat(pov.text()).doesNotContain("emission");
         assertThat(pov.losses()).containsExactly("material neon: glow map is replaced by its mean");
+    }
+
+    @Test
+    void surfaceMaps_areReplacedByTheirMeans() throws Exception {
+        var packed = new BufferedImage(2, 1, BufferedImage.TYPE_INT_RGB);
+        packed.setRGB(0, 0, 0x00FF00);
+        packed.setRGB(1, 0, 0x0000FF);
+        ImageIO.write(packed, "png", folder.resolve("orm.png").toFile());
+        String text = "jen 1 material m { model principled metalness %s roughness %s %s } plane a { material m }";
+        PovScene mapped = PovScene.of(JenReader.read(String.format(Locale.ROOT, text, 1, 0.8,
+                "roughness_map \"orm.png\" metalness_map \"orm.png\""), "p.jen", folder).scene(), "x");
+        PovScene plain = PovScene.of(JenReader.read(String.format(Locale.ROOT, text, 0.5, 0.4, ""), "p.jen", folder).scene(), "x");
+        assertThat(mapped.text()).endsWith(plain.text().substring(plain.text().indexOf("#version")));
+        assertThat(mapped.losses()).contains("material m: maps of roughness and metalness are replaced by their means");
+        assertThat(plain.losses()).noneMatch(loss -> loss.contains("maps"));
     }
 
     @Test

@@ -64,7 +64,7 @@ class IndirectScenesTest {
         Scene scene = IndirectScenes.all().get(name);
         Scene without = scene.withPicture(scene.picture().withIndirect(Optional.empty()));
         assertThat(new ReferenceTracer(scene).trace().hasSameBits(new ReferenceTracer(without).trace()))
-                .isEqualTo(Set.of("empty", "black").contains(name));
+                .isEqualTo(Set.of("empty", "black").contains(name) || scene.picture().indirect().isEmpty());
     }
 
     /** The order in which shapes name materials decides the order of rows in a first pass, but not after an edit. */

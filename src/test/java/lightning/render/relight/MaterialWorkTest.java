@@ -26,10 +26,13 @@ import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.light.LightType;
 import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
+import lightning.scene.material.SurfaceMaps;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
 import lightning.scene.value.Placement;
@@ -173,6 +176,49 @@ class MaterialWorkTest {
             assertWork(edit(studio, MATT, m -> m.withTexture(Optional.empty())), 0, rows(studio), 0, 0);
             assertThat(studio.renderer().cache().bytes()).isEqualTo(before);
             assertExact(studio, "no-texture");
+        }
+    }
+
+    private static StudioRenderer principledStudio() {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        return new StudioRenderer(ReflectionMode.STALE, MirrorStorage.FULL_ROWS,
+                edited(scene, MATT, m -> m.withModel(ShadingModel.PRINCIPLED)));
+    }
+
+    @Test
+    void roughnessMap_updatesTexelsAndSpecularOfItsRows() {
+        try (StudioRenderer studio = principledStudio()) {
+            for (UnaryOperator<SurfaceMaps> edit : List.<UnaryOperator<SurfaceMaps>>of(maps -> maps.withRoughness(CHECKS),
+                    maps -> maps.withRoughnessChannel(TextureChannel.RED),
+                    maps -> maps.withRoughness(CHECKS.map(map -> map.withRepeatU(-2))))) {
+                UpdateResult update = edit(studio, MATT, m -> m.withSurfaceMaps(edit.apply(m.surfaceMaps())));
+                assertThat(update.plan().steps()).contains("matt: texture + specular term");
+                assertThat(update.rays().shadow()).as("of surfels only").isLessThan(studio.referenceRows().count(0, _ -> true));
+                assertExact(studio, "roughness-map");
+            }
+            edit(studio, MATT, m -> m.withSurfaceMaps(SurfaceMaps.NONE));
+            assertExact(studio, "no-map");
+        }
+    }
+
+    @Test
+    void metalnessMap_updatesTexelsOfItsRows() {
+        try (StudioRenderer studio = principledStudio()) {
+            edit(studio, MATT, m -> m.withMetalness(0.5));
+            for (UnaryOperator<SurfaceMaps> edit : List.<UnaryOperator<SurfaceMaps>>of(maps -> maps.withMetalness(CHECKS),
+                    maps -> maps.withMetalnessChannel(TextureChannel.RED))) {
+                UpdateResult update = edit(studio, MATT, m -> m.withSurfaceMaps(edit.apply(m.surfaceMaps())));
+                assertThat(update.plan().steps()).contains("matt: texture");
+                assertExact(studio, "metalness-map");
+            }
+        }
+    }
+
+    @Test
+    void channelWithoutMap_doesNothing() {
+        try (StudioRenderer studio = principledStudio()) {
+            assertWork(edit(studio, MATT, m -> m.withSurfaceMaps(
+                    SurfaceMaps.NONE.withRoughnessChannel(TextureChannel.RED).withMetalnessChannel(TextureChannel.RED))), 0, 0, 0, 0);
         }
     }
 

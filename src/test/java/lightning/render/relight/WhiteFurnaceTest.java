@@ -20,7 +20,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class WhiteFurnaceTest {
     private static final String METAL = "base 1 1 1  metalness 1  roughness ";
     private static final String NONMETAL = "base 1 1 1  metalness 0  roughness ";
-    private static final String COATED = "base 1 1 1  metalness 0.5  coat 1  coat_roughness 0.3  roughness ";
+    private static final String COATED = "base 1 1 1  metalness 1  coat 1  coat_roughness 0.3  roughness ";
 
     @ParameterizedTest
     @CsvSource({"0", "0.07", "0.08", "0.15", "0.3", "0.5", "0.7", "0.9", "1"})

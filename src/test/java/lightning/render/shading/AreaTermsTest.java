@@ -83,6 +83,30 @@ class AreaTermsTest {
     }
 
     @Property
+    void metallicTermsOfRowsOfDifferentRoughness_matchEquation(@ForAll Random random, @ForAll boolean scalar, @ForAll LightType type) {
+        LightSource source = draw(random, type);
+        TermKernel terms = (scalar ? Engines.SCALAR : Engines.LANES).terms();
+        int s = random.nextInt(SAMPLES);
+        int[] all = RowBits.allocate();
+        RowBits.add(all, 0, COUNT);
+        int[] facing = RowBits.allocate();
+        terms.aim(rows, source, s, ways, all, new float[TermKernel.MAX_ROWS], facing);
+        float[] specular = new float[TermKernel.MAX_ROWS];
+        float[] grazing = new float[TermKernel.MAX_ROWS];
+        double[] alpha = random.doubles(TermKernel.MAX_ROWS, 0, 3).map(exponent -> StrictMath.pow(10, -exponent)).toArray();
+        int from = random.nextInt(COUNT);
+        terms.metallicSpeculars(rows, from, COUNT, facing, alpha, specular, grazing);
+        for (int i = 0; i < COUNT; i++) {
+            boolean isWritten = i >= from && RowBits.contains(facing, i);
+            LightingEquation equation = equation(source, i, s);
+            assertThat(specular[i]).isEqualTo(isWritten
+                    ? equation.metallicSpecular(rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i], rows.vz[i], alpha[i]) : 0);
+            assertThat(grazing[i]).isEqualTo(isWritten
+                    ? equation.metallicGrazing(rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i], rows.vz[i], alpha[i]) : 0);
+        }
+    }
+
+    @Property
     void rowOutsideFacingBound_facesNoSample(@ForAll Random random, @ForAll LightType type) {
         LightSource source = draw(random, type);
         Engines.LANES.terms().addPossiblyFacing(rows, source, may);

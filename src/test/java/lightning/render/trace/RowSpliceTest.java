@@ -22,7 +22,7 @@ import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
-import lightning.scene.material.MaterialTerm;
+import lightning.scene.material.ShadingModel;
 import lightning.scene.material.Transmission;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
@@ -78,9 +78,10 @@ class RowSpliceTest {
                 .filter(f -> !f.getName().startsWith("run")).count();
         Set<float[]> texels = Collections.newSetFromMap(new IdentityHashMap<>());
         for (HitRows.ColumnGroup group : HitRows.ColumnGroup.TEXELS) {
-            IntStream.range(0, 3).forEach(c -> texels.add(rows.texel(group, c)));
+            IntStream.range(0, group.columnCount()).forEach(c -> texels.add(rows.texel(group, c)));
         }
-        assertThat(texels).hasSize(3 * HitRows.ColumnGroup.TEXELS.size()).contains(rows.texelRed, rows.texelGreen, rows.texelBlue);
+        assertThat(texels).hasSize(HitRows.ColumnGroup.TEXELS.stream().mapToInt(HitRows.ColumnGroup::columnCount).sum())
+                .contains(rows.texelRed, rows.texelGreen, rows.texelBlue);
         // Only textures have fields, of all texels.
         assertThat(arrays).isEqualTo(HitRows.Column.values().length - texels.size() + 3);
         assertThat(HitRows.Column.values()).allMatch(column -> rows.columns().has(column));
@@ -141,11 +142,11 @@ class RowSpliceTest {
         List<Material> materials = new ArrayList<>();
         for (int m = 0; m < MATERIALS; m++) {
             names.add("m" + m);
-            materials.add(Material.of("m" + m).withDiffuse(Rgb.WHITE).withShininess(1).withReflective(Rgb.gray(random.nextInt(2)))
+            materials.add(Material.of("m" + m).withModel(ShadingModel.PRINCIPLED).withRoughness(random.nextInt(2))
                     .withTransmission(m == 1 ? Transmission.NONE.withColor(Rgb.WHITE) : Transmission.NONE)
                     .withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture))));
             for (MaterialAttribute<Optional<TextureMap>> map : MaterialAttribute.MAPS) {
-                if (map.term() == MaterialTerm.TEXEL) {
+                if (map.term().changesTexels()) {
                     materials.set(m, map.with(materials.get(m), Optional.of(new TextureMap("t.png", 1, 1, texture))));
                 }
             }

@@ -141,8 +141,9 @@ class SurfaceHitTest {
         double c = Math.cos(Math.toRadians(degrees));
         Vec3 u = new Vec3(H, 0, H);
         Vec3 v = u.times(s).plus(new Vec3(0, -c, 0));
-        SurfacePoint p = new SurfacePoint(0, 0, 2, 3, 5, 0, 1, 0, (float) v.x(), (float) v.y(), (float) v.z(), new float[3], new float[3],
-                new float[3], null, null);
+        SurfacePoint p =
+                new SurfacePoint(0, 0, 2, 3, 5, 0, 1, 0, (float) v.x(), (float) v.y(), (float) v.z(), new float[3], new float[3], 0,
+                        new float[3], null, null);
         Ray mirrored = p.reflectedRay();
         assertThat(mirrored.origin()).isEqualTo(new Vec3(2, 3, 5));
         assertThat(mirrored.direction().minus(u.times(s).plus(new Vec3(0, c, 0))).maxAbs()).isLessThan(1e-6);
@@ -154,7 +155,8 @@ class SurfaceHitTest {
     @CsvSource({"-1,0,0, -41,12,24", "0,-1,0, 12,-31,36", "0,0,-1, 24,36,23"})
     void reflectedRay_matchesHandCalculation(float vx, float vy, float vz, double rx, double ry, double rz) {
         SurfacePoint p =
-                new SurfacePoint(0, 0, 0, 0, 0, 2 / 7f, 3 / 7f, 6 / 7f, vx, vy, vz, new float[3], new float[3], new float[3], null, null);
+                new SurfacePoint(0, 0, 0, 0, 0, 2 / 7f, 3 / 7f, 6 / 7f, vx, vy, vz, new float[3], new float[3], 0, new float[3], null,
+                        null);
         assertThat(p.reflectedRay().direction().minus(new Vec3(rx, ry, rz).times(1 / 49.0)).maxAbs()).isLessThan(1e-6);
     }
 
@@ -162,12 +164,12 @@ class SurfaceHitTest {
     @Test
     void reflectedRay_alwaysLeavesSurface() {
         SurfacePoint p =
-                new SurfacePoint(0, 0, 0, 0, 0, 0.6f, 0.8f, 0, 0.8f, -0.59999996f, 1e-7f, new float[3], new float[3], new float[3], null,
+                new SurfacePoint(0, 0, 0, 0, 0, 0.6f, 0.8f, 0, 0.8f, -0.59999996f, 1e-7f, new float[3], new float[3], 0, new float[3], null,
                         null);
         assertThat(0.6f * 0.8f + 0.8f * -0.59999996f).as("N·V").isPositive();
         assertThat(p.reflectedRay().direction().dot(new Vec3(0.6f, 0.8f, 0))).isPositive();
         SurfacePoint slanted =
-                new SurfacePoint(0, 0, 0, 0, 0, 0, 0.6f, -0.8f, 0.28f, 0.768f, 0.576f, new float[3], new float[3], new float[3], null,
+                new SurfacePoint(0, 0, 0, 0, 0, 0, 0.6f, -0.8f, 0.28f, 0.768f, 0.576f, new float[3], new float[3], 0, new float[3], null,
                         null);
         Ray mirrored = slanted.reflectedRay();
         assertThat(mirrored.direction().dot(new Vec3(0, 0.6f, -0.8f))).isGreaterThanOrEqualTo(0);

@@ -458,24 +458,43 @@ final class LightLanes implements TermKernel {
         for (int b = from / RowBits.WIDTH; b * RowBits.WIDTH < to; b++) {
             int bits = rowSet[b] & RowBits.rangeBits(b, from, to);
             if (bits != 0) {
-                int row = b * RowBits.WIDTH;
-                writeSquaredWidths(row, alpha * alpha);
-                writeFacetTerms(rows, row);
-                mergeRows(b, bits, specularTerms, row, gloss);
-                mergeRows(b, bits, grazingTerms, row, grazing);
+                java.util.Arrays.fill(squaredWidth, alpha * alpha);
+                writeMetallicSpeculars(rows, b, bits, gloss, grazing);
             }
         }
     }
 
-    /** Writes {@link #squaredWidth} of a word's rows. */
-    private void writeSquaredWidths(int row, double square) {
-        if (highlightWidening == 0) {
-            java.util.Arrays.fill(squaredWidth, square);
-            return;
+    @Override
+    public void metallicSpeculars(HitRows rows, int from, int to, int[] rowSet, double[] alpha, float[] gloss, float[] grazing) {
+        for (int b = from / RowBits.WIDTH; b * RowBits.WIDTH < to; b++) {
+            int bits = rowSet[b] & RowBits.rangeBits(b, from, to);
+            if (bits != 0) {
+                for (int i = 0; i < RowBits.WIDTH; i += LANES) {
+                    DoubleVector width = DoubleVector.fromArray(D, alpha, b * RowBits.WIDTH + i);
+                    width.mul(width).intoArray(squaredWidth, i);
+                }
+                writeMetallicSpeculars(rows, b, bits, gloss, grazing);
+            }
         }
+    }
+
+    /** Writes the terms of some rows of a word, whose {@link #squaredWidth} are set before they are widened. */
+    private void writeMetallicSpeculars(HitRows rows, int b, int bits, float[] gloss, float[] grazing) {
+        int row = b * RowBits.WIDTH;
+        if (highlightWidening != 0) {
+            widenSquares(row);
+        }
+        writeFacetTerms(rows, row);
+        mergeRows(b, bits, specularTerms, row, gloss);
+        mergeRows(b, bits, grazingTerms, row, grazing);
+    }
+
+    /** Widens {@link #squaredWidth} of a word's rows. */
+    private void widenSquares(int row) {
         for (int i = 0; i < RowBits.WIDTH; i += LANES) {
             DoubleVector d = DoubleVector.fromArray(D, distance, row + i);
-            DoubleVector widened = DoubleVector.broadcast(D, highlightWidening).div(d.mul(d)).add(square);
+            DoubleVector widened =
+                    DoubleVector.broadcast(D, highlightWidening).div(d.mul(d)).add(DoubleVector.fromArray(D, squaredWidth, i));
             one().blend(widened, widened.compare(VectorOperators.LT, 1)).intoArray(squaredWidth, i);
         }
     }

@@ -194,12 +194,25 @@ final class ScalarTerms implements TermKernel {
     public void metallicSpeculars(HitRows rows, int from, int to, int[] rowSet, double alpha, float[] gloss, float[] grazing) {
         for (int i = from; i < to; i++) {
             if (RowBits.contains(rowSet, i)) {
-                double facets = microfacetTerm(rows, i, alpha);
-                double schlick = schlick(rows, i);
-                gloss[i] = (float) (facets * (1 - schlick));
-                grazing[i] = (float) (facets * schlick);
+                writeMetallicSpecular(rows, i, alpha, gloss, grazing);
             }
         }
+    }
+
+    @Override
+    public void metallicSpeculars(HitRows rows, int from, int to, int[] rowSet, double[] alpha, float[] gloss, float[] grazing) {
+        for (int i = from; i < to; i++) {
+            if (RowBits.contains(rowSet, i)) {
+                writeMetallicSpecular(rows, i, alpha[i], gloss, grazing);
+            }
+        }
+    }
+
+    private void writeMetallicSpecular(HitRows rows, int i, double alpha, float[] gloss, float[] grazing) {
+        double facets = microfacetTerm(rows, i, alpha);
+        double schlick = schlick(rows, i);
+        gloss[i] = (float) (facets * (1 - schlick));
+        grazing[i] = (float) (facets * schlick);
     }
 
     /** Returns N·L. */

@@ -52,7 +52,8 @@ public enum PathUpdate {
 
     /** Returns whether rays of blurred reflections start from and end at both materials in the same way. */
     private static boolean reflectAlike(Material a, Material b) {
-        return a == b || Objects.equals(RoughLobes.of(a), RoughLobes.of(b)) && Objects.equals(a.mirrorTint(), b.mirrorTint());
+        return a == b || Objects.equals(RoughLobes.of(a), RoughLobes.of(b)) && Objects.equals(a.mirrorTint(), b.mirrorTint())
+                && a.roughness() == b.roughness() && a.surfaceMaps().hasSameRoughness(b.surfaceMaps());
     }
 
     /** Returns whether a material mirrors or transmits light, even if the view casts reflected rays from all materials. */

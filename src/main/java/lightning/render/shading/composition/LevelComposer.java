@@ -197,6 +197,10 @@ final class LevelComposer {
 
     /** Shades an unlit texture, which shows its own color regardless of the lights. */
     private void shadeUnlit(HitRows rows, int run, ShadingMaterial material, float[][] to) {
+        if (material.principled() != null) {
+            principledShader.shadeUnlit(rows, run, material, emitted, to);
+            return;
+        }
         for (int c = 0; c < 3; c++) {
             float[] texel = requireNonNull(rows.texel(c));
             for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {

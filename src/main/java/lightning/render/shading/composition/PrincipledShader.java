@@ -3,6 +3,7 @@ package lightning.render.shading.composition;
 import static java.util.Objects.requireNonNull;
 
 import lightning.render.shading.PrincipledMaterial;
+import lightning.render.shading.PrincipledRow;
 import lightning.render.shading.PrincipledWeights;
 import lightning.render.shading.ShadingMaterial;
 import lightning.render.trace.HitRows;
@@ -11,34 +12,44 @@ import org.jspecify.annotations.Nullable;
 /** Shades rows of principled materials, for all engines. Holds scratch memory: use one instance per thread. */
 final class PrincipledShader {
     private final PrincipledWeights weights = new PrincipledWeights();
+    private final PrincipledRow colors = new PrincipledRow();
 
     /**
      * Writes the colors of a run's rows.
      *
      * @param specular  lights' sum of specular terms; null for none, as {@code grazing}
-     * @param reflected light from the surroundings: three columns that F0 multiplies, and three that no color multiplies; null for none
+     * @param reflected mean light of the surroundings: three columns for what F0 multiplies, and three for what no color multiplies; null for
+     *                  none
      * @param mirrored  colors of mirrored rays; null if there are none
      */
     void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float @Nullable [][] specular,
             float @Nullable [][] grazing, float @Nullable [][] reflected, float @Nullable [][] mirrored, float[][] to) {
         PrincipledMaterial principled = requireNonNull(material.principled());
-        float[] metalF0 = requireNonNull(material.texturedF0());
         for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
-            weights.moveTo(principled, rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i], rows.vz[i]);
+            weights.moveTo(principled, rows, i);
+            colors.moveTo(material, rows, i);
             for (int c = 0; c < 3; c++) {
-                float texel = material.isTextured() ? requireNonNull(rows.texel(c))[i] : 1;
                 float shine = specular == null ? 0 : specular[c][i];
                 float graze = grazing == null ? 0 : grazing[c][i];
                 if (reflected != null) {
-                    shine += reflected[c][i];
-                    graze += reflected[3 + c][i];
+                    shine += reflected[c][i] * weights.reflected(principled);
+                    graze += reflected[3 + c][i] * weights.reflectedGrazing(principled);
                 }
                 if (mirrored != null && principled.isMirror()) {
                     shine += mirrored[c][i] * weights.mirrored(principled);
                     graze += mirrored[c][i] * weights.mirroredGrazing(principled);
                 }
-                to[c][i] = weights.color(emitted[c], material.diffuse()[c] * texel, diffuse[c][i],
-                        metalF0[c] * texel + material.specular()[c], shine, graze);
+                to[c][i] = weights.color(emitted[c], colors.diffuse(c), diffuse[c][i], colors.f0(c), shine, graze);
+            }
+        }
+    }
+
+    /** Writes the colors of a run's rows regardless of the lights. */
+    void shadeUnlit(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] to) {
+        for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
+            colors.moveTo(material, rows, i);
+            for (int c = 0; c < 3; c++) {
+                to[c][i] = emitted[c] + colors.diffuse(c);
             }
         }
     }

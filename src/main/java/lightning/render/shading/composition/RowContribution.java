@@ -6,6 +6,9 @@ import java.util.Arrays;
 import lightning.render.shading.ClearMaterialShader;
 import lightning.render.shading.LightWeight;
 import lightning.render.shading.LightingEquation;
+import lightning.render.shading.PrincipledMaterial;
+import lightning.render.shading.PrincipledRow;
+import lightning.render.shading.PrincipledWeights;
 import lightning.render.shading.ShadingMaterial;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.layer.LightLayer;
@@ -23,6 +26,8 @@ import org.jspecify.annotations.Nullable;
 public final class RowContribution {
     private final ShadingMaterial[] shadingMaterials;
     private final float[] tint = new float[3];
+    private final PrincipledWeights weights = new PrincipledWeights();
+    private final PrincipledRow colors = new PrincipledRow();
 
     public RowContribution(MaterialTable materials) {
         shadingMaterials = new ShadingMaterial[materials.count()];
@@ -56,6 +61,10 @@ public final class RowContribution {
             assert shading.interior() != null && rows.insideDistance != null;
             shading.interior().write(rows.insideDistance[row], tint);
         }
+        if (shading.principled() != null) {
+            weights.moveTo(shading.principled(), rows, row);
+            colors.moveTo(shading, rows, row);
+        }
         // Not a loop: a compiled loop reads the length of an absent column before it checks for null, a fault of the virtual machine.
         writeChannel(0, rows, row, shading, isZero, light, layer, indirect, fresnel, mirrored, refracted, from, to, at);
         writeChannel(1, rows, row, shading, isZero, light, layer, indirect, fresnel, mirrored, refracted, from, to, at);
@@ -78,6 +87,14 @@ public final class RowContribution {
             }
         }
         diffuse = indirect == null ? diffuse : indirect[c] + diffuse;
+        PrincipledMaterial principled = shading.principled();
+        if (principled != null) {
+            boolean isMirror = principled.isMirror();
+            to[at + c] = weights.color(0, colors.diffuse(c), diffuse, colors.f0(c),
+                    isMirror ? specular + mirrored[from + c] * weights.mirrored(principled) : specular,
+                    isMirror ? grazing + mirrored[from + c] * weights.mirroredGrazing(principled) : grazing);
+            return;
+        }
         float kd = shading.isTextured() ? texel * shading.diffuse()[c] : shading.diffuse()[c];
         to[at + c] = shading.clarity() == null
                 ? LightingEquation.color(0, kd, diffuse, ks, specular, grazing, shading.reflective()[c], mirrored[from + c])

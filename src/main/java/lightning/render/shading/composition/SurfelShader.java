@@ -3,6 +3,8 @@ package lightning.render.shading.composition;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
+import lightning.render.shading.PrincipledMaterial;
+import lightning.render.shading.PrincipledRow;
 import lightning.render.shading.ShadingMaterial;
 import lightning.render.shading.SumKernel;
 import lightning.render.shading.WeightedLight;
@@ -18,6 +20,7 @@ public final class SurfelShader {
     private final LightSum lightSum;
     private final ShadingMaterial[] materials;
     private final MaterialTable table;
+    private final PrincipledRow principledRow = new PrincipledRow();
 
     public SurfelShader(MaterialTable table, SumKernel sums) {
         this.table = table;
@@ -62,23 +65,32 @@ public final class SurfelShader {
                 float ambient = (1 - material.reflective()[c]) * (material.ambient()[c] * ambience);
                 float share = (1 - material.reflective()[c]) * material.diffuse()[c];
                 for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
-                    albedo[c][numbers[rows.parent[row]]] = material.principled() != null
-                            ? principledAlbedo(material, c, material.isTextured() ? texel[row] : 1)
-                            : material.isTextured() ? share * texel[row] : share;
+                    albedo[c][numbers[rows.parent[row]]] = material.isTextured() ? share * texel[row] : share;
                     glow[c][numbers[rows.parent[row]]] = map == null ? emitted : emitted * map[row];
                     if (seen[c].length > 0) {
                         seen[c][numbers[rows.parent[row]]] = ambient + (map == null ? shown : shown * map[row]);
                     }
                 }
             }
+            if (material.principled() != null) {
+                writePrincipledAlbedo(rows, run, material, numbers, albedo);
+            }
+        }
+    }
+
+    private void writePrincipledAlbedo(HitRows rows, int run, ShadingMaterial material, int[] numbers, float[][] albedo) {
+        for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
+            principledRow.moveTo(material, rows, row);
+            for (int c = 0; c < 3; c++) {
+                albedo[c][numbers[rows.parent[row]]] =
+                        principledAlbedo(requireNonNull(material.principled()), principledRow.diffuse(c), principledRow.f0(c));
+            }
         }
     }
 
     /** Returns one channel of the share of light that a principled surface sends back in all directions: reflections count as diffuse. */
-    private static float principledAlbedo(ShadingMaterial material, int c, float texel) {
-        float f0 = requireNonNull(material.texturedF0())[c] * texel + material.specular()[c];
-        float below = 1 - meanFresnel(requireNonNull(material.principled()).nonmetalF0());
-        return material.diffuse()[c] * texel * below + meanFresnel(f0);
+    private static float principledAlbedo(PrincipledMaterial material, float kd, float f0) {
+        return kd * (1 - meanFresnel(material.nonmetalF0())) + meanFresnel(f0);
     }
 
     /** Returns the mean of Schlick's reflectance over a hemisphere of uniform light. */

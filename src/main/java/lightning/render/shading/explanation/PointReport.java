@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * @param ambient       ka·ambience·(1 − kr), linear, {@code float[3]}
  * @param glow          glow·(1 − kr), linear, {@code float[3]}
  * @param indirect      indirect light in the units of the lights' diffuse sum, linear, {@code float[3]}; null if there is none
- * @param surroundings  blurred reflection: light that the reflectance multiplies, then light that no color multiplies, linear, {@code
+ * @param surroundings  blurred reflection: mean light for what the reflectance multiplies, then for what no color multiplies, linear, {@code
  *                      float[6]}; null if the material is not principled or nothing blurs reflections
  * @param lights        one report for each light of the scene, in its order
  * @param refracted     report of the refracted ray; null if the material is opaque, reflects totally, or the depth ends here

@@ -22,7 +22,7 @@ record PrincipledPoint(SurfacePoint at, PrincipledMaterial material, PrincipledW
             return null;
         }
         var weights = new PrincipledWeights();
-        weights.moveTo(principled, at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz());
+        weights.moveTo(principled, (float) at.roughness(), at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz());
         return new PrincipledPoint(at, principled, weights);
     }
 
@@ -40,8 +40,8 @@ record PrincipledPoint(SurfacePoint at, PrincipledMaterial material, PrincipledW
         float shine = specular;
         float graze = grazing;
         if (reflected != null) {
-            shine += reflected[c];
-            graze += reflected[3 + c];
+            shine += reflected[c] * weights.reflected(material);
+            graze += reflected[3 + c] * weights.reflectedGrazing(material);
         }
         if (material.isMirror()) {
             shine += mirrored * weights.mirrored(material);

@@ -5,6 +5,7 @@ import lightning.render.shading.PrincipledMaterial;
 import lightning.render.shading.PrincipledWeights;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SurfacePoint;
+import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,7 +28,7 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
         if (!isMetallic()) {
             return equation.specular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.shininess(hit.material()));
         }
-        float specular = metallicSpecular(materials.alpha(hit.material()));
+        float specular = metallicSpecular(Material.alpha(hit.roughness()));
         PrincipledMaterial coated = coated();
         return coated == null ? specular : specular * weights(coated).base();
     }
@@ -36,7 +37,7 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
         if (!isMetallic()) {
             return 0;
         }
-        float grazing = metallicGrazing(materials.alpha(hit.material()));
+        float grazing = metallicGrazing(Material.alpha(hit.roughness()));
         PrincipledMaterial coated = coated();
         if (coated == null) {
             return grazing;
@@ -60,7 +61,7 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
 
     private PrincipledWeights weights(PrincipledMaterial material) {
         var weights = new PrincipledWeights();
-        weights.moveTo(material, hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz());
+        weights.moveTo(material, (float) hit.roughness(), hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz());
         return weights;
     }
 }

@@ -28,6 +28,8 @@ final class TermColumnWriter {
     /** For each material whether its diffuse term is less than the cosine. */
     private final boolean[] losesDiffuse;
     private final PrincipledWeights weights = new PrincipledWeights();
+    /** Widths of the highlights of rows with a roughness map. */
+    private final double[] widths;
     private final float[] coatSpecular;
     private final float[] coatGrazing;
 
@@ -43,6 +45,8 @@ final class TermColumnWriter {
         for (int m = 0; m < losesDiffuse.length; m++) {
             losesDiffuse[m] = materials.isMetallic(m) && !materials.isPrincipled(m);
         }
+        boolean isMapped = Arrays.stream(principledMaterials).anyMatch(m -> m != null && m.hasRoughnessMap());
+        widths = new double[isMapped ? TermKernel.MAX_ROWS : 0];
         boolean isCoated = Arrays.stream(principledMaterials).anyMatch(m -> m != null && m.coat() != null);
         coatSpecular = new float[isCoated ? TermKernel.MAX_ROWS : 0];
         coatGrazing = new float[coatSpecular.length];
@@ -120,8 +124,12 @@ final class TermColumnWriter {
             int material = rows.runMaterial[r];
             if (materials.isMetallic(material)) {
                 assert grazing != null;
-                terms.metallicSpeculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.alpha(material), column, grazing);
                 PrincipledMaterial principled = principledMaterials[material];
+                if (principled != null && principled.hasRoughnessMap()) {
+                    writeMappedSpeculars(rows, r, queried, principled, column, grazing);
+                } else {
+                    terms.metallicSpeculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.alpha(material), column, grazing);
+                }
                 if (principled != null && principled.coat() != null) {
                     addCoat(rows, r, queried, principled, column, grazing);
                 }
@@ -131,6 +139,14 @@ final class TermColumnWriter {
         }
     }
 
+    private void writeMappedSpeculars(HitRows rows, int run, int[] queried, PrincipledMaterial material, float[] specular,
+            float[] grazing) {
+        for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
+            widths[i] = material.mappedAlpha(rows, i);
+        }
+        terms.metallicSpeculars(rows, rows.runStart(run), rows.runEnd[run], queried, widths, specular, grazing);
+    }
+
     /** Changes the terms of a surface to those of the surface below its coat and of the coat, whose reflection has no color. */
     private void addCoat(HitRows rows, int run, int[] queried, PrincipledMaterial material, float[] specular, float[] grazing) {
         int from = rows.runStart(run);
@@ -138,7 +154,7 @@ final class TermColumnWriter {
         terms.metallicSpeculars(rows, from, to, queried, requireNonNull(material.coat()).alpha(), coatSpecular, coatGrazing);
         for (int i = from; i < to; i++) {
             if (RowBits.contains(queried, i)) {
-                weights.moveTo(material, rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i], rows.vz[i]);
+                weights.moveTo(material, rows, i);
                 specular[i] *= weights.base();
                 grazing[i] = weights.coatedGrazing(material, grazing[i], coatSpecular[i], coatGrazing[i]);
             }

@@ -23,6 +23,7 @@ import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
+import lightning.scene.material.ShadingModel;
 import org.junit.jupiter.api.Test;
 
 /** Tests that a scene's files are found and renamed in all attributes that refer to files. */
@@ -31,7 +32,8 @@ class FileRenamingTest {
 
     /** Returns a scene with a file in each attribute, named by the attribute. */
     private static Scene sceneWithAllFiles() {
-        Material material = Material.of("m");
+        // A model that has all maps.
+        Material material = Material.of("m").withModel(ShadingModel.PRINCIPLED);
         for (MaterialAttribute<Optional<TextureMap>> map : MaterialAttribute.MAPS) {
             material = map.with(material, Optional.of(new TextureMap(map.name() + ".png", 2, 3, IMAGE)));
         }

@@ -9,6 +9,7 @@ import lightning.render.gather.CellKeys;
 import lightning.render.gather.DirectionTable;
 import lightning.render.gather.GlowShapes;
 import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.NormalSteps;
 import lightning.render.trace.RayBatch;
@@ -27,10 +28,11 @@ import lightning.scene.material.Transmission;
  * @param tint   product of the tints of the transparent surfaces in between: red, green, blue
  * @param texel  mean texture color of the cell: red, green, blue; null for none
  * @param glowTexel mean color of the glow map in the cell: red, green, blue; null for none
+ * @param metalTexel mean of the metalness map in the cell, {@code float[1]}; null for none
  * @param dark   whether the ray does not count the glow of what it hits, because other rays are aimed at it
  */
 record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long cell, int rank, float[] tint, float[] texel,
-        float[] glowTexel,
+        float[] glowTexel, float[] metalTexel,
         boolean dark) {
     // Arrays in a record: written once by their creator, never after.
 
@@ -53,7 +55,7 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
     }
 
     private ReferenceGatherRay darkened() {
-        return new ReferenceGatherRay(hit, direction, length, cell, rank, tint, texel, glowTexel, true);
+        return new ReferenceGatherRay(hit, direction, length, cell, rank, tint, texel, glowTexel, metalTexel, true);
     }
 
     /** Returns the normal of the surface on which a point lies; null if the point is shaded by this normal. */
@@ -96,7 +98,9 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
                 double side = keys.surfelSide(hit.px(), hit.py(), hit.pz(), length);
                 return new ReferenceGatherRay(hit, ray.direction(), length,
                         keys.surfelKey(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz(), primitive, length), rank, tint,
-                        geometry.meanTexelBruteForce(primitive, ray, side), geometry.meanGlowTexelBruteForce(primitive, ray, side), false);
+                        geometry.meanTexelBruteForce(primitive, ray, side),
+                        geometry.meanMapTexelBruteForce(ColumnGroup.GLOW_TEXEL, primitive, ray, side),
+                        geometry.meanMapTexelBruteForce(ColumnGroup.METALNESS_TEXEL, primitive, ray, side), false);
             }
             if (surfaces == RayBatch.MAX_SURFACES) {
                 return miss(ray, rank, new float[3]);
@@ -110,7 +114,7 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
     }
 
     private static ReferenceGatherRay miss(Ray ray, int rank, float[] tint) {
-        return new ReferenceGatherRay(null, ray.direction(), Double.POSITIVE_INFINITY, 0, rank, tint, null, null, false);
+        return new ReferenceGatherRay(null, ray.direction(), Double.POSITIVE_INFINITY, 0, rank, tint, null, null, null, false);
     }
 
     /** Multiplies a tint by the transmittance of a surface, by the angle from outside. */

@@ -15,9 +15,11 @@ import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.IndirectSolver;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
+import lightning.render.trace.PrincipledColors;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
+import lightning.scene.material.Material;
 
 /**
  * Diffuse indirect light of a scene for {@link ReferenceTracer}: the oracle of {@link IndirectSolver} and of everything that it reads. It
@@ -44,10 +46,11 @@ final class ReferenceIndirect {
      * Small part of a surface, lit at one place.
      *
      * @param texel  mean texture color of its cell: red, green, blue
+     * @param metalTexel mean of its metalness map, {@code float[1]}; null for none
      * @param direct lights' diffuse sum: red, green, blue
      * @param glow   light that it emits itself: red, green, blue
      */
-    private record Surfel(SurfacePoint at, float[] texel, float[] direct, float[] glow) {}
+    private record Surfel(SurfacePoint at, float[] texel, float[] metalTexel, float[] direct, float[] glow) {}
 
     /** @param directLight returns the lights' diffuse sum at a surface: red, green, blue */
     ReferenceIndirect(Scene scene, Geometry geometry, GatherSettings settings, BackgroundLight leaving,
@@ -100,14 +103,27 @@ final class ReferenceIndirect {
             glow[c] = ray.glowTexel() == null ? emitted : emitted * ray.glowTexel()[c];
         }
         surfelByCell.put(ray.cell(), surfels.size());
-        surfels.add(new Surfel(ray.hit(), ray.texel(), directLight.apply(ray.hit()), glow));
+        surfels.add(new Surfel(ray.hit(), ray.texel(), ray.metalTexel(), directLight.apply(ray.hit()), glow));
     }
 
     /** Returns one channel of the share that a surfel sends back. */
     private float albedo(Surfel surfel, int c) {
         int material = surfel.at().material();
         MaterialTable materials = geometry.materials();
-        return (1 - materials.reflective(material, c)) * materials.diffuse(material, c) * surfel.texel()[c];
+        return materials.isPrincipled(material) ? principledAlbedo(surfel, materials.material(material), c)
+                : (1 - materials.reflective(material, c)) * materials.diffuse(material, c) * surfel.texel()[c];
+    }
+
+    private float principledAlbedo(Surfel surfel, Material material, int c) {
+        var colors = new PrincipledColors(material);
+        double metalness = surfel.metalTexel() == null ? material.metalness() : material.mappedMetalness(surfel.metalTexel()[0]);
+        float kd = colors.diffuse(c, metalness) * surfel.texel()[c];
+        float f0 = colors.metalF0(c, metalness) * surfel.texel()[c] + colors.specular(c, metalness);
+        return kd * (1 - meanFresnel((float) (material.f0() * material.specularTint().max()))) + meanFresnel(f0);
+    }
+
+    private static float meanFresnel(float f0) {
+        return f0 + (1 - f0) / 21;
     }
 
     /** Casts the rays of all surfels that have none, then adds a surfel for each new cell that they hit. */

@@ -11,6 +11,8 @@ import lightning.render.gather.RowWeigher;
 import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.IndirectSolver;
+import lightning.render.shading.PrincipledRow;
+import lightning.render.shading.ShadingMaterial;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
@@ -52,7 +54,7 @@ final class ReferenceReflections {
                     float map = isMapped ? rows.texel(ColumnGroup.GLOW_TEXEL, c)[row] : 1;
                     float left = 1 - materials.reflective(material, c);
                     direct[c][surfel] = lit[c];
-                    albedo[c][surfel] = albedo(materials, material, c, texel, left);
+                    albedo[c][surfel] = albedo(materials, rows, row, c, texel, left);
                     glow[c][surfel] = left * materials.ownGlow(material, c) * map;
                     seen[c][surfel] = left * (materials.ambient(material, c) * (float) scene.world().ambience())
                             + left * materials.glow(material, c) * map;
@@ -67,16 +69,20 @@ final class ReferenceReflections {
 
     private static SurfacePoint point(HitRows rows, int row, int material) {
         return new SurfacePoint(rows.owner[row], material, rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row],
-                rows.nz[row], rows.vx[row], rows.vy[row], rows.vz[row], new float[3], new float[3], new float[3], Map.of(), null);
+                rows.nz[row], rows.vx[row], rows.vy[row], rows.vz[row], new float[3], new float[3],
+                0, new float[3], Map.of(), null);
     }
 
     /** Returns one channel of the share that a surfel sends back: a principled one its reflection, too. */
-    private static float albedo(MaterialTable materials, int m, int c, float texel, float left) {
+    private static float albedo(MaterialTable materials, HitRows rows, int row, int c, float texel, float left) {
+        int m = rows.material(row);
         if (!materials.isPrincipled(m)) {
             return left * materials.diffuse(m, c) * texel;
         }
+        PrincipledRow colors = new PrincipledRow();
+        colors.moveTo(ShadingMaterial.of(materials, m), rows, row);
         float below = 1 - hemispherical((float) (materials.material(m).f0() * materials.material(m).specularTint().max()));
-        return materials.diffuse(m, c) * texel * below + hemispherical(materials.metalF0(m, c) * texel + materials.specular(m, c));
+        return colors.diffuse(c) * below + hemispherical(colors.f0(c));
     }
 
     private static float hemispherical(float f0) {

@@ -34,6 +34,7 @@ import lightning.scene.GatherSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
+import lightning.scene.material.Material;
 import lightning.scene.node.NodeGroup;
 
 /**
@@ -397,7 +398,7 @@ public final class ReferenceTracer {
             return 0;
         }
         float grazing =
-                equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.alpha(hit.material()));
+                equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), Material.alpha(hit.roughness()));
         PrincipledMaterial principled = PrincipledMaterial.of(materials.material(hit.material()));
         if (principled == null || principled.coat() == null) {
             return grazing;
@@ -410,7 +411,7 @@ public final class ReferenceTracer {
 
     private static PrincipledWeights weights(PrincipledMaterial material, SurfacePoint hit) {
         PrincipledWeights weights = new PrincipledWeights();
-        weights.moveTo(material, hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz());
+        weights.moveTo(material, (float) hit.roughness(), hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz());
         return weights;
     }
 
@@ -419,8 +420,8 @@ public final class ReferenceTracer {
             float mirrored) {
         PrincipledWeights weights = weights(material, hit);
         float[] light = GatherSettings.of(scene).map(GatherSettings::reflections).orElse(false) ? reflections().at(hit) : new float[9];
-        float shine = specular + light[3 + c];
-        float graze = grazing + light[6 + c];
+        float shine = specular + light[3 + c] * weights.reflected(material);
+        float graze = grazing + light[6 + c] * weights.reflectedGrazing(material);
         if (material.isMirror()) {
             shine += mirrored * weights.mirrored(material);
             graze += mirrored * weights.mirroredGrazing(material);
@@ -431,7 +432,7 @@ public final class ReferenceTracer {
     private float specular(LightingEquation equation, SurfacePoint hit) {
         if (materials.isMetallic(hit.material())) {
             float specular =
-                    equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.alpha(hit.material()));
+                    equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), Material.alpha(hit.roughness()));
             PrincipledMaterial principled = PrincipledMaterial.of(materials.material(hit.material()));
             return principled == null || principled.coat() == null ? specular : specular * weights(principled, hit).base();
         }
