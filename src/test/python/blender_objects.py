@@ -46,14 +46,16 @@ assert before == ([state(obj) for obj in scene.objects], [tuple(shader.inputs[na
 
 # Placements of an object without keys, and values of its material.
 edit("Copy.at=1 2 3", "Copy.scale=1 2 3", f"{material.name}.base=0.1 0.2 0.3", f"{material.name}.metalness=0.75",
-     f"{material.name}.roughness=0.25", f"{material.name}.glow=2 1 0")
+     f"{material.name}.roughness=0.25", f"{material.name}.glow=2 1 0", f"{material.name}.coat=0.5",
+     f"{material.name}.coat_roughness=0.125", f"{material.name}.coat_ior=1.75")
 assert_near(copy.location, (1, -3, 2), "location")
 assert_near(copy.scale, (1, 3, 2), "scale")
 assert_near(shader.inputs["Base Color"].default_value, (0.1, 0.2, 0.3, 1), "base color")
 assert_near([shader.inputs[name].default_value for name in ("Metallic", "Roughness", "Emission Strength")], (0.75, 0.25, 2), "values")
 assert_near(shader.inputs["Emission Color"].default_value, (1, 0.5, 0, 1), "emission")
-text = FILE.read_text(encoding="utf-8")
+assert_near([shader.inputs[name].default_value for name in ("Coat Weight", "Coat Roughness", "Coat IOR")], (0.5, 0.125, 1.75), "coat")
 assert bpy.ops.lightning.send(filepath=str(FILE)) == {"FINISHED"}
+assert "coat 0.5" in FILE.read_text(encoding="utf-8") and "coat_ior 1.75" in FILE.read_text(encoding="utf-8"), "coat, sent again"
 assert transfer.get_lights(bpy.context, FILE) is not None
 assert_near(copy.location, (1, -3, 2), "location, sent again")
 
@@ -77,14 +79,14 @@ FILE.write_text(FILE.read_text(encoding="utf-8").replace("Copy", "Other"), encod
 messages = transfer.get_lights(bpy.context, FILE)
 assert any("Copy: it was deleted" in m for m in messages) and any("Other: its edits stay" in m for m in messages), messages
 # Edits of a material that Blender cannot hold survive, unless Blender's own value changes.
-edit(f"{material.name}.reflective=0.25 0.5 0.75", f"{material.name}.shadows=none")
+edit(f"{material.name}.specular_tint=0.25 0.5 0.75", f"{material.name}.shadows=none")
 transfer.send(bpy.context, FILE, overwrite=True)
 kept = FILE.with_name("shot.edited.jen").read_text(encoding="utf-8")
 text = FILE.read_text(encoding="utf-8")
-assert "reflective 0.25 0.5 0.75" in text and "shadows none" in text, text
-edit(f"{material.name}.reflective=0 0 0")
+assert "specular_tint 0.25 0.5 0.75" in text and "shadows none" in text, text
+edit(f"{material.name}.specular_tint=1 1 1")
 transfer.send(bpy.context, FILE)
-assert "reflective" not in FILE.read_text(encoding="utf-8") and "shadows none" in FILE.read_text(encoding="utf-8")
+assert "specular_tint" not in FILE.read_text(encoding="utf-8") and "shadows none" in FILE.read_text(encoding="utf-8")
 FILE.write_text(FILE.read_text(encoding="utf-8").replace("Copy", "Other"), encoding="utf-8")
 transfer.get_lights(bpy.context, FILE)
 

@@ -191,18 +191,81 @@ def types() -> None:
 
 
 def shaders() -> None:
-    def material(name: str, kind: str):
+    def material(name: str, build) -> None:
         result = bpy.data.materials.new(name)
         tree = result.node_tree
         tree.nodes.remove(tree.nodes["Principled BSDF"])
-        tree.links.new(tree.nodes.new(kind).outputs[0], tree.nodes["Material Output"].inputs["Surface"])
-        return result
+        tree.links.new(build(tree).outputs[0], tree.nodes["Material Output"].inputs["Surface"])
+        cube(name, (len(bpy.data.materials), 0, 0)).data.materials.append(result)
 
+    def node(tree, kind: str, **values):
+        made = tree.nodes.new("ShaderNode" + kind)
+        for name, value in values.items():
+            made.inputs[name].default_value = value
+        return made
+
+    def joined(tree, kind: str, first, second, factor=None):
+        made = tree.nodes.new("ShaderNode" + kind)
+        shown = [socket for socket in made.inputs if socket.type == "SHADER"]
+        for socket, shader in zip(shown, (first, second)):
+            tree.links.new(shader.outputs[0], socket)
+        if isinstance(factor, float):
+            made.inputs[0].default_value = factor
+        elif factor is not None:
+            tree.links.new(factor.outputs[0], made.inputs[0])
+        return made
+
+    def diffuse(tree):
+        return node(tree, "BsdfDiffuse", Color=(0.5, 0.25, 0.125, 1))
+
+    def glossy(tree):
+        return node(tree, "BsdfAnisotropic", Color=(0.5, 0.25, 0.125, 1), Roughness=0.25)
+
+    def grouped(tree):
+        group = bpy.data.node_groups.new("paint", "ShaderNodeTree")
+        group.interface.new_socket("Tone", in_out="INPUT", socket_type="NodeSocketColor")
+        group.interface.new_socket("Out", in_out="OUTPUT", socket_type="NodeSocketShader")
+        start, end, inner = group.nodes.new("NodeGroupInput"), group.nodes.new("NodeGroupOutput"), group.nodes.new("ShaderNodeBsdfDiffuse")
+        group.links.new(start.outputs[0], inner.inputs["Color"])
+        group.links.new(inner.outputs[0], end.inputs[0])
+        made = tree.nodes.new("ShaderNodeGroup")
+        made.node_tree = group
+        made.inputs[0].default_value = (0.25, 0.5, 0.75, 1)
+        return made
+
+    def image(tree):
+        picture = bpy.data.images.new("wood", 4, 4)
+        picture.pixels = [((i * 7) % 11) / 11 for i in range(64)]
+        picture.pack()
+        made = tree.nodes.new("ShaderNodeTexImage")
+        made.image = picture
+        shader = diffuse(tree)
+        tree.links.new(made.outputs["Color"], shader.inputs["Color"])
+        return shader
+
+    material("paint", diffuse)
+    material("metal", glossy)
+    material("crystal", lambda tree: node(tree, "BsdfGlass"))
+    material("glow", lambda tree: node(tree, "Emission", Color=(1, 0.5, 0.25, 1), Strength=3))
+    material("plastic", lambda tree: joined(tree, "MixShader", diffuse(tree), node(tree, "BsdfAnisotropic", Color=(1, 1, 1, 1), Roughness=0.25),
+                                            node(tree, "Fresnel", IOR=3)))
+    material("mixed", lambda tree: joined(tree, "MixShader", diffuse(tree), glossy(tree), 0.25))
+    material("lamp", lambda tree: joined(tree, "AddShader", diffuse(tree), node(tree, "Emission", Color=(1, 1, 1, 1), Strength=2)))
+    material("veil", lambda tree: joined(tree, "MixShader", node(tree, "BsdfTransparent"), diffuse(tree), 0.75))
+    material("lacquer", lambda tree: joined(tree, "MixShader", glossy(tree), node(tree, "BsdfAnisotropic", Color=(1, 1, 1, 1), Roughness=0.125),
+                                            node(tree, "Fresnel", IOR=1.75)))
+    material("boxed", grouped)
+    material("wood", image)
+    material("leaf", lambda tree: node(tree, "BsdfTranslucent", Color=(0.25, 0.5, 0.125, 1)))
+    material("brush", lambda tree: node(tree, "BsdfAnisotropic", Anisotropy=0.5))
+    cube("plain", (-3, 0, 0)).data.materials.append(bpy.data.materials.new("plain"))
+    skin = bpy.data.materials.new("skin")
+    skin.node_tree.nodes["Principled BSDF"].inputs["Subsurface Weight"].default_value = 0.5
+    skin.node_tree.nodes["Principled BSDF"].inputs["Specular IOR Level"].default_value = 0.25
+    cube("skin", (-6, 0, 0)).data.materials.append(skin)
     rough = bpy.data.materials.new("rough")
     rough.node_tree.links.new(rough.node_tree.nodes.new("ShaderNodeDisplacement").outputs[0], rough.node_tree.nodes["Material Output"].inputs["Displacement"])
-    for i, made in enumerate((material("paint", "ShaderNodeBsdfDiffuse"), material("crystal", "ShaderNodeBsdfGlass"),
-                              material("glow", "ShaderNodeEmission"), bpy.data.materials.new("plain"), rough)):
-        cube(made.name, (i, 0, 0)).data.materials.append(made)
+    cube("rough", (-9, 0, 0)).data.materials.append(rough)
 
 
 def motion() -> None:

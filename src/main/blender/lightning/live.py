@@ -156,7 +156,7 @@ class LiveView:
         target.parent.mkdir()
         self._copy_files(scene, target.parent)
         with visibility.evaluated(), Snapshot(scene) as snapshot:
-            root, rest = model_export.export(scene, snapshot, target.with_suffix(".glb"))
+            root, rest = model_export.export(scene, snapshot, target.with_suffix(".glb"), {})
             target.with_suffix(".glb").unlink()
             model = Model(scene, root, snapshot.watched)
             transfer.complete(scene, target, root, snapshot, [])

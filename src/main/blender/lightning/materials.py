@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Glass: what Blender's glTF exporter leaves out of transparent materials, by glTF's own extensions."""
+"""What Blender's glTF exporter leaves out of glass and reflections, by glTF's own extensions."""
 
 import math
 
@@ -40,6 +40,21 @@ def add_glass(root: dict, shapes: list, messages: list[str]) -> None:
     root["extensionsUsed"] = sorted(used | set(root.get("extensionsUsed", [])))
     if not root["extensionsUsed"]:
         del root["extensionsUsed"]
+
+
+def add_reflections(entry: dict, material) -> None:
+    """Adds to an exported material what Blender's exporter writes otherwise: the index of its coat, and a level of its reflection."""
+    extensions = entry.get("extensions", {})
+    node = model.principled(material) if material is not None else None
+    coat = extensions.get("KHR_materials_clearcoat")
+    if coat is not None and node is not None and node.inputs["Coat IOR"].default_value != 1.5:
+        # glTF has a single index for all coats.
+        coat["extras"] = {"ior": node.inputs["Coat IOR"].default_value}
+    specular = extensions.get("KHR_materials_specular", {})
+    if 0 < specular.get("specularFactor", 0) < 1:
+        # A level below 1 leaves the reflection at grazing angles, but a factor of glTF does not.
+        factor = specular.pop("specularFactor")
+        specular["specularColorFactor"] = [factor * c for c in specular.get("specularColorFactor", (1, 1, 1))]
 
 
 def _add_absorption(material, volume: dict, messages: list[str]) -> None:

@@ -5,12 +5,17 @@ from pathlib import Path
 
 import bpy
 
-from . import gltf, nodes
+from . import equivalents, gltf, materials, nodes
 
 
-def export(scene, snapshot, path: Path) -> tuple[dict, bytes]:
-    """Writes what a render shows as a .glb file. Returns its JSON and the chunks that follow it."""
+def export(scene, snapshot, path: Path, lost: dict[str, str]) -> tuple[dict, bytes]:
+    """Writes what a render shows as a .glb file. Returns its JSON and the chunks that follow it.
+
+    Args:
+        lost: receives what is lost of shaders, by the name of their material
+    """
     added = []
+    copies: dict = {}
     own = bpy.data.scenes.new("lightning export")
     for name in ("resolution_x", "resolution_y", "resolution_percentage", "pixel_aspect_x", "pixel_aspect_y"):
         setattr(own.render, name, getattr(scene.render, name))
@@ -21,7 +26,7 @@ def export(scene, snapshot, path: Path) -> tuple[dict, bytes]:
         for index, shape in enumerate(snapshot.shapes):
             obj = bpy.data.objects.new(f"lightning {index}", shape.mesh)
             added.append(obj)
-            _set_materials(obj, shape.materials)
+            _set_materials(obj, [_exported(material, copies, lost) for material in shape.materials])
             own.collection.objects.link(obj)
             shapes[obj.name] = index
         cameras = {}
@@ -31,18 +36,31 @@ def export(scene, snapshot, path: Path) -> tuple[dict, bytes]:
             own.collection.objects.link(obj)
             cameras[obj.name] = camera
         _run(own, path)
+        root, rest = gltf.read(path)
+        originals = {copy.name: name for name, copy in copies.items() if copy is not None}
+        for entry in root.get("materials", []):
+            materials.add_reflections(entry, bpy.data.materials.get(entry.get("name", "")))
+            entry["name"] = originals.get(entry.get("name", ""), entry.get("name", ""))
     finally:
-        bpy.data.batch_remove([*added, own])
-    root, rest = gltf.read(path)
+        bpy.data.batch_remove([*added, own, *(copy for copy in copies.values() if copy is not None)])
     _replace_nodes(root, scene, snapshot, shapes, cameras)
     return root, rest
 
 
-def _set_materials(obj, materials: tuple) -> None:
+def _exported(material, copies: dict, lost: dict[str, str]):
+    """Returns a material that Blender's exporter can write."""
+    if material is None:
+        return None
+    if material.name not in copies:
+        copies[material.name] = equivalents.of_material(material, lost)
+    return copies[material.name] or material
+
+
+def _set_materials(obj, shown: list) -> None:
     mesh = obj.data
-    for _ in range(len(materials) - len(mesh.materials)):
+    for _ in range(len(shown) - len(mesh.materials)):
         mesh.materials.append(None)
-    for slot, material in zip(obj.material_slots, materials):
+    for slot, material in zip(obj.material_slots, shown):
         slot.link = "OBJECT"
         slot.material = material
 

@@ -1,31 +1,52 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Shaders that the exported materials do not have."""
+"""Shaders of materials, and which of them are not sent exactly."""
 
 import bpy
 
-from . import materials
+from . import materials, model
 from .left_out import listed
 
-# Shaders that are sent if they are all of a surface.
-SENT = {"ShaderNodeBsdfPrincipled", "ShaderNodeBsdfGlass", "ShaderNodeBsdfRefraction"}
+# Shaders that are exported as they are if they are all of a surface.
+EXPORTED = {"ShaderNodeBsdfPrincipled", "ShaderNodeBsdfGlass", "ShaderNodeBsdfRefraction"}
+# Sockets of a Principled BSDF for what no material of Lightning has.
+MISSING = {"Sheen Weight": "sheen", "Anisotropic": "anisotropy", "Subsurface Weight": "subsurface scattering, sent as diffuse",
+           "Thin Film Thickness": "thin films"}
 
 
-def notes(root: dict) -> list[str]:
-    """Returns messages that name the materials with other shaders, and the shaders, and those with displacement."""
-    found = []
+def is_exported(kinds: dict[str, str]) -> bool:
+    """Returns whether Blender's exporter writes a surface with these shaders."""
+    return len(kinds) == 1 and kinds.keys() <= EXPORTED
+
+
+def notes(root: dict, lost: dict[str, str]) -> list[str]:
+    """Returns messages that name the materials whose shaders are not sent exactly, with what they lose, and those with displacement.
+
+    Args:
+        lost: what the materials with other shaders lose
+    """
+    inexact = {}
     displaced = []
     for entry in root.get("materials", []):
         material = bpy.data.materials.get(entry.get("name", ""))
-        shaders = _shaders(material) if material is not None and material.node_tree is not None else {}
-        if shaders and not (len(shaders) == 1 and shaders.keys() <= SENT):
-            found.append(f"{material.name} ({', '.join(dict.fromkeys(shaders.values()))})")
-        if material is not None and material.node_tree is not None and materials.linked(material, "Displacement") is not None:
+        if material is None or material.node_tree is None:
+            continue
+        losses = lost.get(material.name) or ", ".join(_missing(material))
+        if losses:
+            inexact[material.name] = f"{material.name} ({losses})"
+        if materials.linked(material, "Displacement") is not None:
             displaced.append(material.name)
-    messages = [f"shaders other than Principled BSDF are not sent exactly: {listed(found)}"] if found else []
+    messages = [f"shaders are not sent exactly: {listed(list(inexact.values()))}"] if inexact else []
     return messages + ([f"displacement is not sent: {listed(displaced)}"] if displaced else [])
 
 
-def _shaders(material) -> dict[str, str]:
+def _missing(material) -> list[str]:
+    node = model.principled(material)
+    if node is None:
+        return []
+    return [title for name, title in MISSING.items() if node.inputs[name].is_linked or node.inputs[name].default_value != 0]
+
+
+def of_surface(material) -> dict[str, str]:
     """Returns the names of the shader nodes that a material's surface shows, by their type."""
     result: dict[str, str] = {}
     surface = materials.linked(material, "Surface")

@@ -7,7 +7,7 @@ from . import model
 
 # Sockets of a Principled BSDF for each attribute of Lightning's materials.
 SOCKETS = {"base": ("Base Color",), "metalness": ("Metallic",), "roughness": ("Roughness",), "glow": ("Emission Color", "Emission Strength"),
-           "ior": ("IOR",)}
+           "ior": ("IOR",), "coat": ("Coat Weight",), "coat_roughness": ("Coat Roughness",), "coat_ior": ("Coat IOR",)}
 
 
 def send(remembered: dict) -> list[dict]:

@@ -91,7 +91,9 @@ def prepare(context, target: Path, messages: list[str], output: Path | None = No
     # A render shows the keys of the frame, not edits without a key.
     context.scene.frame_set(context.scene.frame_current, subframe=context.scene.frame_subframe)
     with Snapshot(context.scene) as snapshot:
-        root, rest = model_export.export(context.scene, snapshot, target.with_suffix(".glb"))
+        lost: dict[str, str] = {}
+        root, rest = model_export.export(context.scene, snapshot, target.with_suffix(".glb"), lost)
+        messages += shaders.notes(root, lost)
         complete(context.scene, target, root, snapshot, messages)
         groups = memory.of_scene(context.scene).get("banks", {})
         names = {obj: obj.name for obj in lamps(context.scene)}
@@ -104,7 +106,6 @@ def prepare(context, target: Path, messages: list[str], output: Path | None = No
 def complete(scene, target: Path, root: dict, snapshot: Snapshot, messages: list[str]) -> None:
     """Adds to an exported scene what glTF cannot say, except animation, and writes the files that it needs."""
     materials.add_glass(root, snapshot.shapes, messages)
-    messages += shaders.notes(root)
     root.setdefault("extras", {})[memory.PROPERTY] = _settings(scene, target, snapshot, messages)
     messages += snapshot.left_out.lines()
 

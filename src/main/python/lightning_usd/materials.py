@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from materialx import CHANNELS, SURFACES, as_preview, is_image, multiply
+from materialx import CHANNELS, MISSING, SURFACES, WEIGHTS, as_preview, is_image, multiply
 from meshes import identity
 from output import Output, StageError, numbers
 from pxr import Sdf, Usd, UsdGeom, UsdShade
 
 PREVIEW = {"diffuseColor": [0.18] * 3, "emissiveColor": [0.0] * 3, "useSpecularWorkflow": 0, "specularColor": [0.0] * 3, "metallic": 0.0,
-           "roughness": 0.5, "clearcoat": 0.0, "opacity": 1.0, "opacityThreshold": 0.0, "ior": 1.5, "normal": None, "displacement": 0.0}
+           "roughness": 0.5, "clearcoat": 0.0, "clearcoatRoughness": 0.01, "opacity": 1.0, "opacityThreshold": 0.0, "ior": 1.5, "normal": None, "displacement": 0.0}
 
 
 class Materials:
@@ -96,6 +96,7 @@ class Materials:
                 return self.keep(material, self.preview(shader))
             if kind in SURFACES:
                 self.out.note("MaterialX surfaces, without their less common inputs")
+                self.note_missing(material, shader)
                 return self.keep(material, self.materialx(shader, SURFACES[kind]))
         self.out.note("materials without a UsdPreviewSurface, imported as gray or in their display color")
         return -1
@@ -121,6 +122,18 @@ class Materials:
         for target, (name, fallback) in names.items():
             self.resolve(shader, name, target, fallback, result)
         return as_preview(result, self.out)
+
+    def note_missing(self, material: UsdShade.Material, shader: UsdShade.Shader) -> None:
+        """Notes properties of a MaterialX surface that no material of a scene has, with the name of the material."""
+        for title, (names, neutral) in MISSING.items():
+            if any(self.has_effect(shader, name, neutral) for name in names):
+                self.out.note_named(f"{title} of materials", material.GetPrim().GetName())
+
+    def has_effect(self, shader: UsdShade.Shader, name: str, neutral: float) -> bool:
+        """Returns whether an input differs from a value, and whether an input that switches it on does so."""
+        value = self.value(shader, name, None)
+        weights = [self.value(shader, weight, 0.0) for weight in WEIGHTS.get(name, ()) if shader.GetInput(weight)]
+        return value is not None and any(v != neutral for v in amounts(value)) and (not weights or any(w != 0 for w in weights))
 
     def resolve(self, shader: UsdShade.Shader, name: str, target: str, fallback: Any, result: dict[str, Any]) -> None:
         """Adds the value or the texture of an input."""

@@ -12,6 +12,8 @@ STANDARD = {
     "roughness": ("specular_roughness", 0.2), "ior": ("specular_IOR", 1.5), "emissiveColor": ("emission_color", WHITE),
     "emission": ("emission", 0.0), "transmission": ("transmission", 0.0), "transmissionColor": ("transmission_color", WHITE),
     "subsurface": ("subsurface", 0.0), "subsurfaceColor": ("subsurface_color", WHITE), "clearcoat": ("coat", 0.0),
+    "clearcoatRoughness": ("coat_roughness", 0.1), "clearcoatIor": ("coat_IOR", 1.5), "specular": ("specular", 1.0),
+    "specularTint": ("specular_color", WHITE),
     "opacity": ("opacity", WHITE), "normal": ("normal", None),
 }
 OPEN_PBR = {
@@ -19,17 +21,27 @@ OPEN_PBR = {
     "roughness": ("specular_roughness", 0.3), "ior": ("specular_ior", 1.5), "emissiveColor": ("emission_color", WHITE),
     "emission": ("emission_luminance", 0.0), "transmission": ("transmission_weight", 0.0),
     "transmissionColor": ("transmission_color", WHITE), "subsurface": ("subsurface_weight", 0.0),
-    "subsurfaceColor": ("subsurface_color", [0.8] * 3), "clearcoat": ("coat_weight", 0.0), "opacity": ("geometry_opacity", 1.0),
+    "subsurfaceColor": ("subsurface_color", [0.8] * 3), "clearcoat": ("coat_weight", 0.0),
+    "clearcoatRoughness": ("coat_roughness", 0.0), "clearcoatIor": ("coat_ior", 1.6), "specular": ("specular_weight", 1.0),
+    "specularTint": ("specular_color", WHITE), "opacity": ("geometry_opacity", 1.0),
     "normal": ("geometry_normal", None),
 }
 GLTF_PBR = {
     "diffuseColor": ("base_color", WHITE), "metallic": ("metallic", 1.0), "roughness": ("roughness", 1.0), "ior": ("ior", 1.5),
     "emissiveColor": ("emissive", [0.0] * 3), "emission": ("emissive_strength", 1.0), "transmission": ("transmission", 0.0),
-    "clearcoat": ("clearcoat", 0.0), "opacity": ("alpha", 1.0), "alphaMode": ("alpha_mode", 0.0),
+    "clearcoat": ("clearcoat", 0.0), "clearcoatRoughness": ("clearcoat_roughness", 0.0),
+    "specular": ("specular", 1.0), "specularTint": ("specular_color", WHITE), "opacity": ("alpha", 1.0), "alphaMode": ("alpha_mode", 0.0),
     "opacityThreshold": ("alpha_cutoff", 0.5), "normal": ("normal", None),
 }
 SURFACES = {"ND_standard_surface_surfaceshader": STANDARD, "ND_open_pbr_surface_surfaceshader": OPEN_PBR,
             "ND_gltf_pbr_surfaceshader": GLTF_PBR}
+# What no material of a scene has: its inputs, and the value without effect.
+MISSING = {"sheen": (("sheen", "fuzz_weight", "sheen_color"), 0.0),
+           "anisotropy": (("specular_anisotropy", "coat_anisotropy", "specular_roughness_anisotropy", "coat_roughness_anisotropy"), 0.0),
+           "thin films": (("thin_film_thickness", "thin_film_weight", "iridescence"), 0.0),
+           "diffuse roughness": (("diffuse_roughness", "base_diffuse_roughness"), 0.0), "colors of coats": (("coat_color",), 1.0)}
+# Inputs of these that another one switches on.
+WEIGHTS = {"coat_color": ("coat", "coat_weight"), "thin_film_thickness": ("thin_film_weight",)}
 # Inputs whose textures are shown, or become their mean.
 TEXTURED = {"diffuseColor", "metallic", "roughness", "emissiveColor", "opacity", "normal"}
 IMAGES = ("ND_image_", "ND_tiledimage_", "ND_UsdUVTexture", "ND_gltf_image_", "ND_gltf_colorimage", "ND_gltf_normalmap")
@@ -47,6 +59,8 @@ def as_preview(result: dict[str, Any], out: Output) -> dict[str, Any]:
     textures = result["textures"]
     weigh(result, "diffuseColor", result.pop("weight", 1.0))
     weigh(result, "emissiveColor", result.pop("emission"))
+    weigh(result, "specularTint", result.pop("specular"))
+    result.setdefault("clearcoatIor", 1.5)
     if isinstance(result["opacity"], list):
         result["opacity"] = sum(result["opacity"]) / 3
     subsurface, scattered = result.pop("subsurface", 0.0), result.pop("subsurfaceColor", None)

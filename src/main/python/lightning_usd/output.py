@@ -41,6 +41,8 @@ class Output:
         self.arrays = open(folder / "arrays.bin", "wb")
         self.size = 0
         self.notes: dict[str, int] = {}
+        # Names of what has a feature that is left out, by its kind.
+        self.named: dict[str, dict[str, None]] = {}
         # Which frame is shown of what cannot be animated, for a note; empty if none is needed.
         self.shown_frame = ""
         self.moving: dict[str, list[str]] = {}
@@ -52,6 +54,10 @@ class Output:
             if kind not in self.notes and len(self.notes) >= MAX_NOTES:
                 kind = "others"
             self.notes[kind] = self.notes.get(kind, 0) + count
+
+    def note_named(self, kind: str, name: str) -> None:
+        """Counts a feature that is left out, and lists what has it."""
+        self.named.setdefault(kind, {})[name] = None
 
     def note_moving(self, kind: str, path: str) -> None:
         """Notes a prim of which only one of several frames is shown, unless that frame has been chosen."""
@@ -134,6 +140,7 @@ class Output:
         for kind, paths in self.moving.items():
             self.note(f"{kind}, {self.shown_frame}: {listed(paths)}", len(paths))
         document["notes"] = self.notes
+        document["named"] = {kind: list(names) for kind, names in self.named.items()}
         with open(self.folder / "stage.json", "w", encoding="utf-8") as out:
             # As texts of parts: writing number by number is slow, and a single text would need the memory of the file.
             for i, (key, value) in enumerate(document.items()):

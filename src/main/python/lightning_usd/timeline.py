@@ -104,6 +104,6 @@ class Timeline:
         if frames and self.is_moving(prim):
             silent = Output.__new__(Output)
             silent.notes, silent.files, silent.folder, silent.roots = {}, self.out.files, self.out.folder, self.out.roots
-            silent.moving, silent.shown_frame = {}, ""
+            silent.moving, silent.named, silent.shown_frame = {}, {}, ""
             result["frames"] = [function(subject, Usd.TimeCode(time), silent) for time in range(frames[0], frames[1] + 1)]
         return result

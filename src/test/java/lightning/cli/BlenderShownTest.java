@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
@@ -14,6 +15,8 @@ import lightning.sample.PythonPrograms;
 import lightning.sample.Slow;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
+import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
 import lightning.scene.node.Mesh;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
@@ -176,11 +179,50 @@ class BlenderShownTest {
     }
 
     @Test
-    void otherShaders_areNamed() throws Exception {
+    void otherShaders_areWhatTheyMean() throws Exception {
+        Scene scene = send("shaders").scene();
+        Rgb brown = new Rgb(0.5, 0.25, 0.125);
+        assertSurface(scene, "metal", brown, 1, 0.25);
+        assertSurface(scene, "plastic", brown, 0, 0.25);
+        assertThat(material(scene, "plastic").f0()).as("((3 - 1) / (3 + 1))²").isCloseTo(0.25, within());
+        assertSurface(scene, "mixed", brown, 0.25, 0.25);
+        assertSurface(scene, "lacquer", brown, 1, 0.25);
+        assertThat(material(scene, "lacquer").coat().weight()).isCloseTo(1, within());
+        assertThat(material(scene, "lacquer").coat().roughness()).isCloseTo(0.125, within());
+        assertThat(material(scene, "lacquer").coat().ior()).isCloseTo(1.75, within());
+        assertThat(material(scene, "paint").albedo()).isEqualTo(brown);
+        assertThat(material(scene, "paint").model()).as("without any reflection").isEqualTo(ShadingModel.PHONG);
+        assertThat(material(scene, "glow").glow()).isEqualTo(new Rgb(3, 1.5, 0.75));
+        assertThat(material(scene, "glow").albedo()).isEqualTo(Rgb.BLACK);
+        assertThat(material(scene, "lamp").glow()).isEqualTo(Rgb.gray(2));
+        assertThat(material(scene, "lamp").albedo()).isEqualTo(brown);
+        assertThat(material(scene, "veil").transmission().color().r()).isCloseTo(0.25, within());
+        assertThat(material(scene, "boxed").albedo()).isEqualTo(new Rgb(0.25, 0.5, 0.75));
+        assertThat(material(scene, "wood").texture()).isPresent();
+        assertThat(material(scene, "leaf").albedo()).isEqualTo(new Rgb(0.25, 0.5, 0.125));
+        // Half of the level of plastic, ((1.5 - 1) / (1.5 + 1))².
+        assertThat(material(scene, "skin").f0()).isCloseTo(0.02, within());
+    }
+
+    private static void assertSurface(Scene scene, String name, Rgb base, double metalness, double roughness) {
+        Material material = material(scene, name);
+        assertThat(material.base().r()).as(name).isCloseTo(base.r(), within());
+        assertThat(material.base().g()).as(name).isCloseTo(base.g(), within());
+        assertThat(material.base().b()).as(name).isCloseTo(base.b(), within());
+        assertThat(material.metalness()).as(name).isCloseTo(metalness, within());
+        assertThat(material.roughness()).as(name).isCloseTo(roughness, within());
+    }
+
+    private static Material material(Scene scene, String name) {
+        return scene.materials().stream().filter(m -> m.name().equals(name)).findFirst().orElseThrow();
+    }
+
+    @Test
+    void lossesOfShaders_areNamed() throws Exception {
         send("shaders");
-        assertThat(messages()).contains("displacement is not sent: rough")
-                .filteredOn(m -> m.startsWith("shaders other than Principled BSDF"))
-                .containsExactly("shaders other than Principled BSDF are not sent exactly: paint (Diffuse BSDF), glow (Emission)");
+        assertThat(messages()).contains("displacement is not sent: rough",
+                "shaders are not sent exactly: leaf (Translucent BSDF, sent as diffuse), "
+                        + "brush (anisotropy), skin (subsurface scattering, sent as diffuse)");
     }
 
     @Test

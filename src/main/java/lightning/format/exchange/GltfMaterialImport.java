@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import lightning.base.math.Rgb;
-import lightning.format.exchange.assembly.MirrorMetals;
+import lightning.format.exchange.assembly.PrincipledImport;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.assembly.TextureMeans;
 import lightning.format.exchange.assembly.TransmissionImport;
@@ -22,10 +22,11 @@ import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.value.SceneLimits;
 
-/** Converter from glTF materials to metallic materials; notes unsupported properties. */
+/** Converter from glTF materials to principled materials; notes unsupported properties. */
 final class GltfMaterialImport {
 
     private final SceneAssembler assembler;
+    private final PrincipledImport principled;
     private final GltfScene file;
     private final String meshFile;
     private final Map<Integer, TextureMeans> textureMeans = new HashMap<>();
@@ -37,6 +38,7 @@ final class GltfMaterialImport {
      */
     GltfMaterialImport(SceneAssembler assembler, GltfScene file, String meshFile) {
         this.assembler = assembler;
+        principled = new PrincipledImport(assembler);
         this.file = file;
         this.meshFile = meshFile;
     }
@@ -51,26 +53,26 @@ final class GltfMaterialImport {
         }
         TextureMeans means =
                 m.metallicRoughnessImage().isPresent() ? metallicRoughnessMeans(m.metallicRoughnessImage().index()) : TextureMeans.NONE;
-        Material material = withGlow(Material.of("material").withModel(ShadingModel.METALLIC).withBase(base), m)
-                .withMetalness(SceneAssembler.clamp(m.metallic() * means.metalness(), 1))
-                .withRoughness(SceneAssembler.clamp(m.roughness() * means.roughness(), 1))
-                .withTexture(textureMap(m.baseImage(), TextureUsage.COLOR));
-        return withCutout(withNormalMap(withTransmission(MirrorMetals.reflect(withHighlights(material, m), assembler.notes), m), m), m);
+        Material material =
+                withGlow(PrincipledImport.material(base, m.metallic() * means.metalness(), m.roughness() * means.roughness()), m)
+                        .withTexture(textureMap(m.baseImage(), TextureUsage.COLOR));
+        Material surface = withTransmission(withHighlights(material, m), m);
+        return withCutout(withNormalMap(withCoat(surface, m), m), m);
     }
 
-    /** Adds the specular highlight of a dielectric: a gray share here, with full reflection at grazing angles. */
+    /** Adds the reflection of a nonmetal, with full reflection at grazing angles. */
     private Material withHighlights(Material material, GltfMaterial m) {
-        if (material.metalness() == 0 && m.f90() == 0) {
-            // Without Fresnel reflection it is matte at all angles, which the metallic model is not at grazing ones.
+        if (material.metalness() == 0 && m.f90() == 0 && m.clearcoat().factor() == 0) {
+            // Without Fresnel reflection it is matte at all angles, which a principled material is not at grazing ones.
             return material.withModel(ShadingModel.PHONG).withDiffuse(material.base());
         }
-        Rgb f0 = assembler.clampColor(m.f0(), 1, "highlights of materials");
-        boolean isGray = f0.min() == f0.max();
-        if (material.metalness() < 1) {
-            assembler.notes.add("colored highlights of dielectric materials, imported as gray", isGray ? 0 : 1);
-            assembler.notes.add("grazing-angle specular below 1 (specularFactor), imported as 1", m.f90() == 1 ? 0 : 1);
-        }
-        return material.withF0(isGray ? f0.r() : Math.min(f0.luminance(), 1));
+        assembler.notes.add("grazing-angle specular below 1 (specularFactor), imported as 1",
+                material.metalness() < 1 && m.f90() != 1 ? 1 : 0);
+        return principled.withReflectance(material, m.f0());
+    }
+
+    private Material withCoat(Material material, GltfMaterial m) {
+        return principled.withCoat(material, m.clearcoat().factor(), m.clearcoat().roughness(), m.clearcoat().ior());
     }
 
     /** Adds transmission; the base color tints the light once at each surface. */
@@ -83,7 +85,7 @@ final class GltfMaterialImport {
         assembler.notes.add("transparent materials without a volume (KHR_materials_volume), imported as thin sheets",
                 glass.isThin() ? 1 : 0);
         assembler.notes.add("rough transmission of materials, imported as sharp",
-                material.roughness() > MirrorMetals.MAX_ROUGHNESS ? 1 : 0);
+                material.roughness() > TransmissionImport.MAX_SHARP_ROUGHNESS ? 1 : 0);
         Material transmissive = transmission.withTransmission(material, SceneAssembler.clamp(glass.factor(), 1), material.base(),
                 glass.ior(), glass.isThin(), material.metalness());
         double distance = glass.tintDistance();

@@ -15,7 +15,7 @@ import lightning.base.math.Transform;
 import lightning.base.work.Progress;
 import lightning.format.MeshFormat;
 import lightning.format.exchange.assembly.ImportedScene;
-import lightning.format.exchange.assembly.MirrorMetals;
+import lightning.format.exchange.assembly.PrincipledImport;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.assembly.TextureMeans;
 import lightning.format.exchange.assembly.TransmissionImport;
@@ -37,14 +37,16 @@ import lightning.scene.asset.TextureUsage;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
-import lightning.scene.material.ShadingModel;
 import lightning.scene.node.Mesh;
 import lightning.scene.value.Placement;
 import lightning.scene.value.SceneLimits;
 
 /** Converter for mesh-only files: OBJ with its material files, and PLY. */
 final class ObjImport {
+    /** Index of refraction of surfaces whose own is 1 or less, which some writers use for none. */
+    private static final double DEFAULT_IOR = 1.5;
     private static final double MIN_REPEAT = 1e-6;
     /** Height of a height map's white, as a share of the radius of the scene. */
     private static final double BUMP_HEIGHT = 0.01;
@@ -182,7 +184,7 @@ final class ObjImport {
 
     private Material convert(MtlMaterial m) throws IOException {
         Rgb diffuse = assembler.clampColor(m.diffuse(), 1, "diffuse colors of materials");
-        Material opaque = withGlow(m, m.physical().isPresent() ? physical(m, diffuse) : switch (m.illumination()) {
+        Material opaque = withGlow(m, m.physical().isPresent() ? physical(m, m.physical().get(), diffuse) : switch (m.illumination()) {
             case CONSTANT -> constant(m, diffuse);
             case DIFFUSE, HIGHLIGHT, REFLECTION, GLASS, FRESNEL, REFRACTION, FRESNEL_REFRACTION, REFLECTION_MAP, GLASS_MAP,
                     SHADOW_CATCHER ->
@@ -191,7 +193,7 @@ final class ObjImport {
         Optional<TextureMap> cutout = textureMap(m.cutout(), TextureUsage.OPACITY);
         assembler.notes.add("opacity maps (map_d), imported as cutouts at half opacity", cutout.isPresent() ? 1 : 0);
         notePlacements(m);
-        return withBump(m, withTransmission(m, opaque).withCutout(AlphaCutout.NONE.withMap(cutout)));
+        return withBump(m, withCoat(m, withTransmission(m, opaque)).withCutout(AlphaCutout.NONE.withMap(cutout)));
     }
 
     /** Notes images that are placed apart from others of their material. */
@@ -240,13 +242,15 @@ final class ObjImport {
         return map.isEmpty() ? material : material.withGlow(emission.isBlack() ? Rgb.WHITE : emission).withGlowMap(map);
     }
 
-    /** Returns a surface of the metallic model, from the statements Pr, Pm and Ni. */
-    private Material physical(MtlMaterial m, Rgb base) throws IOException {
-        double f0 = m.ior() > 1 ? (m.ior() - 1) / (m.ior() + 1) : 0.2;
-        return MirrorMetals.reflect(Material.of("material").withModel(ShadingModel.METALLIC).withBase(base)
-                .withMetalness(SceneAssembler.clamp(m.physical().get().metalness(), 1))
-                .withRoughness(SceneAssembler.clamp(m.physical().get().roughness(), 1)).withF0(Math.min(f0 * f0, 1))
-                .withTexture(textureMap(m.texture(), TextureUsage.COLOR)), assembler.notes);
+    /** Returns a principled surface, from the statements Pr, Pm, Pc, Pcr and Ni. */
+    private Material physical(MtlMaterial m, MtlMaterial.Physical surface, Rgb base) throws IOException {
+        return PrincipledImport.material(base, surface.metalness(), surface.roughness())
+                .withF0(PrincipledImport.f0(m.ior() > 1 ? m.ior() : DEFAULT_IOR)).withTexture(textureMap(m.texture(), TextureUsage.COLOR));
+    }
+
+    private Material withCoat(MtlMaterial m, Material material) {
+        MtlMaterial.Physical surface = m.physical().orElse(MtlMaterial.Physical.NONE);
+        return new PrincipledImport(assembler).withCoat(material, surface.coat(), surface.coatRoughness(), Coat.NONE.ior());
     }
 
     /** Returns a surface of constant color, independent of lighting. It is ambient light, since the surface is no light source. */

@@ -33,11 +33,13 @@ public final class GltfFile {
     static final JsonMapper JSON = JsonMapper.builder(JsonFactory.builder().streamReadConstraints(StreamReadConstraints.builder()
             .maxStringLength(MeshLimits.FILE_BYTES).maxDocumentLength(MeshLimits.FILE_BYTES).maxTokenCount(MAX_TOKENS)
             .maxNestingDepth(MAX_NESTING).build()).build()).build();
-    /** Extensions that leave geometry unchanged and are supported, or affect only appearance. */
+    /** Extensions that are supported, or whose use by a material is noted with its name. */
     private static final Set<String> SUPPORTED_EXTENSIONS =
             Set.of("KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform", "KHR_materials_unlit",
                     "KHR_materials_emissive_strength", "KHR_materials_specular", "KHR_materials_ior", "KHR_materials_transmission",
-                    "KHR_materials_variants", "KHR_materials_volume", "KHR_animation_pointer", "KHR_node_visibility",
+                    "KHR_materials_variants", "KHR_materials_volume", "KHR_materials_clearcoat", "KHR_materials_sheen",
+                    "KHR_materials_anisotropy", "KHR_materials_iridescence", "KHR_materials_dispersion",
+                    "KHR_materials_diffuse_transmission", "KHR_animation_pointer", "KHR_node_visibility",
                     "EXT_mesh_gpu_instancing", "KHR_draco_mesh_compression",
                     "EXT_texture_webp", "EXT_meshopt_compression");
 

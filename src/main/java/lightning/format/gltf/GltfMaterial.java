@@ -20,6 +20,7 @@ import lightning.base.math.Rgb;
  * @param normalScale strength of the normal map
  * @param opacity 0 … 1; below 1 for a veil
  * @param transmission transmission through the surface
+ * @param clearcoat clear layer over it
  * @param cutoff threshold for the alpha of base color and image below which the surface is cut out; 0 for none
  * @param alphaFactor alpha of the base color, if it is used for cutouts
  * @param isBlended true if the file blends by alpha instead of cutting out
@@ -27,12 +28,13 @@ import lightning.base.math.Rgb;
 public record GltfMaterial(String name, Rgb base, double metallic, double roughness, Rgb f0, double f90, Rgb emission,
         Optional<GltfImage> emissionImage, boolean isUnlit, GltfImage baseImage, GltfImage metallicRoughnessImage, GltfImage normalImage,
         double normalScale,
-        double opacity, Transmission transmission, double cutoff,
+        double opacity, Transmission transmission, Clearcoat clearcoat, double cutoff,
         double alphaFactor, boolean isBlended) {
     /** Matte gray material. */
     static final GltfMaterial GRAY =
             new GltfMaterial("", Rgb.gray(0.5), 0, 1, Rgb.gray(0.04), 1, Rgb.BLACK, Optional.empty(), false, GltfImage.NONE,
-                    GltfImage.NONE, GltfImage.NONE, 1, 1, new Transmission(0, 1.5, true, Rgb.WHITE, Double.POSITIVE_INFINITY), 0, 1, false);
+                    GltfImage.NONE, GltfImage.NONE, 1, 1, new Transmission(0, 1.5, true, Rgb.WHITE, Double.POSITIVE_INFINITY),
+                    Clearcoat.NONE, 0, 1, false);
 
     /**
      * Transmission through a surface and the volume behind it.
@@ -44,4 +46,16 @@ public record GltfMaterial(String name, Rgb base, double metallic, double roughn
      * @param tintDistance meters; infinite for no absorption
      */
     public record Transmission(double factor, double ior, boolean isThin, Rgb tint, double tintDistance) {}
+
+    /**
+     * Clear layer (KHR_materials_clearcoat).
+     *
+     * @param factor share of the surface, 0 … 1
+     * @param roughness 0 … 1
+     * @param ior index of refraction; that of the extension, unless its extras have another
+     */
+    public record Clearcoat(double factor, double roughness, double ior) {
+        static final double DEFAULT_IOR = 1.5;
+        static final Clearcoat NONE = new Clearcoat(0, 0, DEFAULT_IOR);
+    }
 }

@@ -39,13 +39,42 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
         boolean isEmissivePlacedApart = emissive.isPresent() && placed.isPresent() && !TextureTransform.areSame(placed, emissive);
         notes.add("emissiveTexture of materials with another placement than other textures, placed like them",
                 isEmissivePlacedApart ? 1 : 0);
+        noteMissing(material);
         JsonValue glossy = extensions.get("KHR_materials_pbrSpecularGlossiness");
         Surface surface = glossy.isPresent() && !pbr.isPresent() ? glossySurface(glossy) : metallicSurface(pbr, extensions);
         return new GltfMaterial(material.get("name").text().orElse(""), surface.base, surface.metallic, surface.roughness,
                 surface.f0, surface.f90, new Rgb(emission[0], emission[1], emission[2]).times(strength),
                 emissive.isPresent() ? Optional.of(textureImage(emissive)) : Optional.empty(),
                 extensions.get("KHR_materials_unlit").isPresent(), surface.baseImage, surface.metallicRoughnessImage, textureImage(normals),
-                normals.get("scale").number(1), opacity, readTransmission(extensions), cutoff, alphaFactor, isBlended);
+                normals.get("scale").number(1), opacity, readTransmission(extensions), readClearcoat(extensions), cutoff, alphaFactor,
+                isBlended);
+    }
+
+    /** Notes the properties that no material of a scene has, with the name of the material. */
+    private void noteMissing(JsonValue material) throws MeshException {
+        JsonValue extensions = material.get("extensions");
+        double[] sheen = extensions.get("KHR_materials_sheen").get("sheenColorFactor").numbers(0, 0, 0);
+        noteMissing(material, "sheen", Math.max(sheen[0], Math.max(sheen[1], sheen[2])));
+        noteMissing(material, "anisotropy", extensions.get("KHR_materials_anisotropy").get("anisotropyStrength").number(0));
+        noteMissing(material, "iridescence", extensions.get("KHR_materials_iridescence").get("iridescenceFactor").number(0));
+        noteMissing(material, "dispersion", extensions.get("KHR_materials_dispersion").get("dispersion").number(0));
+        noteMissing(material, "diffuse transmission",
+                extensions.get("KHR_materials_diffuse_transmission").get("diffuseTransmissionFactor").number(0));
+    }
+
+    private void noteMissing(JsonValue material, String property, double factor) throws MeshException {
+        if (factor != 0) {
+            notes.addNamed(property + " of materials", material.get("name").text().orElse("unnamed"));
+        }
+    }
+
+    private GltfMaterial.Clearcoat readClearcoat(JsonValue extensions) throws MeshException {
+        JsonValue coat = extensions.get("KHR_materials_clearcoat");
+        for (String texture : List.of("clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture")) {
+            notes.add(texture + " of materials", coat.get(texture).isPresent() ? 1 : 0);
+        }
+        return new GltfMaterial.Clearcoat(coat.get("clearcoatFactor").number(0), coat.get("clearcoatRoughnessFactor").number(0),
+                coat.get("extras").get("ior").number(GltfMaterial.Clearcoat.DEFAULT_IOR));
     }
 
     /** Returns the index of refraction of KHR_materials_ior. */

@@ -2,6 +2,7 @@ package lightning.format.pov;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import lightning.base.math.Rgb;
@@ -181,17 +182,21 @@ record PovMaterialWriter(List<String> warnings) {
     /**
      * Returns the closest Phong material: a lobe of exponent (2/α² − 2)/4, which has the same width at its peak (Walter and
      * others, Microfacet models for refraction, 2007, §5.2, divided by 4 for the angle to the reflected direction) and the
-     * same height at normal incidence, at most 1.
+     * same height at normal incidence, at most 1. A smooth principled surface or coat reflects as it does at normal incidence.
      */
     private Material phong(Material m) {
-        warn("material " + m.name() + ": a metallic material is approximated by Phong's model");
+        warn("material " + m.name() + ": a " + m.model().name().toLowerCase(Locale.ROOT) + " material is approximated by Phong's model");
+        if (m.reflectsRoughly()) {
+            warn("material " + m.name() + ": its blurred reflections are left out");
+        }
         double alpha = m.alpha();
         double height = Math.min(1, 1 / (4 * alpha * alpha));
-        double dielectric = (1 - m.metalness()) * m.f0();
-        Rgb metal = m.base().times(m.metalness());
-        Rgb f0 = new Rgb(dielectric + metal.r(), dielectric + metal.g(), dielectric + metal.b());
-        return m.withModel(ShadingModel.PHONG).withDiffuse(m.base().times((1 - m.metalness()) * (1 - m.f0())))
-                .withSpecular(f0.times(height)).withShininess((1 / (alpha * alpha) - 1) / 2);
+        Rgb f0 = m.specularTint().times((1 - m.metalness()) * m.f0()).plus(m.base().times(m.metalness()));
+        double coat = m.hasSmoothCoat() ? m.coat().weight() * m.coat().f0() : 0;
+        Rgb mirrored = (m.isSmooth() ? f0.times(1 - coat) : m.reflective()).plus(Rgb.gray(coat));
+        double entering = m.isSmooth() ? 1 : 1 - m.f0();
+        return m.withModel(ShadingModel.PHONG).withDiffuse(m.base().times((1 - m.metalness()) * entering))
+                .withSpecular(f0.times(height)).withShininess((1 / (alpha * alpha) - 1) / 2).withReflective(mirrored);
     }
 
     private String untextured(Material m) {

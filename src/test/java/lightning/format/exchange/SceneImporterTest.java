@@ -25,7 +25,9 @@ import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -238,6 +240,13 @@ class SceneImporterTest {
         Material material = objMaterial("Ks 0.5 0.5 0.5\nNs 0\nillum 3\n").material();
         assertThat(material.specular()).isEqualTo(Rgb.BLACK);
         assertThat(material.reflective()).isEqualTo(Rgb.gray(0.5));
+    }
+
+    @Test
+    void physicalStatements_makePrincipledMaterial() throws Exception {
+        Material material = objMaterial("Kd 0.5 0.2 0.1\nPr 0.25\nPm 0.75\nPc 0.5\nPcr 0.125\nNi 3\n").material();
+        assertThat(material).isEqualTo(Material.of(material.name()).withModel(ShadingModel.PRINCIPLED).withBase(new Rgb(0.5, 0.2, 0.1))
+                .withRoughness(0.25).withMetalness(0.75).withF0(0.25).withCoat(new Coat(0.5, 0.125, 1.5)));
     }
 
     @Test

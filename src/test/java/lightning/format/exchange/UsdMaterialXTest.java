@@ -14,6 +14,7 @@ import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.sample.PythonPrograms;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -110,7 +111,7 @@ class UsdMaterialXTest {
     }
 
     @Test
-    void standardSurface_isMetallicMaterial() throws Exception {
+    void standardSurface_isPrincipledMaterial() throws Exception {
         Material material = network("standard_surface", """
                 float inputs:base = 0.5
                 color3f inputs:base_color.connect = </look/tinted.outputs:out>
@@ -129,6 +130,57 @@ class UsdMaterialXTest {
         assertThat(material.bumpMapping().strength()).isEqualTo(0.5);
         // A texture of emission without a weight does not glow.
         assertThat(material.glow()).isEqualTo(Rgb.BLACK);
+    }
+
+    @Test
+    void coatAndSpecular_areThoseOfOpenPbr() throws Exception {
+        Material paint = network("open_pbr_surface", """
+                float inputs:coat_weight = 0.75
+                float inputs:coat_roughness = 0.125
+                float inputs:specular_ior = 2
+                float inputs:specular_weight = 0.5
+                color3f inputs:specular_color = (1, 0.5, 0.25)
+                """);
+        assertThat(paint.coat()).isEqualTo(new Coat(0.75, 0.125, 1.6));
+        // Half of (1/3)².
+        assertThat(paint.f0()).isCloseTo(1 / 18.0, offset(1e-8));
+        assertThat(paint.specularTint()).isEqualTo(new Rgb(1, 0.5, 0.25));
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.startsWith("colors of coats"));
+    }
+
+    @Test
+    void missingProperties_areNotedWithTheirMaterial() throws Exception {
+        network("standard_surface", """
+                float inputs:sheen = 0.5
+                float inputs:specular_anisotropy = 0.5
+                float inputs:coat = 1
+                color3f inputs:coat_color = (1, 0.5, 0.25)
+                """);
+        assertThat(imported.notes()).containsEntry("sheen of materials: 'look'", 1)
+                .containsEntry("anisotropy of materials: 'look'", 1).containsEntry("colors of coats of materials: 'look'", 1);
+    }
+
+    @Test
+    void previewSurface_hasCoatOfItsIndex() throws Exception {
+        Material lacquer = imported(String.format(Locale.ROOT, SQUARE, "/look") + """
+                def Material "look"
+                {
+                    token outputs:surface.connect = </look/s.outputs:surface>
+                    def Shader "s"
+                    {
+                        uniform token info:id = "UsdPreviewSurface"
+                        float inputs:clearcoat = 0.5
+                        float inputs:clearcoatRoughness = 0.25
+                        float inputs:ior = 1.75
+                        int inputs:useSpecularWorkflow = 1
+                        color3f inputs:specularColor = (0.25, 0.5, 0.125)
+                        token outputs:surface
+                    }
+                }
+                """);
+        assertThat(lacquer.coat()).isEqualTo(new Coat(0.5, 0.25, 1.75));
+        assertThat(lacquer.f0()).isEqualTo(0.5);
+        assertThat(lacquer.specularTint()).isEqualTo(new Rgb(0.5, 1, 0.25));
     }
 
     @Test

@@ -204,6 +204,21 @@ class PovSceneTest {
         assertThat(PovScene.of(JenReader.read("jen 1 plane p {}", "p.jen", Path.of("")).scene(), "x").text()).doesNotContain("emission");
     }
 
+    /** A smooth surface reflects F0, and a coat of index 1.5 reflects 0.04 over it. */
+    @Test
+    void principledMaterial_reflectsAsAtNormalIncidence() throws Exception {
+        PovScene pov = PovScene.of(JenReader.read("""
+                jen 1
+                material water { model principled  base 0 0 0  roughness 0  f0 0.5  specular_tint 1 0.5 0.25 }
+                material paint { model principled  base 0.5 0.25 0.125  roughness 0.5  coat 1  coat_roughness 0 }
+                plane a { material water }
+                plane b { material paint }
+                """, "p.jen", Path.of("")).scene(), "x");
+        assertThat(pov.text()).contains("reflection { rgb <0.5, 0.25, 0.125> }").contains("reflection { rgb <0.04");
+        assertThat(pov.losses()).containsSubsequence("material paint: a principled material is approximated by Phong's model",
+                "material paint: its blurred reflections are left out");
+    }
+
     @Test
     void glowMap_isReplacedByItsMean() throws Exception {
         ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "png", folder.resolve("black.png").toFile());

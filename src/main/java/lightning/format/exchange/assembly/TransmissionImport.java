@@ -9,6 +9,9 @@ import lightning.scene.value.SceneLimits;
 
 /** Converter of other programs' transparency to transmissive materials. */
 public final class TransmissionImport {
+    /** Roughness above which light that passes is blurred by more than 3° to each side, where the GGX highlight has half its height. */
+    public static final double MAX_SHARP_ROUGHNESS = 0.2;
+
     /** Minimum reflection depth for glass: in, through, out, and one reflection. */
     private static final int MIN_DEPTH = 6;
 
@@ -35,6 +38,7 @@ public final class TransmissionImport {
         }
         assembler.picture = assembler.picture.withDepth(Math.max(assembler.picture.depth(), MIN_DEPTH));
         assembler.notes.add("emission of transparent materials, weakened", opaque.ambient().isBlack() && opaque.glow().isBlack() ? 0 : 1);
+        assembler.notes.add("transparent metals, which reflect only lights", opaque.metalness() > 0 ? 1 : 0);
         double remaining = transmitted.max() < 1 ? (1 - transmission) / (1 - transmitted.max()) : 0;
         Material body = metallic > 0 ? opaque : opaque.withAlbedo(opaque.albedo().times(Math.min(remaining, 1)));
         return body.withTransmission(new Transmission(transmitted, ior >= 1 ? Math.min(ior, SceneLimits.MAX_IOR) : 1, isThin,

@@ -75,6 +75,8 @@ public final class UsdImport {
 
     private ImportedScene assemble() throws IOException, MeshException {
         root.get("notes").node().properties().forEach(e -> assembler.notes.add(e.getKey(), Math.max(0, e.getValue().asInt(0))));
+        root.get("named").node().properties()
+                .forEach(e -> e.getValue().forEach(name -> assembler.notes.addNamed(e.getKey(), name.asString(""))));
         UsdPaths.addAxis(assembler, hasZUp);
         UsdPaths.addShift(assembler, root.get("shift").integer(-Shot.MAX_FRAME, 0, 0));
         nodes = new UsdNodes(assembler, stage, upright, firstFrame, levels, progress);

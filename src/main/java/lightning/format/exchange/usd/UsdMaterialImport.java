@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Rgb;
-import lightning.format.exchange.assembly.MirrorMetals;
+import lightning.format.exchange.assembly.PrincipledImport;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.assembly.TransmissionImport;
 import lightning.format.gltf.JsonValue;
@@ -15,13 +15,14 @@ import lightning.scene.asset.TextureUsage;
 import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Material;
-import lightning.scene.material.ShadingModel;
 import lightning.scene.value.SceneLimits;
 
-/** Converter from UsdPreviewSurface to metallic materials. */
+/** Converter from UsdPreviewSurface to principled materials. */
 record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
     /** Inputs whose textures the scene shows, besides the emission. */
     private static final List<String> MAPPED = List.of("diffuseColor", "normal", "opacity");
+    /** Inputs whose textures are left out. */
+    private static final List<String> UNMAPPED = List.of("specularColor", "ior", "clearcoat", "clearcoatRoughness");
     private static final double HALF = 0.5;
 
     Material convert(JsonValue in) throws IOException, MeshException {
@@ -33,12 +34,10 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
         JsonValue baseImage = images.get("diffuseColor");
         Optional<TextureMap> texture = textures.map(baseImage, TextureUsage.COLOR);
         Rgb base = texture.isPresent() ? factor(baseImage) : color(in.get("diffuseColor"), 1, "colors of materials");
-        Material material = Material.of("material").withModel(ShadingModel.METALLIC).withBase(base).withTexture(texture)
-                .withMetalness(SceneAssembler.clamp(value(in, "metallic", 0), 1))
-                .withRoughness(SceneAssembler.clamp(value(in, "roughness", HALF), 1));
+        Material material = PrincipledImport.material(base, value(in, "metallic", 0), value(in, "roughness", HALF)).withTexture(texture);
         noteLosses(in);
-        return withOpacity(
-                withNormals(MirrorMetals.reflect(withHighlights(withGlow(material, in), in), assembler.notes), images.get("normal")), in);
+        Material surface = withOpacity(withNormals(withHighlights(withGlow(material, in), in), images.get("normal")), in);
+        return withCoat(surface, in);
     }
 
     /** Returns the textures of a material that the scene shows. */
@@ -56,20 +55,28 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
     }
 
     private void noteLosses(JsonValue in) throws MeshException {
-        assembler.notes.add("clear coats of materials", in.get("clearcoat").number(0) > 0 ? 1 : 0);
+        for (String input : UNMAPPED) {
+            assembler.notes.add(input + " textures of materials", in.get("textures").get(input).isPresent() ? 1 : 0);
+        }
         assembler.notes.add("displacement of materials",
                 in.get("displacement").number(0) != 0 || in.get("textures").get("displacement").isPresent() ? 1 : 0);
     }
 
     private Material withHighlights(Material material, JsonValue in) throws MeshException {
+        var principled = new PrincipledImport(assembler);
         if (in.get("useSpecularWorkflow").number(0) == 1) {
-            Rgb specular = color(in.get("specularColor"), 1, "specular colors of materials");
-            assembler.notes.add("colored highlights, imported as gray", specular.min() == specular.max() ? 0 : 1);
-            return material.withMetalness(0).withF0(Math.min(specular.luminance(), 1));
+            return principled.withReflectance(material.withMetalness(0), color(in.get("specularColor"), 1, "specular colors of materials"));
         }
-        double ior = in.get("ior").number(1.5);
-        double f0 = Math.pow((1 - ior) / (1 + ior), 2);
-        return material.withF0(UsdNumbers.rounded(SceneAssembler.clamp(f0, 1)));
+        double f0 = UsdNumbers.rounded(PrincipledImport.f0(in.get("ior").number(1.5)));
+        JsonValue tint = in.get("specularTint");
+        return tint.isPresent() ? principled.withReflectance(material, rgb(tint).times(f0)) : material.withF0(f0);
+    }
+
+    /** Adds the coat, which has the index of refraction of the surface in a UsdPreviewSurface. */
+    private Material withCoat(Material material, JsonValue in) throws MeshException {
+        double ior = in.get("clearcoatIor").number(in.get("ior").number(1.5));
+        return new PrincipledImport(assembler).withCoat(material, UsdNumbers.tidy(in.get("clearcoat").number(0)),
+                UsdNumbers.tidy(in.get("clearcoatRoughness").number(0.01)), UsdNumbers.tidy(ior));
     }
 
     private Material withNormals(Material material, JsonValue image) throws IOException, MeshException {
@@ -162,7 +169,11 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
     }
 
     private Rgb color(JsonValue in, double max, String label) throws MeshException {
+        return assembler.clampColor(rgb(in), max, label);
+    }
+
+    private static Rgb rgb(JsonValue in) throws MeshException {
         double[] c = in.numbers(0, 0, 0);
-        return assembler.clampColor(new Rgb(UsdNumbers.tidy(c[0]), UsdNumbers.tidy(c[1]), UsdNumbers.tidy(c[2])), max, label);
+        return new Rgb(UsdNumbers.tidy(c[0]), UsdNumbers.tidy(c[1]), UsdNumbers.tidy(c[2]));
     }
 }

@@ -20,7 +20,7 @@ import lightning.base.math.Rgb;
  * @param emissionMap image that multiplies the emission
  * @param cutout opacity map
  * @param bump map_Bump, bump or norm: a height or normal map
- * @param physical roughness and metalness; empty for materials without them
+ * @param physical roughness, metalness and coat; empty for materials without them
  */
 public record MtlMaterial(String name, IlluminationModel illumination, Rgb diffuse, Rgb specular, Rgb emission, OptionalDouble shininess,
         double opacity, Rgb filter, double ior, Optional<MtlImage> texture, Optional<MtlImage> emissionMap,
@@ -30,8 +30,13 @@ public record MtlMaterial(String name, IlluminationModel illumination, Rgb diffu
      *
      * @param roughness Pr, 0 … 1
      * @param metalness Pm, 0 … 1
+     * @param coat Pc, thickness of the clear layer in the statements, which programs use as its share: 0 … 1
+     * @param coatRoughness Pcr, 0 … 1
      */
-    public record Physical(double roughness, double metalness) {}
+    public record Physical(double roughness, double metalness, double coat, double coatRoughness) {
+        /** Statements of a material without any. */
+        public static final Physical NONE = new Physical(0.5, 0, 0, 0);
+    }
 
     /**
      * Minimum exponent: smaller ones give a lobe wider than the diffuse term; exporters write 0 for surfaces without a

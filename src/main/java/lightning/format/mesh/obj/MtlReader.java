@@ -1,5 +1,7 @@
 package lightning.format.mesh.obj;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -20,8 +22,6 @@ import org.jspecify.annotations.Nullable;
 
 /** Reader for MTL files: colors, shininess and images. Notes all other content. */
 public final class MtlReader {
-    /** Roughness of materials that have only a metalness. */
-    private static final double DEFAULT_ROUGHNESS = 0.5;
     private static final Pattern NUMBER = Pattern.compile("[-+0-9.eE]+");
 
     private final TextTokenizer text;
@@ -99,7 +99,18 @@ public final class MtlReader {
             case "norm" -> current.setBump(readImage(true));
             case "Pr" -> current.roughness = OptionalDouble.of(readNumber());
             case "Pm" -> current.metalness = OptionalDouble.of(readNumber());
+            case "Pc" -> current.coat = readNumber();
+            case "Pcr" -> current.coatRoughness = readNumber();
+            case "Ps" -> noteMissing("sheen (Ps)");
+            case "aniso" -> noteMissing("anisotropy (aniso)");
             default -> notes.add(keyword + " of materials");
+        }
+    }
+
+    /** Notes a property that no material of a scene has, with the name of the material. */
+    private void noteMissing(String title) throws IOException, MeshException {
+        if (readNumber() != 0) {
+            notes.addNamed(title + " of materials", requireNonNull(current).name);
         }
     }
 
@@ -136,6 +147,8 @@ public final class MtlReader {
         double ior = 1.5;
         OptionalDouble roughness = OptionalDouble.empty();
         OptionalDouble metalness = OptionalDouble.empty();
+        double coat;
+        double coatRoughness;
         Optional<MtlImage> texture = Optional.empty();
         Optional<MtlImage> emissionMap = Optional.empty();
         Optional<MtlImage> cutout = Optional.empty();
@@ -152,7 +165,8 @@ public final class MtlReader {
 
         private Optional<MtlMaterial.Physical> physical() {
             return roughness.isEmpty() && metalness.isEmpty() ? Optional.empty()
-                    : Optional.of(new MtlMaterial.Physical(roughness.orElse(DEFAULT_ROUGHNESS), metalness.orElse(0)));
+                    : Optional.of(new MtlMaterial.Physical(roughness.orElse(MtlMaterial.Physical.NONE.roughness()), metalness.orElse(0),
+                            coat, coatRoughness));
         }
 
         MtlMaterial build() {

@@ -72,12 +72,12 @@ class SceneExtrasTest {
     @Test
     void editOfMaterial_countsIfFileHasValueBefore() throws Exception {
         Material plain = imported("{}").scene().materials().getLast();
-        String edits = "{'f0': [" + plain.f0() + ", 0.1], 'reflective': [[0, 0, 0.0], [0.2, 0.3, 0.4]], 'roughness': [0.875, 0.25],"
+        String edits = "{'f0': [" + plain.f0() + ", 0.1], 'specular_tint': [[1, 1, 1.0], [0.2, 0.3, 0.4]], 'roughness': [0.875, 0.25],"
                 + " 'thin': [false, true]}";
         Material edited =
                 imported("{'materials': [{'name': 'paint', 'edits': " + edits + "}]}").scene().materials().getLast();
         assertThat(edited.f0()).isEqualTo(0.1);
-        assertThat(edited.reflective()).isEqualTo(new Rgb(0.2, 0.3, 0.4));
+        assertThat(edited.specularTint()).isEqualTo(new Rgb(0.2, 0.3, 0.4));
         assertThat(edited.transmission().thin()).isTrue();
         assertThat(edited.roughness()).as("changed in the other program").isEqualTo(plain.roughness());
     }

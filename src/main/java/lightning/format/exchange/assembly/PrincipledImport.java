@@ -1,0 +1,63 @@
+package lightning.format.exchange.assembly;
+
+import lightning.base.math.Rgb;
+import lightning.scene.material.Coat;
+import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
+import lightning.scene.value.SceneLimits;
+
+/** Converter of other programs' reflections to principled materials. */
+public final class PrincipledImport {
+    private final SceneAssembler assembler;
+
+    public PrincipledImport(SceneAssembler assembler) {
+        this.assembler = assembler;
+    }
+
+    /**
+     * Returns a principled material.
+     *
+     * @param metalness clamped to 0 … 1, like the roughness
+     */
+    public static Material material(Rgb base, double metalness, double roughness) {
+        return Material.of("material").withModel(ShadingModel.PRINCIPLED).withBase(base).withMetalness(SceneAssembler.clamp(metalness, 1))
+                .withRoughness(SceneAssembler.clamp(roughness, 1));
+    }
+
+    /** Returns the reflectance at normal incidence for an index of refraction, 0 … 1. */
+    public static double f0(double ior) {
+        double ratio = (ior - 1) / (ior + 1);
+        return SceneAssembler.clamp(ratio * ratio, 1);
+    }
+
+    /** Sets the reflection color of a nonmetal at normal incidence, clamped to 0 … 1: its largest channel, and the tint of the others. */
+    public Material withReflectance(Material material, Rgb color) {
+        Rgb f0 = assembler.clampColor(color, 1, "highlights of materials");
+        double max = f0.max();
+        return max == 0 || f0.min() == max ? material.withF0(max)
+                : material.withF0(max).withSpecularTint(new Rgb(rounded(f0.r(), max), rounded(f0.g(), max), rounded(f0.b(), max)));
+    }
+
+    private static double rounded(double part, double max) {
+        return part == max ? 1 : Math.min(NineDigits.rounded(part / max), 1);
+    }
+
+    /**
+     * Adds a coat; a transparent material has none, which is noted.
+     *
+     * @param weight    share of the surface, clamped to 0 … 1
+     * @param roughness clamped to 0 … 1
+     * @param ior       index of refraction, clamped to its range
+     */
+    public Material withCoat(Material material, double weight, double roughness, double ior) {
+        double share = SceneAssembler.clamp(weight, 1);
+        if (!(share > 0)) {
+            return material;
+        }
+        if (material.transmission().isTransparent()) {
+            assembler.notes.add("coats of transparent materials");
+            return material;
+        }
+        return material.withCoat(new Coat(share, SceneAssembler.clamp(roughness, 1), ior >= 1 ? Math.min(ior, SceneLimits.MAX_IOR) : 1));
+    }
+}
