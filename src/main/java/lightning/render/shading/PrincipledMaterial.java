@@ -50,9 +50,4 @@ public record PrincipledMaterial(Material material, float roughness, float nonme
     private double mappedRoughness(HitRows rows, int row) {
         return material.mappedRoughness(requireNonNull(rows.texel(ColumnGroup.ROUGHNESS_TEXEL, 0))[row]);
     }
-
-    /** Returns the metalness of a row; the material has a metalness map. */
-    double mappedMetalness(HitRows rows, int row) {
-        return material.mappedMetalness(requireNonNull(rows.texel(ColumnGroup.METALNESS_TEXEL, 0))[row]);
-    }
 }

@@ -3,27 +3,71 @@ package lightning.render.shading;
 import static java.util.Objects.requireNonNull;
 
 import lightning.render.trace.HitRows;
+import lightning.render.trace.HitRows.ColumnGroup;
+import lightning.render.trace.PrincipledColors;
+import org.jspecify.annotations.Nullable;
 
-/** Colors of a row of an opaque principled material, with its texture and its metalness map. One instance per thread. */
+/** Roughness and colors of rows of an opaque principled material, with its texture and its maps. One instance per thread. */
 public final class PrincipledRow {
+    private final float[] plainDiffuse = new float[3];
+    private final float[] plainMetalF0 = new float[3];
+    private final float[] plainSpecular = new float[3];
+    /** Columns of texture colors; unread without a texture. */
+    private final float[][] texels = new float[3][0];
+    private boolean isTextured;
+    private @Nullable PrincipledMaterial material;
+    private float @Nullable [] roughnessTexel;
+    private float @Nullable [] metalnessTexel;
+    private float roughness;
     private final float[] diffuse = new float[3];
     private final float[] f0 = new float[3];
 
-    /** Moves to a row of a material. */
-    public void moveTo(ShadingMaterial material, HitRows rows, int row) {
-        PrincipledMaterial principled = requireNonNull(material.principled());
-        float[] metalF0 = requireNonNull(material.texturedF0());
-        double metalness = principled.mixed() == null ? 0 : principled.mappedMetalness(rows, row);
+    /** Sets the material of the next rows. */
+    public void start(ShadingMaterial shading, HitRows rows) {
+        PrincipledMaterial principled = requireNonNull(shading.principled());
+        float[] metalF0 = requireNonNull(shading.texturedF0());
+        material = principled;
+        isTextured = shading.isTextured();
+        roughness = principled.roughness();
+        roughnessTexel = principled.hasRoughnessMap() ? rows.texel(ColumnGroup.ROUGHNESS_TEXEL, 0) : null;
+        metalnessTexel = principled.mixed() == null ? null : rows.texel(ColumnGroup.METALNESS_TEXEL, 0);
         for (int c = 0; c < 3; c++) {
-            float texel = material.isTextured() ? requireNonNull(rows.texel(c))[row] : 1;
-            if (principled.mixed() == null) {
-                diffuse[c] = material.diffuse()[c] * texel;
-                f0[c] = metalF0[c] * texel + material.specular()[c];
-            } else {
-                diffuse[c] = principled.mixed().diffuse(c, metalness) * texel;
-                f0[c] = principled.mixed().metalF0(c, metalness) * texel + principled.mixed().specular(c, metalness);
-            }
+            plainDiffuse[c] = shading.diffuse()[c];
+            plainMetalF0[c] = metalF0[c];
+            plainSpecular[c] = shading.specular()[c];
+            texels[c] = isTextured ? requireNonNull(rows.texel(c)) : texels[c];
         }
+    }
+
+    /** Moves to a row of the material. */
+    public void moveTo(int row) {
+        if (roughnessTexel != null) {
+            roughness = (float) requireNonNull(material).material().mappedRoughness(roughnessTexel[row]);
+        }
+        for (int c = 0; c < 3; c++) {
+            float texel = isTextured ? texels[c][row] : 1;
+            diffuse[c] = plainDiffuse[c] * texel;
+            f0[c] = plainMetalF0[c] * texel + plainSpecular[c];
+        }
+        if (metalnessTexel != null) {
+            mix(row, metalnessTexel[row]);
+        }
+    }
+
+    private void mix(int row, float map) {
+        PrincipledMaterial principled = requireNonNull(material);
+        PrincipledColors colors = requireNonNull(principled.mixed());
+        double metalness = principled.material().mappedMetalness(map);
+        for (int c = 0; c < 3; c++) {
+            float texel = isTextured ? texels[c][row] : 1;
+            diffuse[c] = colors.diffuse(c, metalness) * texel;
+            f0[c] = colors.metalF0(c, metalness) * texel + colors.specular(c, metalness);
+        }
+    }
+
+    /** Returns the roughness below the coat. */
+    public float roughness() {
+        return roughness;
     }
 
     /** Returns one channel of k<sub>diffuse</sub>. */

@@ -202,6 +202,16 @@ class MaterialWorkTest {
     }
 
     @Test
+    void roughnessMapWhileLightOff_castsNoRaysWhenSwitchedOn() {
+        try (StudioRenderer studio = principledStudio()) {
+            studio.edit(l -> l.withOn(false));
+            edit(studio, MATT, m -> m.withSurfaceMaps(SurfaceMaps.NONE.withRoughness(CHECKS)));
+            assertWork(studio.edit(l -> l.withOn(true)), 0, rows(studio), 0, 0);
+            assertExact(studio, "roughness-map-in-the-dark");
+        }
+    }
+
+    @Test
     void metalnessMap_updatesTexelsOfItsRows() {
         try (StudioRenderer studio = principledStudio()) {
             edit(studio, MATT, m -> m.withMetalness(0.5));

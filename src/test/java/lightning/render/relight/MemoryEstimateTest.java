@@ -29,6 +29,10 @@ import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.ShadingModel;
+import lightning.scene.material.SurfaceMaps;
 import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
@@ -76,6 +80,19 @@ class MemoryEstimateTest {
         Scene scene = ballsScene(640, 448, antialias, 2);
         // Small pictures have partly empty tiles and edges of only a few pixels.
         assertThat(MemoryForecast.of(scene, OPTIONS).bytes(scene.picture())).isCloseTo(usedBytes(scene, OPTIONS), withPercentage(25));
+    }
+
+    /** A float of each map for each pixel of whole tiles, which mirrors do not repeat at depth 0. */
+    @Test
+    void upperBound_countsColumnsOfSurfaceMaps() throws Exception {
+        Scene balls = ballsScene(96, 64, AntialiasMode.OFF, 3);
+        Scene plain = balls.withPicture(balls.picture().withDepth(0))
+                .withMaterials(balls.materials().stream().map(m -> m.withModel(ShadingModel.PRINCIPLED)).toList());
+        Optional<TextureMap> map = Optional.of(new TextureMap("m.png", 1, 1, new Texture(1, 1, new float[] {1, 1, 1})));
+        Scene mapped = plain.withMaterials(plain.materials().stream()
+                .map(m -> m.withSurfaceMaps(SurfaceMaps.NONE.withRoughness(map).withMetalness(map))).toList());
+        assertThat(MemoryEstimate.upperBound(mapped, OPTIONS) - MemoryEstimate.upperBound(plain, OPTIONS)).isEqualTo(8L * 96 * 64);
+        assertThat(usedBytes(mapped, OPTIONS)).isLessThanOrEqualTo(MemoryEstimate.upperBound(mapped, OPTIONS));
     }
 
     @ParameterizedTest

@@ -25,9 +25,10 @@ final class PrincipledShader {
     void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float @Nullable [][] specular,
             float @Nullable [][] grazing, float @Nullable [][] reflected, float @Nullable [][] mirrored, float[][] to) {
         PrincipledMaterial principled = requireNonNull(material.principled());
+        colors.start(material, rows);
         for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
-            weights.moveTo(principled, rows, i);
-            colors.moveTo(material, rows, i);
+            colors.moveTo(i);
+            weights.moveTo(principled, colors.roughness(), rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i], rows.vz[i]);
             for (int c = 0; c < 3; c++) {
                 float shine = specular == null ? 0 : specular[c][i];
                 float graze = grazing == null ? 0 : grazing[c][i];
@@ -46,8 +47,9 @@ final class PrincipledShader {
 
     /** Writes the colors of a run's rows regardless of the lights. */
     void shadeUnlit(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] to) {
+        colors.start(material, rows);
         for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
-            colors.moveTo(material, rows, i);
+            colors.moveTo(i);
             for (int c = 0; c < 3; c++) {
                 to[c][i] = emitted[c] + colors.diffuse(c);
             }

@@ -63,7 +63,8 @@ public final class RowContribution {
         }
         if (shading.principled() != null) {
             weights.moveTo(shading.principled(), rows, row);
-            colors.moveTo(shading, rows, row);
+            colors.start(shading, rows);
+            colors.moveTo(row);
         }
         // Not a loop: a compiled loop reads the length of an absent column before it checks for null, a fault of the virtual machine.
         writeChannel(0, rows, row, shading, isZero, light, layer, indirect, fresnel, mirrored, refracted, from, to, at);

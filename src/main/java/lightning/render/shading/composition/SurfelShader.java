@@ -79,8 +79,9 @@ public final class SurfelShader {
     }
 
     private void writePrincipledAlbedo(HitRows rows, int run, ShadingMaterial material, int[] numbers, float[][] albedo) {
+        principledRow.start(material, rows);
         for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
-            principledRow.moveTo(material, rows, row);
+            principledRow.moveTo(row);
             for (int c = 0; c < 3; c++) {
                 albedo[c][numbers[rows.parent[row]]] =
                         principledAlbedo(requireNonNull(material.principled()), principledRow.diffuse(c), principledRow.f0(c));
