@@ -179,23 +179,35 @@ public final class RowWeights {
         }
     }
 
-    /** Writes the indirect light of one row, with the bits of {@link #interpolate(float[][], float[][])}, to red, green and blue. */
+    /**
+     * Writes the light of one row, with the bits of {@link #interpolate(float[][], float[][])}, to red, green and blue, and, if there are
+     * reflection points, what it reflects to six more elements.
+     */
     public void interpolate(float[][] light, int row, float[] to) {
+        interpolate(light, 0, row, to);
+        if (reflected != null) {
+            reflected.interpolate(light, 3, row, to);
+            reflected.interpolate(light, 6, row, to);
+        }
+    }
+
+    /** @param at first of three columns and elements */
+    private void interpolate(float[][] light, int at, int row, float[] to) {
         int first = 0;
         for (int before = 0; before < row; before++) {
             first += count(before);
         }
         int total = 0;
-        Arrays.fill(to, 0);
+        Arrays.fill(to, at, at + 3, 0);
         for (int i = first; i < first + count(row); i++) {
             int point = near.point(i);
             int whole = near.weight[i] & 0xFF;
-            for (int c = 0; c < 3; c++) {
+            for (int c = at; c < at + 3; c++) {
                 to[c] += whole * WeightedPoints.SCALE * light[c][point];
             }
             total += whole;
         }
-        for (int c = 0; c < 3; c++) {
+        for (int c = at; c < at + 3; c++) {
             to[c] *= total == 0 ? 0 : 1 / (total * WeightedPoints.SCALE);
         }
     }

@@ -283,7 +283,7 @@ public final class LightThumbnails {
             float[] colors = new float[3 * count];
             LightLayer rows = level.layers()[equation == levels.eyeShader ? layer : levels.mirrorLayer[layer]];
             float[][] indirect = equation == levels.eyeShader ? levels.indirect.shown() : levels.indirect.mirrored();
-            float[] indirectRow = indirect == null ? null : new float[3];
+            float[] indirectRow = indirect == null ? null : new float[indirect.length];
             for (int i = 0; i < count; i++) {
                 if (indirect != null && indirectRow != null) {
                     requireNonNull(level.weights()).interpolate(indirect, row[i], indirectRow);

@@ -44,7 +44,8 @@ public final class RowContribution {
      *
      * @param material the row's material
      * @param layer    the light's layer over the rows; unread if the light is dark
-     * @param indirect the light's indirect light of the row: red, green, blue; null if there is none
+     * @param indirect the light's indirect light of the row: red, green, blue, then what a principled row reflects if anything blurs its
+     *                 reflections; null if there is none
      * @param mirrored red, green and blue contributions of the row's mirrored ray at {@code from}, 0 if there is none; {@code
      *                 refracted} has the same layout
      * @param to       receives the row's color at {@code at}
@@ -90,10 +91,15 @@ public final class RowContribution {
         diffuse = indirect == null ? diffuse : indirect[c] + diffuse;
         PrincipledMaterial principled = shading.principled();
         if (principled != null) {
-            boolean isMirror = principled.isMirror();
-            to[at + c] = weights.color(0, colors.diffuse(c), diffuse, colors.f0(c),
-                    isMirror ? specular + mirrored[from + c] * weights.mirrored(principled) : specular,
-                    isMirror ? grazing + mirrored[from + c] * weights.mirroredGrazing(principled) : grazing);
+            if (indirect != null && indirect.length > 3) {
+                specular += indirect[3 + c] * weights.reflected(principled);
+                grazing += indirect[6 + c] * weights.reflectedGrazing(principled);
+            }
+            if (principled.isMirror()) {
+                specular += mirrored[from + c] * weights.mirrored(principled);
+                grazing += mirrored[from + c] * weights.mirroredGrazing(principled);
+            }
+            to[at + c] = weights.color(0, colors.diffuse(c), diffuse, colors.f0(c), specular, grazing);
             return;
         }
         float kd = shading.isTextured() ? texel * shading.diffuse()[c] : shading.diffuse()[c];

@@ -80,7 +80,8 @@ final class ReferenceReflections {
             return left * materials.diffuse(m, c) * texel;
         }
         PrincipledRow colors = new PrincipledRow();
-        colors.moveTo(ShadingMaterial.of(materials, m), rows, row);
+        colors.start(ShadingMaterial.of(materials, m), rows);
+        colors.moveTo(row);
         float below = 1 - hemispherical((float) (materials.material(m).f0() * materials.material(m).specularTint().max()));
         return colors.diffuse(c) * below + hemispherical(colors.f0(c));
     }
