@@ -36,7 +36,7 @@ final class MaterialArbitraries {
 
     static Arbitrary<Material> materials(String name) {
         Arbitrary<Material> opaque =
-                Arbitraries.frequencyOf(Tuple.of(2, phong(name)), Tuple.of(1, metallic(name)), Tuple.of(1, principled(name)));
+                Arbitraries.frequencyOf(Tuple.of(8, phong(name)), Tuple.of(3, metallic(name)), Tuple.of(2, principled(name)));
         return Combinators.combine(opaque, transmissions(), cutouts(), glows(), textures().list().ofSize(OTHER_MAPS.size()), bulbs())
                 .as((material, clarity, cutout, glow, maps, bulb) -> withOtherMaps(material, maps)
                         .withTransmission(clarity).withCutout(cutout).withGlow(glow).withBulb(bulb));

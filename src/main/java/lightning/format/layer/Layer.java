@@ -30,11 +30,11 @@ sealed interface Layer {
     record Lights(String name, int first, int end, LightComponent part) implements Layer {}
 
     /**
-     * Gathered light of directly visible surfaces: that of the environment, or indirect light from all lights and the environment.
+     * Gathered light of directly visible surfaces, and what they reflect of their surroundings if that is blurred.
      *
-     * @param isIndirect whether the scene has indirect light
+     * @param settings what is gathered
      */
-    record Gathered(boolean isIndirect) implements Layer {}
+    record Gathered(GatherSettings settings) implements Layer {}
 
     /** Reflections, and the scene through transparent surfaces. */
     record Reflections() implements Layer {}
@@ -61,7 +61,7 @@ sealed interface Layer {
         if (lights.length > sceneLights.size()) {
             add(ENVIRONMENT, sceneLights.size(), lights.length, layers);
         }
-        GatherSettings.of(scene).ifPresent(settings -> layers.add(new Gathered(settings.isIndirect() || !settings.environment())));
+        GatherSettings.of(scene).ifPresent(settings -> layers.add(new Gathered(settings)));
         layers.add(new Reflections());
         return layers;
     }

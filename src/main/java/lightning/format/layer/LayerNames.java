@@ -28,7 +28,8 @@ final class LayerNames {
                 case Layer.Background _ -> "background";
                 case Layer.Ambient _ -> "ambient";
                 case Layer.Emission _ -> "emission";
-                case Layer.Gathered gathered -> gathered.isIndirect() ? "indirect" : Layer.ENVIRONMENT + "_gathered";
+                case Layer.Gathered gathered -> gathered.settings().isIndirect() ? "indirect"
+                        : gathered.settings().environment() ? Layer.ENVIRONMENT + "_gathered" : "reflected";
                 case Layer.Reflections _ -> "reflections";
                 case Layer.Lights lights -> {
                     if (lights.part() == LightComponent.DIFFUSE) {

@@ -73,7 +73,7 @@ public final class GatherBuilder {
         keys = new CellKeys(scene, settings);
         lobes = new RoughLobes[geometry.materials().count()];
         Arrays.setAll(lobes, m -> RoughLobes.of(geometry.materials().material(m)));
-        reflectionDirections = new ReflectionDirections(settings.reflectionRaysPerSide());
+        reflectionDirections = ReflectionDirections.of(settings.reflections() ? settings.reflectionRaysPerSide() : 2);
         seenGlows = settings.reflections() ? GlowShapes.seen(geometry, geometry.materials()) : GlowShapes.none();
         glows = settings.isIndirect() ? GlowShapes.of(geometry) : GlowShapes.none();
     }

@@ -197,7 +197,7 @@ public final class GatherStructure {
      * @param materials materials of that scene
      */
     public boolean canServe(Geometry geometry, MaterialTable materials) {
-        if (reflections != null && !reflections.glows().contain(GlowShapes.seen(geometry, materials))) {
+        if (reflections != null && !reflections.glows().areSame(GlowShapes.seen(geometry, materials))) {
             return false;
         }
         if (!isIndirect) {

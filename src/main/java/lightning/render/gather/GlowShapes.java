@@ -119,6 +119,11 @@ public final class GlowShapes {
         return glow;
     }
 
+    /** Returns whether these are some objects of the same scene. */
+    boolean areSame(GlowShapes others) {
+        return (this == TOO_MANY) == (others == TOO_MANY) && Arrays.equals(primitives, others.primitives);
+    }
+
     /** Returns whether these contain some objects of the same scene. Too many objects contain only too many. */
     boolean contain(GlowShapes others) {
         return (this == TOO_MANY) == (others == TOO_MANY) && IntStream.of(others.primitives).allMatch(this::contains);

@@ -1,5 +1,8 @@
 package lightning.render.gather;
 
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+
 /**
  * Places in the unit square, one in each cell of a grid, by which directions of a lobe are chosen. As in {@link DirectionTable}, neighboring
  * points have different parts of the cells. The second coordinate is an angle.
@@ -8,6 +11,7 @@ final class ReflectionDirections {
     private static final int PARTS = 4;
     private static final int VARIANTS = 16;
     private static final int PATTERNS = PARTS * PARTS * VARIANTS;
+    private static final Map<Integer, ReflectionDirections> KNOWN = new ConcurrentHashMap<>();
 
     final int side;
     final int rays;
@@ -15,8 +19,16 @@ final class ReflectionDirections {
     private final float[] cos;
     private final float[] sin;
 
-    /** @param side places along each side of the grid, an even number */
-    ReflectionDirections(int side) {
+    /**
+     * Returns the places.
+     *
+     * @param side places along each side of the grid, an even number
+     */
+    static ReflectionDirections of(int side) {
+        return KNOWN.computeIfAbsent(side, ReflectionDirections::new);
+    }
+
+    private ReflectionDirections(int side) {
         this.side = side;
         rays = side * side;
         share = new float[PATTERNS * rays];

