@@ -230,12 +230,17 @@ final class RandomScenes {
                 : Material.of(name).withTexture(texture());
     }
 
+    /** Returns a rough material: the lights are too bright for sharper highlights. */
     private Material principled(String name) {
         return Material.of(name).withModel(ShadingModel.PRINCIPLED).withGlow(color(1e6)).withBase(color(1))
                 .withMetalness(random.nextDouble())
-                .withRoughness(random.nextDouble()).withF0(random.nextDouble()).withSpecularTint(chance() ? Rgb.WHITE : color(1))
-                .withCoat(chance() ? Coat.NONE : new Coat(random.nextDouble(), random.nextDouble(), 1 + 3 * random.nextDouble()))
+                .withRoughness(rough()).withF0(random.nextDouble()).withSpecularTint(chance() ? Rgb.WHITE : color(1))
+                .withCoat(chance() ? Coat.NONE.withRoughness(rough()) : new Coat(random.nextDouble(), rough(), 1 + 3 * random.nextDouble()))
                 .withTexture(texture()).withTransmission(clarity());
+    }
+
+    private double rough() {
+        return 1 - 0.2 * random.nextDouble();
     }
 
     private Transmission clarity() {
