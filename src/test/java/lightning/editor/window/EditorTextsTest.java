@@ -10,6 +10,7 @@ import java.util.TreeSet;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import lightning.base.text.GermanMessages;
+import lightning.editor.document.MaterialLibrary;
 import lightning.editor.document.NumericParameter;
 import lightning.render.image.DisplayCurve;
 import lightning.sample.Slow;
@@ -78,6 +79,7 @@ class EditorTextsTest {
         for (String channel : List.of("red", "green", "blue")) {
             usedTexts.addAll(List.of("gel " + channel, "color " + channel, "ambient " + channel));
         }
+        MaterialLibrary.materials().forEach(m -> usedTexts.add(m.name()));
         usedTexts.remove("");
         german = GermanMessages.all();
     }

@@ -24,7 +24,9 @@ import lightning.scene.light.LightRig;
 import lightning.scene.light.LightType;
 import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
 import lightning.scene.material.ShadowCasting;
 import lightning.scene.material.Transmission;
 import lightning.scene.node.NodeGroup;
@@ -220,12 +222,25 @@ final class RandomScenes {
     }
 
     private Material material(String name) {
-        return chance()
+        return random.nextInt(3) == 0 ? principled(name) : chance()
                 ? Material.of(name).withAmbient(color(1e6)).withGlow(color(1e6)).withDiffuse(color(1)).withSpecular(color(1))
                         .withShininess(positive(1e6))
                         .withReflective(color(1)).withTexture(texture()).withBumpMapping(relief()).withTransmission(clarity())
                         .withCutout(cutout())
                 : Material.of(name).withTexture(texture());
+    }
+
+    /** Returns a rough material: the lights are too bright for sharper highlights. */
+    private Material principled(String name) {
+        return Material.of(name).withModel(ShadingModel.PRINCIPLED).withGlow(color(1e6)).withBase(color(1))
+                .withMetalness(random.nextDouble())
+                .withRoughness(rough()).withF0(random.nextDouble()).withSpecularTint(chance() ? Rgb.WHITE : color(1))
+                .withCoat(chance() ? Coat.NONE.withRoughness(rough()) : new Coat(random.nextDouble(), rough(), 1 + 3 * random.nextDouble()))
+                .withTexture(texture()).withTransmission(clarity());
+    }
+
+    private double rough() {
+        return 1 - 0.2 * random.nextDouble();
     }
 
     private Transmission clarity() {

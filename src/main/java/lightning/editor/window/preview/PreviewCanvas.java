@@ -24,6 +24,7 @@ import lightning.editor.document.manipulation.PreviewCamera;
 import lightning.editor.document.manipulation.Viewport;
 import lightning.editor.loop.Frame;
 import lightning.editor.loop.RenderState;
+import lightning.editor.window.command.MaterialDrop;
 import lightning.editor.window.command.ShapeMenu;
 import lightning.editor.window.model.CameraNavigation;
 import lightning.editor.window.model.EditorModel;
@@ -38,6 +39,7 @@ import lightning.scene.Scene;
 import lightning.scene.VisibleState;
 import lightning.scene.effects.PreviewScene;
 import lightning.scene.effects.ViewEffects;
+import lightning.scene.material.Material;
 import lightning.scene.node.NodeGroup;
 import org.jspecify.annotations.Nullable;
 
@@ -108,6 +110,11 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         return image.imageProperty().isNull();
     }
 
+    /** Gives a material to the shape at a point; does nothing if there is none. */
+    public void dropMaterial(Material material, Viewport.Pixel point) {
+        shapes.find(viewport(), point, shape -> MaterialDrop.apply(editor, model.materials(), shape, material));
+    }
+
     /** Returns the resolution of the preview. */
     ObjectProperty<CanvasSize> sizeProperty() {
         return size;
@@ -127,6 +134,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
                 mouse.press(e.getX() - left(), e.getY() - top(), GizmoMouseBinding.lightDrag(e));
             }
         });
+        MaterialDrop.accept(this, (material, e) -> dropMaterial(material, new Viewport.Pixel(e.getX() - left(), e.getY() - top())));
         addEventHandler(ScrollEvent.SCROLL, e -> {
             if (e.getDeltaY() != 0) {
                 camera.set(camera.get().zoom(e.getDeltaY() * WHEEL_FACTOR, viewport()));

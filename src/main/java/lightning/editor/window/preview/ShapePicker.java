@@ -56,7 +56,8 @@ final class ShapePicker {
         });
     }
 
-    private void find(Viewport viewport, Viewport.Pixel point, Consumer<String> onFound) {
+    /** Passes the shape at a point, or the light whose face it is, to a consumer on the window's thread; does nothing if there is none. */
+    void find(Viewport viewport, Viewport.Pixel point, Consumer<String> onFound) {
         Scene scene = editor.scene();
         Frame frame = editor.editorStateProperty().get().frame().orElse(null);
         PreviewCamera view = camera.get();

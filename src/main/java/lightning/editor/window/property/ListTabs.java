@@ -24,7 +24,7 @@ public final class ListTabs extends TabPane {
         getStyleClass().addAll("dense", "side");
         setTabClosingPolicy(TabClosingPolicy.UNAVAILABLE);
         Tab lights = SidePane.tab(Messages.tr("Lights"), "lights-tab", _ -> new LightListPane(editor, model.commands()));
-        Tab shapes = SidePane.tab(Messages.tr("Objects"), "shapes-tab", _ -> new OutlinePane(editor, model.commands()));
+        Tab shapes = SidePane.tab(Messages.tr("Objects"), "shapes-tab", _ -> new OutlinePane(editor, model.materials(), model.commands()));
         world = SidePane.tab(Messages.tr("World"), "world-tab", tab -> new WorldPane(model, tab.selectedProperty()));
         getTabs().setAll(lights, shapes, world);
         var solo = new FontIcon(MaterialDesignA.ALPHA_S_CIRCLE);

@@ -113,7 +113,9 @@ final class MaterialPane extends VBox {
         users.setWrapText(true);
         var header = new VBox(row, users);
         header.getStyleClass().add("light-header");
-        ScrollPane scroll = SectionLayout.incrementalScroll(box -> Stream.concat(Stream.of(() -> SectionLayout.add(box, header)),
+        var library = new MaterialLibraryPane(editor, materials, files.files().windowExecutor());
+        ScrollPane scroll = SectionLayout.incrementalScroll(box -> Stream.concat(Stream.of(() -> SectionLayout.add(box, header),
+                () -> SectionLayout.add(box, library.section())),
                 Arrays.stream(Section.values()).flatMap(section -> sectionSteps(box, section))));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);

@@ -12,7 +12,9 @@ import javafx.scene.layout.HBox;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.document.NodeEdits;
+import lightning.editor.window.command.MaterialDrop;
 import lightning.editor.window.model.CommandRegistry;
+import lightning.editor.window.model.MaterialSelection;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
@@ -50,7 +52,7 @@ final class OutlineCell extends NamedCell<OutlineRow> {
     private final HBox row = new HBox(foldButton, kind, name, eye);
     private @Nullable SceneNode shownNode;
 
-    OutlineCell(SceneEditor editor, CommandRegistry commands, OutlinePane pane) {
+    OutlineCell(SceneEditor editor, MaterialSelection materials, CommandRegistry commands, OutlinePane pane) {
         super(commands, Command.RENAME_SHAPE, (old, typed) -> typed.equals(old) ? Optional.empty() : pane.rename(old, typed));
         this.editor = editor;
         this.pane = pane;
@@ -66,6 +68,11 @@ final class OutlineCell extends NamedCell<OutlineRow> {
             show();
         });
         LinkDrop.installOnShape(this, () -> shownNode == null ? null : shownNode.name(), editor);
+        MaterialDrop.accept(this, (material, _) -> {
+            if (shownNode != null) {
+                MaterialDrop.apply(editor, materials, shownNode.name(), material);
+            }
+        });
         row.getStyleClass().add("light-row");
         editor.sceneProperty().subscribe(_ -> show());
         setOnMouseClicked(event -> {

@@ -22,6 +22,7 @@ import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.command.ShapeKeys;
 import lightning.editor.window.model.CommandRegistry;
+import lightning.editor.window.model.MaterialSelection;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Stage;
 import lightning.scene.node.NodeGroup;
@@ -46,7 +47,7 @@ final class OutlinePane extends VBox {
     private @Nullable SceneNode selected;
     private boolean isUpdating;
 
-    OutlinePane(SceneEditor editor, CommandRegistry commands) {
+    OutlinePane(SceneEditor editor, MaterialSelection materials, CommandRegistry commands) {
         this.editor = editor;
         this.commands = commands;
         setId("shapes");
@@ -55,7 +56,7 @@ final class OutlinePane extends VBox {
         list.getStyleClass().addAll("light-list", "shape-list", "edge-to-edge");
         list.setAccessibleText(Messages.tr("objects and groups"));
         list.setPlaceholder(new Label(Messages.tr("No objects.")));
-        list.setCellFactory(_ -> new OutlineCell(editor, commands, this));
+        list.setCellFactory(_ -> new OutlineCell(editor, materials, commands, this));
         CommandMenuItems items = CommandMenuItems.forMenu(commands, "of-shape-");
         list.setContextMenu(new ContextMenu(items.item(Command.RENAME_SHAPE), items.item(Command.DUPLICATE_SHAPE),
                 items.item(Command.DELETE_SHAPE), new SeparatorMenuItem(), items.item(Command.SHOW_SHAPE)));

@@ -26,9 +26,11 @@ import lightning.base.text.Messages;
 import lightning.editor.document.manipulation.CameraDrag;
 import lightning.editor.loop.Frame;
 import lightning.editor.loop.RenderState;
+import lightning.editor.window.command.MaterialDrop;
 import lightning.editor.window.model.CameraNavigation;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.ErrorMessage;
+import lightning.editor.window.model.MaterialSelection;
 import lightning.editor.window.model.PicturePointer;
 import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.model.SceneEditor;
@@ -39,6 +41,7 @@ import lightning.render.relight.LightContributions;
 import lightning.render.trace.Geometry;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -110,6 +113,7 @@ final class TracedMouse implements AutoCloseable {
         picture.setOnMousePressed(this::handlePress);
         picture.setOnMouseDragged(this::handleDrag);
         picture.setOnMouseReleased(this::handleRelease);
+        MaterialDrop.accept(picture, (material, e) -> dropMaterial(model.materials(), material, e.getX(), e.getY()));
         regionMode.subscribe(_ -> updatePrompt());
         placer.promptProperty().subscribe(hint -> {
             onPick = hint.isEmpty() ? onPick : null;
@@ -405,6 +409,22 @@ final class TracedMouse implements AutoCloseable {
                 Consumer<PixelReport> listener = onPick;
                 endPick();
                 listener.accept(report);
+            }
+        }));
+    }
+
+    /** Gives a material to the shape at a point of the picture's node. */
+    void dropMaterial(MaterialSelection materials, Material material, double x, double y) {
+        Frame frame = tracedPicture.frame();
+        if (frame == null) {
+            editor.message().show(Messages.tr("Materials can be dropped here once the first picture is finished"));
+            return;
+        }
+        picture.pixel(x, y).ifPresent(p -> clickInspector.request(frame, p.x(), p.y(), report -> {
+            if (report.shape().isEmpty()) {
+                editor.message().show(Messages.tr("No object here"));
+            } else {
+                MaterialDrop.apply(editor, materials, report.shape(), material);
             }
         }));
     }

@@ -425,6 +425,10 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         updateBadges();
     }
 
+    TracedMouse mouse() {
+        return mouse;
+    }
+
     @Override
     public void close() {
         mouse.close();
