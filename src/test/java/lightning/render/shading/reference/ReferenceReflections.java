@@ -4,7 +4,6 @@ import java.util.Map;
 import java.util.function.Function;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
-import lightning.render.engine.choice.Engines;
 import lightning.render.gather.GatherBuilder;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.RowWeigher;
@@ -34,7 +33,7 @@ final class ReferenceReflections {
             Function<SurfacePoint, float[]> directLight) {
         WorkerPool workers = new WorkerPool(1);
         GatherStructure structure = new GatherBuilder(geometry, scene, settings, workers,
-                _ -> Engines.SCALAR.tracer(geometry), 1L << 30, Progress.NONE).build();
+                _ -> new ReferenceRays(geometry), 1L << 30, Progress.NONE).build();
         int count = structure.surfelCount();
         float[][] direct = new float[3][count];
         float[][] albedo = new float[3][count];
