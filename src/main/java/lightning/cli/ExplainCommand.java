@@ -111,7 +111,8 @@ final class ExplainCommand implements Callable<Integer> {
     private void printPaths(@Nullable IndirectLight indirect) {
         if (indirect != null) {
             GatherStructure paths = indirect.structure();
-            console.print("%s: %s, %s, %s, %s", paths.bounces() == 0 ? "light of the environment" : "indirect light of the picture",
+            console.print("%s: %s, %s, %s, %s", paths.isIndirect() ? "indirect light of the picture"
+                    : paths.pointCount() > 0 ? "light of the environment" : "blurred reflections",
                     Console.count(paths.pointCount(), "gather point"),
                     Console.count(paths.surfelCount(), "surfel"), Console.count(paths.rays(), "ray"), Console.count(paths.bytes(), "byte"));
         }

@@ -73,6 +73,9 @@ public record GatherSettings(int bounces, int rays, int spacing, boolean environ
     /** Returns what is gathered, in words: {@code indirect light with 2 bounces, 64 rays, every 8 pixels}. */
     public String label() {
         return isIndirect() ? Messages.tr("indirect light with {0}", new IndirectSettings(bounces, rays, spacing, false).label())
-                : Messages.tr("light of the environment with {0} rays, every {1} pixels", rays, spacing);
+                : environment ? Messages.tr("light of the environment with {0} rays, every {1} pixels", rays, spacing)
+                : Messages.tr("blurred reflections with {0} rays, up to every {1} pixels",
+                        reflectionRaysPerSide() * reflectionRaysPerSide(),
+                        spacing);
     }
 }

@@ -16,6 +16,8 @@ import org.jspecify.annotations.Nullable;
 /** Casts the rays into which rough surfaces reflect their views. Holds scratch memory: use one instance per thread. */
 final class ReflectionCaster {
     private static final double MIN_COSINE = 1e-3;
+    /** Largest width α of lobes that show glowing objects in mirrors. */
+    private static final double GLINTS = 0.1;
     /** Maximum number of a point's rays that are aimed at glowing objects. */
     private static final int MAX_AIMED = 16;
     /** Width of a surfel's cell relative to that of the lobe where it meets the surfel. */
@@ -128,6 +130,12 @@ final class ReflectionCaster {
                 white[ray] = 0;
             }
             return;
+        }
+        if (shape >= 0 && batch.isMirrored(ray)
+                && alpha(points, p, requireNonNull(lobes[points.material[p]]), lobes[points.material[p]].isOfCoat(k)) > GLINTS) {
+            // Few rays of a wide lobe would meet a lamp in a mirror: bright dots.
+            color[ray] = 0;
+            white[ray] = 0;
         }
         if (shape < 0 || density[ray] == 0 || batch.isMirrored(ray)) {
             return;
