@@ -219,16 +219,20 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
     }
 
     /**
-     * Returns the color of what it mirrors if it reflects most light nearly as a mirror does: a smooth or satin metal, or a reflective surface;
-     * null for others. Blurred reflections of other surfaces show such a surface as a mirror.
+     * Returns the color of what it mirrors if it reflects most light nearly as a mirror does: a smooth or satin metal, or a reflective surface, with
+     * the means of its images; null for others. Blurred reflections of other surfaces show such a surface as a mirror.
      */
     public @Nullable Rgb mirrorTint() {
         if (transmission.isTransparent()) {
             return null;
         }
         if (isPrincipled()) {
-            return metalness < MIRROR_SHARE || roughness > SATIN || texture.isPresent() || surfaceMaps.metalness().isPresent() ? null
-                    : base.times(metalness).plus(specularTint.times((1 - metalness) * f0));
+            double metal = surfaceMaps.metalness().isPresent() ? mappedMetalness(surfaceMaps.meanMetalness()) : metalness;
+            if (metal < MIRROR_SHARE || roughness > SATIN) {
+                return null;
+            }
+            Rgb color = texture.map(map -> base.times(map.image().areas().mean())).orElse(base);
+            return color.times(metal).plus(specularTint.times((1 - metal) * f0));
         }
         return reflective.max() < MIRROR_SHARE ? null : reflective;
     }
