@@ -78,7 +78,8 @@ public final class ReflectionLobe {
         double rest = 1 - Math.clamp(vh, 0, 1);
         schlick = rest * rest * (rest * rest) * rest;
         double t = nh * nh * (square - 1) + 1;
-        density = square / (Math.PI * t * t) / (2 * (viewZ + Math.sqrt(square + (1 - square) * (viewZ * viewZ))));
+        // Facets below the surface are not seen.
+        density = nh < 0 ? 0 : square / (Math.PI * t * t) / (2 * (viewZ + Math.sqrt(square + (1 - square) * (viewZ * viewZ))));
     }
 
     /** Returns the density of the directions of {@link #reflect}, per steradian. */

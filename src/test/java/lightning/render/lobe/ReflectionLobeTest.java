@@ -1,0 +1,58 @@
+package lightning.render.lobe;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Tests directions of rough reflections and their albedo against integrals over the sphere. */
+class ReflectionLobeTest {
+    private static final int STEPS = 400;
+
+    @ParameterizedTest
+    @CsvSource({"1, 0.3", "0.7, 0.3", "0.3, 0.5", "0.5, 1", "0.9, 0.1"})
+    void density_integratesToOneOverTheSphere(double cosine, double alpha) {
+        var lobe = new ReflectionLobe();
+        lobe.aim(cosine, alpha);
+        assertThat(overSphere(lobe, -1, () -> 1)).isCloseTo(1, within(0.003));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 0.5", "0.7, 0.5", "0.3, 0.7", "0.5, 1", "0.9, 0.3"})
+    void albedo_isTheIntegralOfTheLobe(double cosine, double roughness) {
+        var lobe = new ReflectionLobe();
+        lobe.aim(cosine, roughness * roughness);
+        double colored = overSphere(lobe, 0, () -> lobe.weight() * (1 - lobe.schlick()));
+        double grazing = overSphere(lobe, 0, () -> lobe.weight() * lobe.schlick());
+        assertThat((double) DirectionalAlbedo.ofF0((float) cosine, (float) roughness)).isCloseTo(colored, within(0.01));
+        assertThat((double) DirectionalAlbedo.grazing((float) cosine, (float) roughness)).isCloseTo(grazing, within(0.01));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1", "0.8", "0.4", "0.1"})
+    void albedoOfSmoothSurface_isSchlicksFresnelTerm(double cosine) {
+        double fresnel = Math.pow(1 - cosine, 5);
+        assertThat((double) DirectionalAlbedo.ofF0((float) cosine, 0)).isCloseTo(1 - fresnel, within(0.01));
+        assertThat((double) DirectionalAlbedo.grazing((float) cosine, 0)).isCloseTo(fresnel, within(0.01));
+    }
+
+    private interface Value {
+        double at();
+    }
+
+    /** Returns the integral of density times value over the directions with at least this z. */
+    private static double overSphere(ReflectionLobe lobe, double minZ, Value value) {
+        double sum = 0;
+        for (int i = 0; i < STEPS; i++) {
+            double z = minZ + (1 - minZ) * (i + 0.5) / STEPS;
+            double radius = Math.sqrt(1 - z * z);
+            for (int j = 0; j < STEPS; j++) {
+                double angle = 2 * Math.PI * (j + 0.5) / STEPS;
+                lobe.moveTo(radius * Math.cos(angle), radius * Math.sin(angle), z);
+                sum += lobe.density() * value.at();
+            }
+        }
+        return sum * (1 - minZ) * 2 * Math.PI / (STEPS * (double) STEPS);
+    }
+}

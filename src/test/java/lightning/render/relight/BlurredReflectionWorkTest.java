@@ -1,0 +1,97 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.function.UnaryOperator;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
+import lightning.render.image.Film;
+import lightning.render.image.FilmAssert;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.reference.ReferenceTracer;
+import lightning.scene.Scene;
+import lightning.scene.material.Material;
+import org.junit.jupiter.api.Test;
+
+/** Tests which edits cast rays for blurred reflections, and that the picture is that of a full trace. */
+class BlurredReflectionWorkTest {
+    private static Scene scene() throws JenException {
+        return JenReader.read("""
+                jen 1
+                picture { size 40 30  depth 2 }
+                camera { from 0 1 5  to 0 0.4 0  fov 40 }
+                world { ambience 0 }
+                material table { model principled  base 0.3 0.2 0.1  roughness 0.4 }
+                material red { diffuse 0.8 0.1 0.1 }
+                material lamp { diffuse 0 0 0  glow 2 2 2 }
+                plane top { material table  scale 6 1 6 }
+                sphere ball { material red  at 0 0.5 0  scale 0.5 0.5 0.5 }
+                sphere bulb { material lamp  at -1 0.4 0.5  scale 0.1 0.1 0.1 }
+                light key point { at 2 3 3 }
+                """, "table", Path.of(".")).scene();
+    }
+
+    private static UpdateResult edit(Scene before, Scene after) {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+            renderer.render(before, Progress.NONE);
+            Film first = renderer.film().copy();
+            UpdateResult update = renderer.render(after, Progress.NONE);
+            assertThat(renderer.film().hasSameBits(first)).as("same picture").isFalse();
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(after).trace(), "reflection");
+            return update;
+        }
+    }
+
+    private static Scene withMaterial(Scene scene, String name, UnaryOperator<Material> edit) {
+        return scene.withMaterials(scene.materials().stream().map(m -> m.name().equals(name) ? edit.apply(m) : m).toList());
+    }
+
+    @Test
+    void lightColor_castsNoRay() throws JenException {
+        Scene scene = scene();
+        UpdateResult update = edit(scene, scene.withLight(scene.lights().getFirst().withColor(new Rgb(1, 0.5, 0.2))));
+        assertThat(update.rays().gather()).isZero();
+        assertThat(update.rays().shadow()).isZero();
+    }
+
+    @Test
+    void movedLight_castsShadowRaysOnly() throws JenException {
+        Scene scene = scene();
+        assertThat(edit(scene, scene.withLight(scene.lights().getFirst().withPosition(new Vec3(1, 3, 3)))).rays().gather()).isZero();
+    }
+
+    @Test
+    void colorOfReflectedObject_castsNoRay() throws JenException {
+        Scene scene = scene();
+        assertThat(edit(scene, withMaterial(scene, "red", m -> m.withDiffuse(new Rgb(0.1, 0.8, 0.1)))).rays().gather()).isZero();
+    }
+
+    @Test
+    void colorOfReflectingSurface_castsNoRay() throws JenException {
+        Scene scene = scene();
+        assertThat(edit(scene, withMaterial(scene, "table", m -> m.withBase(new Rgb(0.1, 0.2, 0.3)).withF0(0.08))).rays().gather())
+                .isZero();
+    }
+
+    @Test
+    void strongerGlow_castsNoRay() throws JenException {
+        Scene scene = scene();
+        assertThat(edit(scene, withMaterial(scene, "lamp", m -> m.withGlow(new Rgb(3, 2, 1)))).rays().gather()).isZero();
+    }
+
+    @Test
+    void roughness_castsReflectedRaysAgain() throws JenException {
+        Scene scene = scene();
+        assertThat(edit(scene, withMaterial(scene, "table", m -> m.withRoughness(0.2))).rays().gather()).isPositive();
+    }
+
+    @Test
+    void glowThatEnds_castsReflectedRaysAgain() throws JenException {
+        Scene scene = scene();
+        assertThat(edit(scene, withMaterial(scene, "lamp", m -> m.withGlow(Rgb.BLACK))).rays().gather()).isPositive();
+    }
+}
