@@ -20,6 +20,7 @@ import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
+import lightning.scene.material.SurfaceMaps;
 import lightning.scene.value.SceneLimits;
 
 /** Converter from glTF materials to principled materials; notes unsupported properties. */
@@ -51,13 +52,29 @@ final class GltfMaterialImport {
             Material unlit = Material.of("material").withDiffuse(Rgb.BLACK);
             return withCutout(map.isEmpty() ? unlit.withAmbient(base) : unlit.withGlow(base).withGlowMap(map), m);
         }
-        TextureMeans means =
-                m.metallicRoughnessImage().isPresent() ? metallicRoughnessMeans(m.metallicRoughnessImage().index()) : TextureMeans.NONE;
+        TextureMeans means = m.metallicRoughnessImage().isPresent() && (m.transmission().factor() > 0 || m.opacity() < 1)
+                ? metallicRoughnessMeans(m.metallicRoughnessImage().index()) : TextureMeans.NONE;
         Material material =
                 withGlow(PrincipledImport.material(base, m.metallic() * means.metalness(), m.roughness() * means.roughness()), m)
                         .withTexture(textureMap(m.baseImage(), TextureUsage.COLOR));
         Material surface = withTransmission(withHighlights(material, m), m);
-        return withCutout(withNormalMap(withCoat(surface, m), m), m);
+        return withCutout(withNormalMap(withSurfaceMaps(withCoat(surface, m), m), m), m);
+    }
+
+    /** Adds the maps of roughness and metalness; a transparent material has their means. */
+    private Material withSurfaceMaps(Material material, GltfMaterial m) throws IOException, MeshException {
+        if (!m.metallicRoughnessImage().isPresent() || material.model() != ShadingModel.PRINCIPLED) {
+            return material;
+        }
+        if (material.transmission().isTransparent()) {
+            boolean isRead = metallicRoughnessMeans(m.metallicRoughnessImage().index()) != TextureMeans.NONE;
+            assembler.notes.add(isRead ? "metallicRoughnessTexture of materials, averaged" : "metallicRoughnessTexture of materials");
+            return material;
+        }
+        Optional<TextureMap> map = textureMap(m.metallicRoughnessImage(), TextureUsage.DATA);
+        assembler.notes.add("metallicRoughnessTexture of materials", map.isEmpty() ? 1 : 0);
+        return material.withMetalness(SceneAssembler.clamp(m.metallic(), 1)).withRoughness(SceneAssembler.clamp(m.roughness(), 1))
+                .withSurfaceMaps(SurfaceMaps.NONE.withRoughness(map).withMetalness(map.filter(_ -> m.metallic() > 0)));
     }
 
     /** Adds the reflection of a nonmetal, with full reflection at grazing angles. */
@@ -117,8 +134,6 @@ final class GltfMaterialImport {
             cached = imageBytes(image).flatMap(TextureMeans::of).orElse(TextureMeans.NONE);
             textureMeans.put(image, cached);
         }
-        assembler.notes.add(cached == TextureMeans.NONE ? "metallicRoughnessTexture of materials"
-                : "metallicRoughnessTexture of materials, averaged");
         return cached;
     }
 

@@ -31,14 +31,14 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
         double[] emission = material.get("emissiveFactor").numbers(0, 0, 0);
         double strength = extensions.get("KHR_materials_emissive_strength").get("emissiveStrength").number(1);
         JsonValue normals = material.get("normalTexture");
-        JsonValue base = pbr.get("baseColorTexture");
-        boolean isPlacedApart = base.isPresent() && normals.isPresent() && !TextureTransform.areSame(base, normals);
-        notes.add("normalTexture of materials with another placement than baseColorTexture, placed like it", isPlacedApart ? 1 : 0);
         JsonValue emissive = material.get("emissiveTexture");
-        JsonValue placed = base.isPresent() ? base : normals;
-        boolean isEmissivePlacedApart = emissive.isPresent() && placed.isPresent() && !TextureTransform.areSame(placed, emissive);
-        notes.add("emissiveTexture of materials with another placement than other textures, placed like them",
-                isEmissivePlacedApart ? 1 : 0);
+        GltfMaterial.Transmission transmission = readTransmission(extensions);
+        notePlacement(material, normals, "normalTexture of materials with another placement than baseColorTexture, placed like it");
+        notePlacement(material, emissive, "emissiveTexture of materials with another placement than other textures, placed like them");
+        if (opacity == 1 && transmission.factor() == 0) {
+            notePlacement(material, pbr.get("metallicRoughnessTexture"),
+                    "metallicRoughnessTexture of materials with another placement than other textures, placed like them");
+        }
         noteMissing(material);
         JsonValue glossy = extensions.get("KHR_materials_pbrSpecularGlossiness");
         Surface surface = glossy.isPresent() && !pbr.isPresent() ? glossySurface(glossy) : metallicSurface(pbr, extensions);
@@ -46,8 +46,12 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
                 surface.f0, surface.f90, new Rgb(emission[0], emission[1], emission[2]).times(strength),
                 emissive.isPresent() ? Optional.of(textureImage(emissive)) : Optional.empty(),
                 extensions.get("KHR_materials_unlit").isPresent(), surface.baseImage, surface.metallicRoughnessImage, textureImage(normals),
-                normals.get("scale").number(1), opacity, readTransmission(extensions), readClearcoat(extensions), cutoff, alphaFactor,
+                normals.get("scale").number(1), opacity, transmission, readClearcoat(extensions), cutoff, alphaFactor,
                 isBlended);
+    }
+
+    private void notePlacement(JsonValue material, JsonValue texture, String note) throws MeshException {
+        notes.add(note, texture.isPresent() && !TextureTransform.areSame(TextureTransform.placingTexture(material), texture) ? 1 : 0);
     }
 
     /** Notes the properties that no material of a scene has, with the name of the material. */

@@ -1,11 +1,12 @@
 package lightning.format.gltf;
 
 import java.util.Arrays;
+import java.util.stream.Stream;
 import lightning.format.mesh.MeshException;
 
 /**
- * Texture coordinate set and transform (KHR_texture_transform) of a material's base color image, or of its normal map if
- * there is none.
+ * Texture coordinate set and transform (KHR_texture_transform) of a material's base color image; if there is none, of its normal map, of its
+ * emission image or of its metallic-roughness image.
  *
  * @param set index of the primitive's texture coordinates
  * @param matrix u′ = map₀·u + map₁·v + map₂, v′ = map₃·u + map₄·v + map₅
@@ -24,16 +25,19 @@ record TextureTransform(int set, double[] matrix) {
     }
 
     private static TextureTransform ofMaterial(JsonValue json) throws MeshException {
-        JsonValue base = json.get("pbrMetallicRoughness").get("baseColorTexture");
-        JsonValue normals = json.get("normalTexture");
-        return of(base.isPresent() ? base : normals.isPresent() ? normals : json.get("emissiveTexture"));
+        return of(placingTexture(json));
     }
 
     /** Returns whether a material has an image that is placed. */
     static boolean hasTexture(GltfFile file, int material) throws MeshException {
-        JsonValue json = file.array("materials").element(material);
-        return json.get("pbrMetallicRoughness").get("baseColorTexture").isPresent() || json.get("normalTexture").isPresent()
-                || json.get("emissiveTexture").isPresent();
+        return placingTexture(file.array("materials").element(material)).isPresent();
+    }
+
+    /** Returns the texture of a material whose placement all of its textures share here; an absent value without textures. */
+    static JsonValue placingTexture(JsonValue material) throws MeshException {
+        JsonValue pbr = material.get("pbrMetallicRoughness");
+        return Stream.of(pbr.get("baseColorTexture"), material.get("normalTexture"), material.get("emissiveTexture"))
+                .filter(JsonValue::isPresent).findFirst().orElse(pbr.get("metallicRoughnessTexture"));
     }
 
     /** Returns whether two placements are the same. */

@@ -26,11 +26,15 @@ import lightning.format.mesh.MeshException;
 import lightning.render.image.Film;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
+import lightning.scene.asset.TextureChannel;
+import lightning.scene.asset.TextureWrap;
+import lightning.scene.asset.TextureWrap.Edge;
 import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.material.ShadowCasting;
+import lightning.scene.material.SurfaceMaps;
 import lightning.scene.material.Transmission;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -311,14 +315,41 @@ class GltfMaterialImportTest {
     }
 
     @Test
-    void metallicRoughnessTexture_isReplacedByItsMean() throws Exception {
-        ImportedScene imported =
-                importJson(surface("'metallicFactor': 0.5, 'roughnessFactor': 0.5, 'metallicRoughnessTexture': {'index': 0}"));
-        Material material = imported.scene().materials().getFirst();
+    void metallicRoughnessTexture_isRoughnessInGreenAndMetalnessInBlue() throws Exception {
+        ImportedScene imported = importJson(surface("'metallicFactor': 0.5, 'roughnessFactor': 0.25,"
+                + " 'metallicRoughnessTexture': {'index': 0}"), "'textures': [{'source': 0}]",
+                "'samplers': [{'wrapS': 33071, 'wrapT': 33648}], 'textures': [{'source': 0, 'sampler': 0}]");
+        imported.write();
+        Material material = JenReader.read(folder.resolve("a.jen")).scene().materials().getFirst();
+        SurfaceMaps maps = material.surfaceMaps();
         assertThat(material.metalness()).isEqualTo(0.5);
-        assertThat(material.roughness()).isEqualTo(0.5 * (192 / 255f));
+        assertThat(material.roughness()).isEqualTo(0.25);
+        assertThat(maps.meanRoughness()).isEqualTo(192 / 255f);
+        assertThat(maps.meanMetalness()).isEqualTo(1);
+        assertThat(maps.roughnessChannel()).isEqualTo(TextureChannel.GREEN);
+        assertThat(maps.metalnessChannel()).isEqualTo(TextureChannel.BLUE);
+        assertThat(maps.roughness().orElseThrow().wrap()).isEqualTo(new TextureWrap(Edge.CLAMP, Edge.MIRROR));
+        assertThat(maps.metalness()).as("one file for both").isEqualTo(maps.roughness());
         assertThat(material.texture()).isEmpty();
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("metallicRoughnessTexture"));
+    }
+
+    @Test
+    void metallicRoughnessTextureOfGlass_isReplacedByItsMean() throws Exception {
+        ImportedScene imported = importJson("{'pbrMetallicRoughness': {'metallicFactor': 0, 'roughnessFactor': 0.5,"
+                + " 'metallicRoughnessTexture': {'index': 0}}, 'extensions': {'KHR_materials_transmission': {'transmissionFactor': 1}}}");
+        Material glass = imported.scene().materials().getFirst();
+        assertThat(glass.roughness()).isEqualTo(0.5 * (192 / 255f));
+        assertThat(glass.surfaceMaps()).isEqualTo(SurfaceMaps.NONE);
         assertThat(imported.notes()).containsEntry("metallicRoughnessTexture of materials, averaged", 1);
+    }
+
+    @Test
+    void metallicRoughnessTextureWithAnotherPlacement_isNoted() throws Exception {
+        String note = "metallicRoughnessTexture of materials with another placement than other textures, placed like them";
+        String json = surface("'baseColorTexture': {'index': 0}, 'metallicRoughnessTexture': {'index': 0, 'texCoord': 1}");
+        assertThat(importJson(json).notes()).containsEntry(note, 1);
+        assertThat(importJson(json.replace("'texCoord': 1", "'texCoord': 0")).notes()).doesNotContainKey(note);
     }
 
     @Test
@@ -330,6 +361,7 @@ class GltfMaterialImportTest {
                 folder.resolve("a.jen"),
                 LightUnits.CANDELA, Progress.NONE);
         assertThat(imported.scene().materials().getFirst().metalness()).isEqualTo(0.5);
+        assertThat(imported.scene().materials().getFirst().surfaceMaps()).isEqualTo(SurfaceMaps.NONE);
         assertThat(imported.notes()).containsEntry("metallicRoughnessTexture of materials", 1);
     }
 

@@ -18,6 +18,8 @@ import lightning.scene.node.Mesh;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Meshes of glTF files, and their errors. */
 class GltfMeshReaderTest {
@@ -109,11 +111,13 @@ class GltfMeshReaderTest {
         assertRejected(json("'TEXCOORD_0': 2}", "'TANGENT': 1}"), "accessors[1].type: must have 4 numbers each, has 3");
     }
 
-    @Test
-    void textureTransform_isApplied() throws IOException, MeshException {
+    @ParameterizedTest
+    @ValueSource(strings = {"baseColorTexture", "metallicRoughnessTexture"})
+    void textureTransform_isApplied(String texture) throws IOException, MeshException {
         Mesh mesh =
                 onlyMesh(json("'indices': 3", "'indices': 3, 'material': 0").replace("'accessors'", "'materials': [{'pbrMetallicRoughness':"
-                        + " {'baseColorTexture': {'index': 0, 'extensions': {'KHR_texture_transform': {'offset': [0.5, 0], 'scale': [2, 4]}}}}}], 'accessors'"));
+                        + " {'" + texture
+                        + "': {'index': 0, 'extensions': {'KHR_texture_transform': {'offset': [0.5, 0], 'scale': [2, 4]}}}}}], 'accessors'"));
         assertThat(mesh.coordinates()).containsExactly(0.5f, 1, 2.5f, 1, 2.5f, -3, 0.5f, -3);
     }
 

@@ -6,7 +6,7 @@ import lightning.format.jen.asset.UnusableFileException;
 import lightning.scene.asset.Texture;
 
 /**
- * Means of a glTF metallic-roughness texture, since materials here have one roughness and one metalness.
+ * Means of a glTF metallic-roughness texture, for transparent materials: they have one roughness and one metalness.
  *
  * @param roughness 0 … 1, green channel
  * @param metalness 0 … 1, blue channel
