@@ -16,13 +16,9 @@ public record RoughLobes(double alpha, double coatAlpha, @Nullable Coat coat) {
     /** Returns the lobes of a material; null if it reflects nothing or sharply. */
     public static @Nullable RoughLobes of(Material m) {
         return !m.reflectsRoughly() ? null
-                : new RoughLobes(m.isSmooth() ? 0 : Material.alpha(meanRoughness(m)),
+                : new RoughLobes(m.isSmooth() ? 0 : Material.alpha(m.meanRoughness()),
                         m.coat().isVisible() && !m.hasSmoothCoat() ? m.coat().alpha() : 0,
                         m.coat().isVisible() ? m.coat() : null);
-    }
-
-    private static double meanRoughness(Material m) {
-        return m.surfaceMaps().roughness().isEmpty() ? m.roughness() : m.mappedRoughness(m.surfaceMaps().meanRoughness());
     }
 
     /** Returns whether both the surface and its coat blur. */

@@ -228,13 +228,18 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         }
         if (isPrincipled()) {
             double metal = surfaceMaps.metalness().isPresent() ? mappedMetalness(surfaceMaps.meanMetalness()) : metalness;
-            if (metal < MIRROR_SHARE || roughness > SATIN) {
+            if (metal < MIRROR_SHARE || meanRoughness() > SATIN) {
                 return null;
             }
             Rgb color = texture.map(map -> base.times(map.image().areas().mean())).orElse(base);
             return color.times(metal).plus(specularTint.times((1 - metal) * f0));
         }
         return reflective.max() < MIRROR_SHARE ? null : reflective;
+    }
+
+    /** Returns the roughness with the mean of its map, 0…1. */
+    public double meanRoughness() {
+        return surfaceMaps.roughness().isPresent() ? mappedRoughness(surfaceMaps.meanRoughness()) : roughness;
     }
 
     /** Returns whether rays that hit it are traced further: it reflects or is transparent. */
