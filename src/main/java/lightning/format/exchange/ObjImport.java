@@ -39,6 +39,7 @@ import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
+import lightning.scene.material.SurfaceMaps;
 import lightning.scene.node.Mesh;
 import lightning.scene.value.Placement;
 import lightning.scene.value.SceneLimits;
@@ -129,7 +130,13 @@ final class ObjImport {
 
     /** Returns the image whose placement all images of a material share here. */
     private static Optional<MtlImage> placedImage(MtlMaterial m) {
-        return m.texture().or(m::bump).or(m::emissionMap).or(m::cutout);
+        return images(m).findFirst();
+    }
+
+    private static Stream<MtlImage> images(MtlMaterial m) {
+        MtlMaterial.Physical surface = m.physical().orElse(MtlMaterial.Physical.NONE);
+        return Stream.of(m.texture(), m.bump(), m.emissionMap(), m.cutout(), surface.roughnessMap().map(MtlMaterial.FactorMap::image),
+                surface.metalnessMap().map(MtlMaterial.FactorMap::image)).flatMap(Optional::stream);
     }
 
     /** Returns a mesh whose coordinates have an image's offset, in units of its repetitions; empty, with a note, if they would be too large. */
@@ -193,14 +200,13 @@ final class ObjImport {
         Optional<TextureMap> cutout = textureMap(m.cutout(), TextureUsage.OPACITY);
         assembler.notes.add("opacity maps (map_d), imported as cutouts at half opacity", cutout.isPresent() ? 1 : 0);
         notePlacements(m);
-        return withBump(m, withCoat(m, withTransmission(m, opaque)).withCutout(AlphaCutout.NONE.withMap(cutout)));
+        return withBump(m, withSurfaceMaps(m, withCoat(m, withTransmission(m, opaque))).withCutout(AlphaCutout.NONE.withMap(cutout)));
     }
 
     /** Notes images that are placed apart from others of their material. */
     private void notePlacements(MtlMaterial m) {
         Optional<MtlImage> placed = placedImage(m);
-        boolean isApart = Stream.of(m.texture(), m.bump(), m.emissionMap(), m.cutout()).flatMap(Optional::stream)
-                .anyMatch(image -> !image.isMovedLike(placed.orElseThrow()));
+        boolean isApart = images(m).anyMatch(image -> !image.isMovedLike(placed.orElseThrow()));
         assembler.notes.add("textures with another offset (-o) than others of their material, placed like them", isApart ? 1 : 0);
     }
 
@@ -242,10 +248,27 @@ final class ObjImport {
         return map.isEmpty() ? material : material.withGlow(emission.isBlack() ? Rgb.WHITE : emission).withGlowMap(map);
     }
 
-    /** Returns a principled surface, from the statements Pr, Pm, Pc, Pcr and Ni. */
+    /** Returns a principled surface, from the statements Pr, Pm and Ni. */
     private Material physical(MtlMaterial m, MtlMaterial.Physical surface, Rgb base) throws IOException {
         return PrincipledImport.material(base, surface.metalness(), surface.roughness())
                 .withF0(PrincipledImport.f0(m.ior() > 1 ? m.ior() : DEFAULT_IOR)).withTexture(textureMap(m.texture(), TextureUsage.COLOR));
+    }
+
+    /** Adds the maps of roughness and metalness, map_Pr and map_Pm; a transparent material has none. */
+    private Material withSurfaceMaps(MtlMaterial m, Material material) throws IOException {
+        MtlMaterial.Physical surface = m.physical().orElse(MtlMaterial.Physical.NONE);
+        if (material.transmission().isTransparent()) {
+            assembler.notes.add("map_Pr of transparent materials", surface.roughnessMap().isPresent() ? 1 : 0);
+            assembler.notes.add("map_Pm of transparent materials", surface.metalnessMap().isPresent() ? 1 : 0);
+            return material;
+        }
+        Optional<TextureMap> roughness = textureMap(surface.roughnessMap().map(MtlMaterial.FactorMap::image), TextureUsage.DATA);
+        Optional<TextureMap> metalness = textureMap(surface.metalnessMap().map(MtlMaterial.FactorMap::image), TextureUsage.DATA);
+        Material rough = roughness.isEmpty() ? material
+                : material.withRoughness(SceneAssembler.clamp(surface.roughnessMap().get().factor(), 1));
+        Material metallic = metalness.isEmpty() ? rough
+                : rough.withMetalness(SceneAssembler.clamp(surface.metalnessMap().get().factor(), 1));
+        return metallic.withSurfaceMaps(SurfaceMaps.NONE.withRoughness(roughness).withMetalness(metalness));
     }
 
     private Material withCoat(MtlMaterial m, Material material) {

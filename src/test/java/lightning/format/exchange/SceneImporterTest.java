@@ -28,6 +28,7 @@ import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
+import lightning.scene.material.SurfaceMaps;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -247,6 +248,38 @@ class SceneImporterTest {
         Material material = objMaterial("Kd 0.5 0.2 0.1\nPr 0.25\nPm 0.75\nPc 0.5\nPcr 0.125\nNi 3\n").material();
         assertThat(material).isEqualTo(Material.of(material.name()).withModel(ShadingModel.PRINCIPLED).withBase(new Rgb(0.5, 0.2, 0.1))
                 .withRoughness(0.25).withMetalness(0.75).withF0(0.25).withCoat(new Coat(0.5, 0.125, 1.5)));
+    }
+
+    /** A packed image has the roughness in green and the metalness in blue. */
+    @Test
+    void packedImage_isRoughnessMapAndMetalnessMap() throws Exception {
+        var image = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, 0x336699);
+        ImageIO.write(image, "png", to.resolveSibling("orm.png").toFile());
+        Material material = objMaterial("Pr 0.5\nPm 0\nmap_Pr -s 2 3 orm.png\nmap_Pm orm.png\n").material();
+        assertThat(material.model()).isEqualTo(ShadingModel.PRINCIPLED);
+        assertThat(material.roughness()).isEqualTo(0.5);
+        assertThat(material.metalness()).as("a factor of 0 would hide the image").isEqualTo(1);
+        assertThat(material.surfaceMaps().meanRoughness()).isEqualTo(0x66 / 255f);
+        assertThat(material.surfaceMaps().meanMetalness()).isEqualTo(0x99 / 255f);
+        assertThat(material.surfaceMaps().roughness().orElseThrow().repeatV()).isEqualTo(3);
+    }
+
+    @Test
+    void missingRoughnessMap_leavesItsFactor() throws Exception {
+        Material material = objMaterial("Pr 0.25\nmap_Pr none.png\nmap_Pm none.png\n").material();
+        assertThat(material.roughness()).isEqualTo(0.25);
+        assertThat(material.metalness()).isZero();
+        assertThat(material.surfaceMaps()).isEqualTo(SurfaceMaps.NONE);
+    }
+
+    @Test
+    void mapsOfGlass_areNoted() throws Exception {
+        Files.write(from.resolve("t.png"), Files.readAllBytes(Path.of("textures/checker.png")));
+        Files.writeString(from.resolve("g.mtl"), "newmtl a\nd 0.5\nmap_Pr t.png\n");
+        Path file = Files.writeString(from.resolve("g.obj"), "mtllib g.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+        assertThat(SceneImporter.read(file, to, LightUnits.CANDELA, Progress.NONE).notes()).containsEntry("map_Pr of transparent materials",
+                1);
     }
 
     @Test

@@ -20,7 +20,7 @@ import lightning.base.math.Rgb;
  * @param emissionMap image that multiplies the emission
  * @param cutout opacity map
  * @param bump map_Bump, bump or norm: a height or normal map
- * @param physical roughness, metalness and coat; empty for materials without them
+ * @param physical roughness and metalness with their maps, and coat; empty for materials without them
  */
 public record MtlMaterial(String name, IlluminationModel illumination, Rgb diffuse, Rgb specular, Rgb emission, OptionalDouble shininess,
         double opacity, Rgb filter, double ior, Optional<MtlImage> texture, Optional<MtlImage> emissionMap,
@@ -32,11 +32,26 @@ public record MtlMaterial(String name, IlluminationModel illumination, Rgb diffu
      * @param metalness Pm, 0 … 1
      * @param coat Pc, thickness of the clear layer in the statements, which programs use as its share: 0 … 1
      * @param coatRoughness Pcr, 0 … 1
+     * @param roughnessMap map_Pr
+     * @param metalnessMap map_Pm
      */
-    public record Physical(double roughness, double metalness, double coat, double coatRoughness) {
+    public record Physical(double roughness, double metalness, double coat, double coatRoughness, Optional<FactorMap> roughnessMap,
+            Optional<FactorMap> metalnessMap) {
         /** Statements of a material without any. */
         public static final Physical NONE = new Physical(0.5, 0, 0, 0);
+
+        /** Creates statements without maps. */
+        public Physical(double roughness, double metalness, double coat, double coatRoughness) {
+            this(roughness, metalness, coat, coatRoughness, Optional.empty(), Optional.empty());
+        }
     }
+
+    /**
+     * Image of a number.
+     *
+     * @param factor multiplies the image: the number's own statement; 1 if it is absent or 0, which would hide the image
+     */
+    public record FactorMap(MtlImage image, double factor) {}
 
     /**
      * Minimum exponent: smaller ones give a lobe wider than the diffuse term; exporters write 0 for surfaces without a

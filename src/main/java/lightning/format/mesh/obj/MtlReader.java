@@ -99,6 +99,8 @@ public final class MtlReader {
             case "norm" -> current.setBump(readImage(true));
             case "Pr" -> current.roughness = OptionalDouble.of(readNumber());
             case "Pm" -> current.metalness = OptionalDouble.of(readNumber());
+            case "map_Pr" -> current.roughnessMap = readImage(false);
+            case "map_Pm" -> current.metalnessMap = readImage(false);
             case "Pc" -> current.coat = readNumber();
             case "Pcr" -> current.coatRoughness = readNumber();
             case "Ps" -> noteMissing("sheen (Ps)");
@@ -153,6 +155,8 @@ public final class MtlReader {
         Optional<MtlImage> emissionMap = Optional.empty();
         Optional<MtlImage> cutout = Optional.empty();
         Optional<MtlImage> bump = Optional.empty();
+        Optional<MtlImage> roughnessMap = Optional.empty();
+        Optional<MtlImage> metalnessMap = Optional.empty();
 
         MaterialBuilder(String name) {
             this.name = name;
@@ -164,9 +168,13 @@ public final class MtlReader {
         }
 
         private Optional<MtlMaterial.Physical> physical() {
-            return roughness.isEmpty() && metalness.isEmpty() ? Optional.empty()
+            return roughness.isEmpty() && metalness.isEmpty() && roughnessMap.isEmpty() && metalnessMap.isEmpty() ? Optional.empty()
                     : Optional.of(new MtlMaterial.Physical(roughness.orElse(MtlMaterial.Physical.NONE.roughness()), metalness.orElse(0),
-                            coat, coatRoughness));
+                            coat, coatRoughness, factorMap(roughnessMap, roughness), factorMap(metalnessMap, metalness)));
+        }
+
+        private static Optional<MtlMaterial.FactorMap> factorMap(Optional<MtlImage> map, OptionalDouble factor) {
+            return map.map(image -> new MtlMaterial.FactorMap(image, factor.orElse(0) == 0 ? 1 : factor.getAsDouble()));
         }
 
         MtlMaterial build() {
