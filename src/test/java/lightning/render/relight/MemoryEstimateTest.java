@@ -91,7 +91,9 @@ class MemoryEstimateTest {
         Optional<TextureMap> map = Optional.of(new TextureMap("m.png", 1, 1, new Texture(1, 1, new float[] {1, 1, 1})));
         Scene mapped = plain.withMaterials(plain.materials().stream()
                 .map(m -> m.withSurfaceMaps(SurfaceMaps.NONE.withRoughness(map).withMetalness(map))).toList());
-        assertThat(MemoryEstimate.upperBound(mapped, OPTIONS) - MemoryEstimate.upperBound(plain, OPTIONS)).isEqualTo(8L * 96 * 64);
+        // Surfels that reflections show have them, too.
+        assertThat(MemoryEstimate.upperBound(mapped, OPTIONS) - MemoryEstimate.upperBound(plain, OPTIONS))
+                .isGreaterThanOrEqualTo(8L * 96 * 64);
         assertThat(usedBytes(mapped, OPTIONS)).isLessThanOrEqualTo(MemoryEstimate.upperBound(mapped, OPTIONS));
     }
 
