@@ -1,7 +1,5 @@
 package lightning.render.gather;
 
-import static java.util.Objects.requireNonNull;
-
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -10,7 +8,6 @@ import lightning.render.image.Film;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
-import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
 import lightning.render.trace.TexelColumns;
@@ -105,8 +102,7 @@ final class CandidateTracer {
 
     private float roughness(HitRows rows, int row) {
         Material material = materials.material(rows.material(row));
-        return !material.isPrincipled() ? 0 : (float) (material.surfaceMaps().roughness().isEmpty() ? material.roughness()
-                : material.mappedRoughness(requireNonNull(rows.texel(ColumnGroup.ROUGHNESS_TEXEL, 0))[row]));
+        return material.isPrincipled() ? ReflectionGroup.roughness(material, rows, row) : 0;
     }
 
     private static HitRows allocate(int count, TexelColumns texels, boolean transparent) {

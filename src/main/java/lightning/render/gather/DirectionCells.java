@@ -8,9 +8,8 @@ package lightning.render.gather;
 public final class DirectionCells {
     /** Cells along a side of a grid. A point's rays and those of its neighbors are as dense. */
     private static final int SIDE = 48;
-    private static final int HALF = SIDE * SIDE;
     /** Number of cells. */
-    public static final int COUNT = 2 * HALF;
+    public static final int COUNT = 2 * SIDE * SIDE;
 
     private DirectionCells() {}
 
@@ -20,12 +19,17 @@ public final class DirectionCells {
      * @param x direction of any length but 0, with {@code y} upward and {@code z}
      */
     public static int of(double x, double y, double z) {
+        return of(x, y, z, SIDE);
+    }
+
+    /** @param side cells along a side of a grid */
+    static int of(double x, double y, double z, int side) {
         double sum = Math.abs(x) + Math.abs(y) + Math.abs(z);
-        return (y < 0 ? HALF : 0) + line((x + z) / sum) * SIDE + line((x - z) / sum);
+        return (y < 0 ? side * side : 0) + line((x + z) / sum, side) * side + line((x - z) / sum, side);
     }
 
     /** @param place −1…1 */
-    private static int line(double place) {
-        return Math.min(SIDE - 1, (int) ((place + 1) * 0.5 * SIDE));
+    private static int line(double place, int side) {
+        return Math.min(side - 1, (int) ((place + 1) * 0.5 * side));
     }
 }

@@ -19,7 +19,7 @@ final class ReflectionCaster {
     /** Largest width α of lobes that show glowing objects in mirrors. */
     private static final double GLINTS = 0.1;
     /** Maximum number of a point's rays that are aimed at glowing objects. */
-    private static final int MAX_AIMED = 16;
+    static final int MAX_AIMED = 16;
     /** Width of a surfel's cell relative to that of the lobe where it meets the surfel. */
     private static final double DETAIL = 0.5;
 
@@ -41,7 +41,11 @@ final class ReflectionCaster {
     private final SurfaceNormals normals;
     private final ReflectionLobe lobe = new ReflectionLobe();
     private final double[] sides = new double[RayBatch.MAX_RAYS];
-    /** Frame of a point: the plane of normal and view, and the normal. */
+    /** Cosine between the view of a point and its normal, the share of its coat, and the first of its directions. */
+    private double cosine;
+    private double coat;
+    private int firstPlace;
+    /** Frame of the point: the plane of normal and view, and the normal. */
     private final double[] tangent = new double[3];
     private final double[] bitangent = new double[3];
 
@@ -80,7 +84,7 @@ final class ReflectionCaster {
         normals.find(points.sources, from, to);
         int rays = raysPerPoint;
         for (int p = from; p < to; p++) {
-            findFrame(points, p);
+            moveTo(points, p);
             for (int k = 0; k < rays; k++) {
                 direct(points, p, k, (p - from) * rays + k);
             }
@@ -171,16 +175,20 @@ final class ReflectionCaster {
         return keys.detailLevel(rows.px[row], rows.py[row], rows.pz[row], distance, DETAIL * alpha * distance);
     }
 
-    /** Computes the frame of a point: its view lies in the plane of the tangent and the normal. */
-    private void findFrame(ReflectionPoints points, int p) {
+    /** Moves to a point: its view lies in the plane of the tangent and the normal. */
+    private void moveTo(ReflectionPoints points, int p) {
         SurfaceColumns s = points.surface();
         double nx = s.nx[p];
         double ny = s.ny[p];
         double nz = s.nz[p];
-        double cosine = -(points.seen.vx[p] * nx + points.seen.vy[p] * ny + points.seen.vz[p] * nz);
-        double x = -points.seen.vx[p] - cosine * nx;
-        double y = -points.seen.vy[p] - cosine * ny;
-        double z = -points.seen.vz[p] - cosine * nz;
+        double view = -(points.seen.vx[p] * nx + points.seen.vy[p] * ny + points.seen.vz[p] * nz);
+        cosine = Math.clamp(view, MIN_COSINE, 1);
+        RoughLobes its = requireNonNull(lobes[points.material[p]]);
+        coat = its.coat() == null ? 0 : CoatShare.of(its.coat(), (float) cosine);
+        firstPlace = directions.first(points.seed[p]);
+        double x = -points.seen.vx[p] - view * nx;
+        double y = -points.seen.vy[p] - view * ny;
+        double z = -points.seen.vz[p] - view * nz;
         double length = Math.sqrt(x * x + y * y + z * z);
         if (!(length > 1e-6)) {
             // Any direction along the surface: the axis that is farthest from the normal.
@@ -198,12 +206,10 @@ final class ReflectionCaster {
         bitangent[2] = nx * tangent[1] - ny * tangent[0];
     }
 
-    /** Writes ray {@code k} of a point and its weights to the batch. */
+    /** Writes ray {@code k} of the present point and its weights to the batch. */
     private void direct(ReflectionPoints points, int p, int k, int at) {
         SurfaceColumns s = points.surface();
         RoughLobes its = requireNonNull(lobes[points.material[p]]);
-        double view = -(points.seen.vx[p] * (double) s.nx[p] + points.seen.vy[p] * (double) s.ny[p] + points.seen.vz[p] * (double) s.nz[p]);
-        double cosine = Math.clamp(view, MIN_COSINE, 1);
         batch.startX[at] = s.px[p];
         batch.startY[at] = s.py[p];
         batch.startZ[at] = s.pz[p];
@@ -212,9 +218,9 @@ final class ReflectionCaster {
         density[at] = 0;
         aimed[at] = -1;
         if (k < directions.rays) {
-            reflect(points, p, k, at, its, cosine);
+            reflect(points, p, k, at, its);
         } else {
-            aimAtGlow(points, p, k - directions.rays, at, its, cosine);
+            aimAtGlow(points, p, k - directions.rays, at, its);
         }
         batch.directionX[at] = d[0];
         batch.directionY[at] = d[1];
@@ -222,10 +228,10 @@ final class ReflectionCaster {
     }
 
     /** Chooses the direction of a ray of a lobe. */
-    private void reflect(ReflectionPoints points, int p, int k, int at, RoughLobes its, double cosine) {
+    private void reflect(ReflectionPoints points, int p, int k, int at, RoughLobes its) {
         boolean isCoat = its.isOfCoat(k);
         lobe.aim(cosine, alpha(points, p, its, isCoat));
-        int place = directions.first(points.seed[p]) + k;
+        int place = firstPlace + k;
         lobe.reflect(directions.share(place), directions.cos(place), directions.sin(place));
         double z = lobe.z() < 0 ? -lobe.z() : lobe.z();
         SurfaceColumns s = points.surface();
@@ -233,11 +239,11 @@ final class ReflectionCaster {
         d[1] = lobe.x() * tangent[1] + lobe.y() * bitangent[1] + z * s.ny[p];
         d[2] = lobe.x() * tangent[2] + lobe.y() * bitangent[2] + z * s.nz[p];
         density[at] = points.sources.turnAbove(p, d) ? 0 : lobe.density();
-        addWeights(at, its, isCoat, cosine, its.areTwo() ? 2 : 1);
+        addWeights(at, its, isCoat, its.areTwo() ? 2 : 1);
     }
 
     /** Aims a ray at a glowing object, if the point has so many. */
-    private void aimAtGlow(ReflectionPoints points, int p, int number, int at, RoughLobes its, double cosine) {
+    private void aimAtGlow(ReflectionPoints points, int p, int number, int at, RoughLobes its) {
         SurfaceColumns s = points.surface();
         long seed = points.seed[p];
         d[0] = s.nx[p];
@@ -253,8 +259,8 @@ final class ReflectionCaster {
                 if (angle > 0 && z > 0 && points.sources.isAbove(p, d)) {
                     double x = d[0] * tangent[0] + d[1] * tangent[1] + d[2] * tangent[2];
                     double y = d[0] * bitangent[0] + d[1] * bitangent[1] + d[2] * bitangent[2];
-                    addAimed(at, its, false, alpha(points, p, its, false), cosine, x, y, z, angle);
-                    addAimed(at, its, true, its.coatAlpha(), cosine, x, y, z, angle);
+                    addAimed(at, its, false, alpha(points, p, its, false), x, y, z, angle);
+                    addAimed(at, its, true, its.coatAlpha(), x, y, z, angle);
                 } else {
                     d[0] = s.nx[p];
                     d[1] = s.ny[p];
@@ -267,18 +273,17 @@ final class ReflectionCaster {
     }
 
     /** Adds the weights of an aimed ray for one lobe, relative to those of the rays of lobes. */
-    private void addAimed(int at, RoughLobes its, boolean isCoat, double alpha, double cosine, double x, double y, double z, double angle) {
+    private void addAimed(int at, RoughLobes its, boolean isCoat, double alpha, double x, double y, double z, double angle) {
         if (alpha > 0) {
             lobe.aim(cosine, alpha);
             lobe.moveTo(x, y, z);
             double own = lobe.density() * angle;
-            addWeights(at, its, isCoat, cosine, directions.rays * own / (raysOf(its) * own + 1));
+            addWeights(at, its, isCoat, directions.rays * own / (raysOf(its) * own + 1));
         }
     }
 
     /** Adds the weights of a direction of a lobe. */
-    private void addWeights(int at, RoughLobes its, boolean isCoat, double cosine, double factor) {
-        double coat = its.coat() == null ? 0 : CoatShare.of(its.coat(), (float) cosine);
+    private void addWeights(int at, RoughLobes its, boolean isCoat, double factor) {
         double share = factor * lobe.weight();
         if (isCoat) {
             double f0 = requireNonNull(its.coat()).f0();
@@ -300,7 +305,7 @@ final class ReflectionCaster {
         for (int i = from; i < to; i++) {
             int p = selected[i] / rays;
             if (p != known) {
-                findFrame(points, p);
+                moveTo(points, p);
                 known = p;
             }
             direct(points, p, selected[i] % rays, i - from);

@@ -69,8 +69,8 @@ final class ReflectionGroup {
         return groups;
     }
 
-    /** Returns the roughness of a row of the material, with its map. */
-    float roughness(HitRows rows, int row) {
+    /** Returns the roughness of a row of a material, with its map. */
+    static float roughness(Material material, HitRows rows, int row) {
         return (float) (material.surfaceMaps().roughness().isEmpty() ? material.roughness()
                 : material.mappedRoughness(requireNonNull(rows.texel(ColumnGroup.ROUGHNESS_TEXEL, 0))[row]));
     }

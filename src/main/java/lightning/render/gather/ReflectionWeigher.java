@@ -14,28 +14,19 @@ final class ReflectionWeigher {
     /** By material, created on first use. */
     private @Nullable NearPoints[] near = {};
     private int[] lastNearest = {};
-    private final int[] used = new int[BEST * MAX_ROWS];
-    private int usedCount;
-    private final int[] indexOf;
-    private final int[] usedBy;
-    private int call;
+    private final BestPoints best;
     private final int[] order = new int[MAX_ROWS];
-    private final int[] best = new int[BEST + 1];
-    private final float[] bestWeight = new float[BEST + 1];
-    private final LinearWeights linear = new LinearWeights();
     private final float[] mirrored = new float[3];
 
     ReflectionWeigher(GatherStructure structure, ReflectionPaths paths) {
         this.structure = structure;
         this.paths = paths;
-        indexOf = new int[paths.count()];
-        usedBy = new int[paths.count()];
+        best = new BestPoints(paths.count());
     }
 
     /** Returns the weights of up to 1024 rows. */
     RowWeights weigh(HitRows rows) {
-        call++;
-        usedCount = 0;
+        best.startRows();
         short[] index = new short[BEST * rows.count];
         byte[] weight = new byte[BEST * rows.count];
         for (int run = 0; run < rows.runCount; run++) {
@@ -44,7 +35,7 @@ final class ReflectionWeigher {
                 weigh(rows, rows.runStart(run), rows.runEnd[run], rows.runMaterial[run], group, index, weight);
             }
         }
-        return new RowWeights(structure, Arrays.copyOf(used, usedCount), index, weight, null);
+        return new RowWeights(structure, best.used(), index, weight, null);
     }
 
     private void weigh(HitRows rows, int from, int to, int material, ReflectionGroup group, short[] index, byte[] weight) {
@@ -68,68 +59,27 @@ final class ReflectionWeigher {
     }
 
     private void findBest(HitRows rows, int row, ReflectionGroup group, NearPoints its, int count) {
-        Arrays.fill(bestWeight, 0);
-        float roughness = group.roughness(rows, row);
+        best.startPlace();
+        float roughness = ReflectionGroup.roughness(group.material, rows, row);
         ReflectionPoints.mirror(rows.nx[row], rows.ny[row], rows.nz[row], rows.vx[row], rows.vy[row], rows.vz[row], mirrored);
         for (int i = 0; i < count; i++) {
             int p = its.point(its.near[i]);
             float w = ReflectionWeight.at(group, p, group.radius[p], rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row],
                     rows.nz[row], mirrored[0], mirrored[1], mirrored[2], roughness);
-            if (w > bestWeight[BEST]) {
-                insert(p, w);
+            if (best.isAmong(w)) {
+                best.insert(p, w);
             }
         }
-    }
-
-    /** Inserts a point among the best, after those of equal weight. */
-    private void insert(int p, float w) {
-        int at = BEST;
-        while (at > 0 && bestWeight[at - 1] < w) {
-            bestWeight[at] = bestWeight[at - 1];
-            best[at] = best[at - 1];
-            at--;
-        }
-        bestWeight[at] = w;
-        best[at] = p;
     }
 
     private void write(HitRows rows, int row, int material, ReflectionGroup group, short[] index, byte[] weight) {
-        int at = BEST * row;
-        if (bestWeight[0] == 0) {
+        if (best.isEmpty()) {
             lastNearest[material] = group.groups.nearest(Barriers.NONE, rows.px[row], rows.py[row], rows.pz[row], rows.nx[row],
                     rows.ny[row], rows.nz[row], lastNearest[material]);
-            index[at] = index(group.number[lastNearest[material]]);
-            weight[at] = (byte) WeightedPoints.MAX_WEIGHT;
-            return;
+            best.writeOnly(row, group.number[lastNearest[material]], index, weight);
+        } else {
+            best.write(row, group.surface, group.radius, group.number, rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row],
+                    rows.nz[row], index, weight);
         }
-        adjust(rows, row, group);
-        float scale = WeightedPoints.MAX_WEIGHT / linear.largest();
-        for (int i = 0; i < linear.count(); i++) {
-            int w = WeightedPoints.whole(linear.weight(i), scale);
-            if (w > 0) {
-                index[at] = index(group.number[best[i]]);
-                weight[at++] = (byte) w;
-            }
-        }
-    }
-
-    private void adjust(HitRows rows, int row, ReflectionGroup group) {
-        linear.start(rows.nx[row], rows.ny[row], rows.nz[row], group.radius[best[0]]);
-        for (int i = 0; i < BEST && bestWeight[i] > 0; i++) {
-            // The weight of the next point is subtracted, so that nothing jumps where it replaces another.
-            float w = bestWeight[0] > bestWeight[BEST] ? bestWeight[i] - bestWeight[BEST] : 1;
-            int p = best[i];
-            linear.add(w, group.surface.px[p] - rows.px[row], group.surface.py[p] - rows.py[row], group.surface.pz[p] - rows.pz[row]);
-        }
-        linear.adjust();
-    }
-
-    private short index(int p) {
-        if (usedBy[p] != call) {
-            usedBy[p] = call;
-            indexOf[p] = usedCount;
-            used[usedCount++] = p;
-        }
-        return (short) indexOf[p];
     }
 }

@@ -2,7 +2,6 @@ package lightning.render.gather;
 
 import static java.util.Objects.requireNonNull;
 
-import java.util.Arrays;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.SurfacePoint;
@@ -21,20 +20,11 @@ public final class RowWeigher {
     private final Barriers barriers;
     private final NearPoints near;
     private final @Nullable ReflectionWeigher reflections;
-    /** Index of each point among those used by the present rows. */
-    private final int[] indexOf;
-    /** Number of the rows for which {@link #indexOf} holds. */
-    private final int[] usedBy;
-    private int call;
-    private final int[] used = new int[BEST * MAX_ROWS];
-    private int usedCount;
+    private final BestPoints best;
     /** Rows in an order in which neighbors are near each other. */
     private final int[] order = new int[MAX_ROWS];
     /** Point of the last row that is near none; probably not far from the next such row. */
     private int lastNearest;
-    private final int[] best = new int[BEST + 1];
-    private final float[] bestWeight = new float[BEST + 1];
-    private final LinearWeights linear = new LinearWeights();
 
     public RowWeigher(GatherStructure structure) {
         this.structure = structure;
@@ -44,8 +34,7 @@ public final class RowWeigher {
         barriers = structure.points().barriers();
         near = new NearPoints(points, radius, groups);
         reflections = structure.reflections() == null ? null : new ReflectionWeigher(structure, structure.reflections());
-        indexOf = new int[points.count];
-        usedBy = new int[points.count];
+        best = new BestPoints(points.count);
     }
 
     /** Returns the weights of one point: those of its row in any level. */
@@ -71,8 +60,7 @@ public final class RowWeigher {
 
     /** Returns the weights of up to 1024 rows. */
     public RowWeights weigh(HitRows rows) {
-        call++;
-        usedCount = 0;
+        best.startRows();
         int count = points.count == 0 ? 0 : rows.count;
         short[] index = new short[BEST * rows.count];
         byte[] weight = new byte[BEST * rows.count];
@@ -85,72 +73,31 @@ public final class RowWeigher {
                 write(rows, row, index, weight);
             });
         }
-        return new RowWeights(structure, Arrays.copyOf(used, usedCount), index, weight,
+        return new RowWeights(structure, best.used(), index, weight,
                 reflections == null ? null : reflections.weigh(rows));
     }
 
     private void findBest(HitRows rows, int row, int count) {
-        Arrays.fill(bestWeight, 0);
+        best.startPlace();
         for (int i = 0; i < count; i++) {
             int column = near.near[i];
             float w = PointWeight.at(near.columns, column, near.columnRadius[column], rows.px[row], rows.py[row], rows.pz[row],
                     rows.nx[row], rows.ny[row], rows.nz[row]);
-            if (w > bestWeight[BEST]
+            if (best.isAmong(w)
                     && !barriers.separate(points, near.point(column), rows.px[row], rows.py[row], rows.pz[row])) {
-                insert(near.point(column), w);
+                best.insert(near.point(column), w);
             }
         }
-    }
-
-    /** Inserts a point among the best, after those of equal weight. */
-    private void insert(int p, float w) {
-        int at = BEST;
-        while (at > 0 && bestWeight[at - 1] < w) {
-            bestWeight[at] = bestWeight[at - 1];
-            best[at] = best[at - 1];
-            at--;
-        }
-        bestWeight[at] = w;
-        best[at] = p;
     }
 
     private void write(HitRows rows, int row, short[] index, byte[] weight) {
-        int at = BEST * row;
-        if (bestWeight[0] == 0) {
+        if (best.isEmpty()) {
             lastNearest = groups.nearest(barriers, rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row],
                     lastNearest);
-            index[at] = index(lastNearest);
-            weight[at] = (byte) WeightedPoints.MAX_WEIGHT;
-            return;
+            best.writeOnly(row, lastNearest, index, weight);
+        } else {
+            best.write(row, points, radius, null, rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], index,
+                    weight);
         }
-        adjust(rows, row);
-        float scale = WeightedPoints.MAX_WEIGHT / linear.largest();
-        for (int i = 0; i < linear.count(); i++) {
-            int w = WeightedPoints.whole(linear.weight(i), scale);
-            if (w > 0) {
-                index[at] = index(best[i]);
-                weight[at++] = (byte) w;
-            }
-        }
-    }
-
-    private void adjust(HitRows rows, int row) {
-        linear.start(rows.nx[row], rows.ny[row], rows.nz[row], radius[best[0]]);
-        for (int i = 0; i < BEST && bestWeight[i] > 0; i++) {
-            // The weight of the next point is subtracted, so that nothing jumps where it replaces another.
-            float w = bestWeight[0] > bestWeight[BEST] ? bestWeight[i] - bestWeight[BEST] : 1;
-            int p = best[i];
-            linear.add(w, points.px[p] - rows.px[row], points.py[p] - rows.py[row], points.pz[p] - rows.pz[row]);
-        }
-        linear.adjust();
-    }
-
-    private short index(int p) {
-        if (usedBy[p] != call) {
-            usedBy[p] = call;
-            indexOf[p] = usedCount;
-            used[usedCount++] = p;
-        }
-        return (short) indexOf[p];
     }
 }

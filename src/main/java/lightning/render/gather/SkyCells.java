@@ -15,12 +15,7 @@ public final class SkyCells {
      * @param x direction of any length but 0, with {@code y} upward and {@code z}
      */
     static int of(double x, double y, double z) {
-        double sum = Math.abs(x) + Math.abs(y) + Math.abs(z);
-        return (y < 0 ? HALF : 0) + line((x + z) / sum) * SIDE + line((x - z) / sum);
-    }
-
-    private static int line(double place) {
-        return Math.min(SIDE - 1, (int) ((place + 1) * 0.5 * SIDE));
+        return DirectionCells.of(x, y, z, SIDE);
     }
 
     /** Writes the unit direction at the center of a cell: x, y, z. */

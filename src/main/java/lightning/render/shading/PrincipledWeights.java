@@ -56,24 +56,27 @@ public final class PrincipledWeights {
         diffuse = base * Math.max(0, 1 - (m.nonmetalF0() * a + b + multiple * (m.nonmetalF0() * m.nonmetalF0()) * a));
     }
 
-    /** Returns d, 0…1. */
-    public float diffuse() {
-        return diffuse;
-    }
-
-    /** Returns q. */
-    public float multiple() {
-        return multiple;
-    }
-
     /** Returns the share of light that the coat lets through, 0…1. */
     public float base() {
         return base;
     }
 
-    /** Returns the share of light that the coat reflects, 0…1. */
-    public float coat() {
-        return coat;
+    /**
+     * Returns Ispec.
+     *
+     * @param lights    lights' sum of specular terms
+     * @param reflected mean light of rough lobes for F0; 0 for none
+     * @param mirrored  color of the mirrored ray; unread if the material casts none
+     */
+    public float specular(PrincipledMaterial m, float lights, float reflected, float mirrored) {
+        float sum = lights + reflected * reflected(m);
+        return m.isMirror() ? sum + mirrored * mirrored(m) : sum;
+    }
+
+    /** Returns Igraz; parameters as above, with the lights' grazing terms and the mean light that no color multiplies. */
+    public float grazing(PrincipledMaterial m, float lights, float reflected, float mirrored) {
+        float sum = lights + reflected * reflectedGrazing(m);
+        return m.isMirror() ? sum + mirrored * mirroredGrazing(m) : sum;
     }
 
     /** Returns the part of the mean light of rough lobes that F0 multiplies. */

@@ -30,16 +30,11 @@ final class PrincipledShader {
             colors.moveTo(i);
             weights.moveTo(principled, colors.roughness(), rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i], rows.vz[i]);
             for (int c = 0; c < 3; c++) {
-                float shine = specular == null ? 0 : specular[c][i];
-                float graze = grazing == null ? 0 : grazing[c][i];
-                if (reflected != null) {
-                    shine += reflected[c][i] * weights.reflected(principled);
-                    graze += reflected[3 + c][i] * weights.reflectedGrazing(principled);
-                }
-                if (mirrored != null && principled.isMirror()) {
-                    shine += mirrored[c][i] * weights.mirrored(principled);
-                    graze += mirrored[c][i] * weights.mirroredGrazing(principled);
-                }
+                float mirror = mirrored == null || !principled.isMirror() ? 0 : mirrored[c][i];
+                float shine = weights.specular(principled, specular == null ? 0 : specular[c][i], reflected == null ? 0 : reflected[c][i],
+                        mirror);
+                float graze = weights.grazing(principled, grazing == null ? 0 : grazing[c][i], reflected == null ? 0 : reflected[3 + c][i],
+                        mirror);
                 to[c][i] = weights.color(emitted[c], colors.diffuse(c), diffuse[c][i], colors.f0(c), shine, graze);
             }
         }

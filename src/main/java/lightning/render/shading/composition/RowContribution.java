@@ -91,15 +91,9 @@ public final class RowContribution {
         diffuse = indirect == null ? diffuse : indirect[c] + diffuse;
         PrincipledMaterial principled = shading.principled();
         if (principled != null) {
-            if (indirect != null && indirect.length > 3) {
-                specular += indirect[3 + c] * weights.reflected(principled);
-                grazing += indirect[6 + c] * weights.reflectedGrazing(principled);
-            }
-            if (principled.isMirror()) {
-                specular += mirrored[from + c] * weights.mirrored(principled);
-                grazing += mirrored[from + c] * weights.mirroredGrazing(principled);
-            }
-            to[at + c] = weights.color(0, colors.diffuse(c), diffuse, colors.f0(c), specular, grazing);
+            to[at + c] = weights.color(0, colors.diffuse(c), diffuse, colors.f0(c),
+                    weights.specular(principled, specular, reflected(indirect, 3 + c), mirrored[from + c]),
+                    weights.grazing(principled, grazing, reflected(indirect, 6 + c), mirrored[from + c]));
             return;
         }
         float kd = shading.isTextured() ? texel * shading.diffuse()[c] : shading.diffuse()[c];
@@ -108,6 +102,10 @@ public final class RowContribution {
                 : LightingEquation.clearColor(0, kd, diffuse, ks, specular, grazing, shading.reflective()[c], mirrored[from + c],
                         shading.bodyShare(), fresnel, ClearMaterialShader.channel(shading.clarity().color(), c), refracted[from + c],
                         tint[c]);
+    }
+
+    private static float reflected(float @Nullable [] indirect, int at) {
+        return indirect == null || indirect.length == 3 ? 0 : indirect[at];
     }
 
     private static float diffuse(WeightedLight light, LightLayer layer, HitRows rows, int row, int c) {

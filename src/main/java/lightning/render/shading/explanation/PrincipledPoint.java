@@ -37,16 +37,8 @@ record PrincipledPoint(SurfacePoint at, PrincipledMaterial material, PrincipledW
      * @param mirrored  color of the mirrored ray
      */
     float color(int c, float emitted, float diffuse, float specular, float grazing, float @Nullable [] reflected, float mirrored) {
-        float shine = specular;
-        float graze = grazing;
-        if (reflected != null) {
-            shine += reflected[c] * weights.reflected(material);
-            graze += reflected[3 + c] * weights.reflectedGrazing(material);
-        }
-        if (material.isMirror()) {
-            shine += mirrored * weights.mirrored(material);
-            graze += mirrored * weights.mirroredGrazing(material);
-        }
-        return weights.color(emitted, at.diffuse()[c], diffuse, at.specular()[c], shine, graze);
+        return weights.color(emitted, at.diffuse()[c], diffuse, at.specular()[c],
+                weights.specular(material, specular, reflected == null ? 0 : reflected[c], mirrored),
+                weights.grazing(material, grazing, reflected == null ? 0 : reflected[3 + c], mirrored));
     }
 }
