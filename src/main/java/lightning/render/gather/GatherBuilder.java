@@ -103,6 +103,11 @@ public final class GatherBuilder {
         return Math.max(1, (int) (settings.pixelSpacing(picture) / perCell));
     }
 
+    /** Returns the maximum number of rays of a reflection point. */
+    public static int maxReflectedRays(GatherSettings settings) {
+        return settings.reflectionRaysPerSide() * settings.reflectionRaysPerSide() + ReflectionCaster.MAX_AIMED;
+    }
+
     /** Returns the maximum bytes of a surfel without rays: its row, its cell, and what lights and solving need. */
     private long surfelBytes() {
         int columns =

@@ -115,8 +115,7 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         int along = Math.ceilDiv(Film.TILE_SIZE, GatherBuilder.candidateStep(settings, picture));
         double candidates = (double) Film.tilesAlong(picture.width()) * Film.tilesAlong(picture.height()) * along * along * (1 + levels);
         double rays = settings.gathers() ? candidates * settings.rays() : 0;
-        int side = settings.reflectionRaysPerSide();
-        double reflectedRays = settings.reflections() ? candidates * side * side : 0;
+        double reflectedRays = settings.reflections() ? candidates * GatherBuilder.maxReflectedRays(settings) : 0;
         int linkBytes = RayLinks.BUILD_BYTES + RayLinks.TINT_BUILD_BYTES + Integer.BYTES;
         // Additional rays are at most half as many.
         double rimBytes = settings.environment() ? 0.5 * RimLinks.BUILD_BYTES : 0;

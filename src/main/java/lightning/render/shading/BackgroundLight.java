@@ -4,6 +4,7 @@ import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.render.gather.DirectionCells;
 import lightning.render.gather.SkyCells;
+import lightning.scene.GatherSettings;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
@@ -18,7 +19,7 @@ import lightning.scene.value.SceneLimits;
  * @param map       environment; empty for none, or if it does not light the scene
  * @param rotation  of the environment about y, degrees
  * @param intensity factor of the environment's light
- * @param seen      linear color that reflections see without an environment
+ * @param seen      linear color that blurred reflections see without an environment; black if there are none
  */
 public record BackgroundLight(Rgb color, Optional<EnvironmentMap> map, double rotation, double intensity, Rgb seen) {
     public static final BackgroundLight NONE = new BackgroundLight(Rgb.BLACK, Optional.empty(), 0, 0, Rgb.BLACK);
@@ -33,7 +34,9 @@ public record BackgroundLight(Rgb color, Optional<EnvironmentMap> map, double ro
                     : NONE;
         }
         boolean isLit = scene.picture().indirect().map(IndirectSettings::background).orElse(false);
-        return new BackgroundLight(isLit ? world.background() : Rgb.BLACK, Optional.empty(), 0, 0, world.background());
+        boolean isSeen = GatherSettings.of(scene).map(GatherSettings::reflections).orElse(false);
+        return new BackgroundLight(isLit ? world.background() : Rgb.BLACK, Optional.empty(), 0, 0,
+                isSeen ? world.background() : Rgb.BLACK);
     }
 
     /** Returns this light as edge detection sees it, as {@link WeightedLight#forEdges}. */
