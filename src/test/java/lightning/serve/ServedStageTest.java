@@ -43,12 +43,6 @@ class ServedStageTest {
         return started;
     }
 
-    private static void assertEnded(List<ProcessHandle> converters) throws Exception {
-        for (ProcessHandle converter : converters) {
-            converter.onExit().get(10, TimeUnit.SECONDS);
-        }
-    }
-
     private String open() throws Exception {
         return "'file':'" + NestedStages.write(folder.resolve("slow.usda"), 6) + "','output':'" + folder.resolve("slow.jen") + "'";
     }
@@ -61,7 +55,7 @@ class ServedStageTest {
             assertThat(client.request("cancel", "'request':" + request).get("canceled").asBoolean()).isTrue();
             assertThat(Stream.concat(client.others().stream(), Stream.of(client.answer(client.send("list", "")))).toList().toString())
                     .contains("version");
-            assertEnded(converters);
+            Await.untilEnded(converters);
         }
     }
 
@@ -71,7 +65,7 @@ class ServedStageTest {
             client.send("open", open());
             List<ProcessHandle> converters = startedConverters();
             client.close();
-            assertEnded(converters);
+            Await.untilEnded(converters);
         }
     }
 
@@ -82,6 +76,6 @@ class ServedStageTest {
             client.send("open", open());
             converters = startedConverters();
         }
-        assertEnded(converters);
+        Await.untilEnded(converters);
     }
 }

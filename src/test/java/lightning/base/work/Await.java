@@ -1,5 +1,6 @@
 package lightning.base.work;
 
+import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
@@ -25,6 +26,14 @@ public final class Await {
             }
             LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(1));
         }
+    }
+
+    /**
+     * Waits until the processes ended. Such a process has no command line, even if its parent ended before and nobody asks for its exit
+     * code.
+     */
+    public static void untilEnded(List<ProcessHandle> processes) throws Exception {
+        until("the processes ended", () -> processes.stream().noneMatch(p -> p.info().commandLine().isPresent()));
     }
 
     /** Waits until no thread of that name runs. Then the test's folder can be removed, because the thread writes no files. */

@@ -106,9 +106,7 @@ class UsdLimitsTest {
             Thread.sleep(1500);
             assertThat(converters).allMatch(ProcessHandle::isAlive);
             lightning.destroyForcibly().waitFor();
-            for (ProcessHandle converter : converters) {
-                converter.onExit().get(10, TimeUnit.SECONDS);
-            }
+            Await.untilEnded(converters);
             try (Stream<Path> left = Files.list(scratch)) {
                 assertThat(left).isEmpty();
             }
