@@ -19,17 +19,18 @@ import org.jspecify.annotations.Nullable;
  * @param coat        coat; null for none
  * @param isCoatSmooth whether the coat reflects a mirrored ray
  * @param hasRoughnessMap whether its rows differ in roughness
- * @param mixed       colors of rows of different metalness; null if it has no metalness map
+ * @param hasMetalnessMap whether its rows differ in metalness
+ * @param colors      its colors at any metalness
  */
 public record PrincipledMaterial(Material material, float roughness, float nonmetalF0, boolean isSmooth, @Nullable Coat coat,
-        boolean isCoatSmooth, boolean hasRoughnessMap, @Nullable PrincipledColors mixed) {
+        boolean isCoatSmooth, boolean hasRoughnessMap, boolean hasMetalnessMap, PrincipledColors colors) {
 
     /** Returns the properties of a material; null if it is not principled or transparent. */
     public static @Nullable PrincipledMaterial of(Material m) {
         return !m.isPrincipled() ? null
                 : new PrincipledMaterial(m, (float) m.roughness(), (float) (m.f0() * m.specularTint().max()), m.isSmooth(),
                         m.coat().isVisible() ? m.coat() : null, m.hasSmoothCoat(), m.surfaceMaps().roughness().isPresent(),
-                        m.surfaceMaps().metalness().isPresent() ? new PrincipledColors(m) : null);
+                        m.surfaceMaps().metalness().isPresent(), new PrincipledColors(m));
     }
 
     /** Returns whether it needs the color of a mirrored ray. */

@@ -18,9 +18,11 @@ public final class PrincipledRow {
     private @Nullable PrincipledMaterial material;
     private float @Nullable [] roughnessTexel;
     private float @Nullable [] metalnessTexel;
+    private boolean isPlain;
     private float roughness;
     private final float[] diffuse = new float[3];
     private final float[] f0 = new float[3];
+    private final float[] square = new float[3];
 
     /** Sets the material of the next rows. */
     public void start(ShadingMaterial shading, HitRows rows) {
@@ -30,12 +32,14 @@ public final class PrincipledRow {
         isTextured = shading.isTextured();
         roughness = principled.roughness();
         roughnessTexel = principled.hasRoughnessMap() ? rows.texel(ColumnGroup.ROUGHNESS_TEXEL, 0) : null;
-        metalnessTexel = principled.mixed() == null ? null : rows.texel(ColumnGroup.METALNESS_TEXEL, 0);
+        metalnessTexel = principled.hasMetalnessMap() ? rows.texel(ColumnGroup.METALNESS_TEXEL, 0) : null;
+        isPlain = !isTextured && metalnessTexel == null;
         for (int c = 0; c < 3; c++) {
             plainDiffuse[c] = shading.diffuse()[c];
             plainMetalF0[c] = metalF0[c];
             plainSpecular[c] = shading.specular()[c];
             texels[c] = isTextured ? requireNonNull(rows.texel(c)) : texels[c];
+            square[c] = principled.colors().square(c, principled.material().metalness(), 1);
         }
     }
 
@@ -49,19 +53,23 @@ public final class PrincipledRow {
             diffuse[c] = plainDiffuse[c] * texel;
             f0[c] = plainMetalF0[c] * texel + plainSpecular[c];
         }
-        if (metalnessTexel != null) {
-            mix(row, metalnessTexel[row]);
+        if (!isPlain) {
+            mix(row);
         }
     }
 
-    private void mix(int row, float map) {
+    private void mix(int row) {
         PrincipledMaterial principled = requireNonNull(material);
-        PrincipledColors colors = requireNonNull(principled.mixed());
-        double metalness = principled.material().mappedMetalness(map);
+        PrincipledColors colors = principled.colors();
+        double metalness =
+                metalnessTexel == null ? principled.material().metalness() : principled.material().mappedMetalness(metalnessTexel[row]);
         for (int c = 0; c < 3; c++) {
             float texel = isTextured ? texels[c][row] : 1;
-            diffuse[c] = colors.diffuse(c, metalness) * texel;
-            f0[c] = colors.metalF0(c, metalness) * texel + colors.specular(c, metalness);
+            if (metalnessTexel != null) {
+                diffuse[c] = colors.diffuse(c, metalness) * texel;
+                f0[c] = colors.metalF0(c, metalness) * texel + colors.specular(c, metalness);
+            }
+            square[c] = colors.square(c, metalness, texel);
         }
     }
 
@@ -73,6 +81,11 @@ public final class PrincipledRow {
     /** Returns one channel of k<sub>diffuse</sub>. */
     public float diffuse(int channel) {
         return diffuse[channel];
+    }
+
+    /** Returns one channel of {@link PrincipledColors#square}. */
+    public float square(int channel) {
+        return square[channel];
     }
 
     /** Returns one channel of F0. */

@@ -10,14 +10,15 @@ import lightning.render.trace.HitRows;
  * Weights of what a principled surface reflects, seen from one direction.
  *
  * <pre>
- * I = emitted + kd·d·Idiff + (F0 + q·F0²)·Ispec + Igraz
+ * I = emitted + kd·d·Idiff + (F0 + q·F0F0)·Ispec + Igraz
  * Ispec = Σ Ispec of lights + a·L      Igraz = Σ Igraz of lights + b·L' + coat
  * </pre>
  *
  * <p>L and L' are means of the light of the surroundings over the lobe, and a and b the shares of white light that it reflects ({@link
  * DirectionalAlbedo}). d is the share of light that neither the coat nor the surface reflects before it is scattered below (the albedo scaling of C. Kulla and A.
- * Conty, Revisiting physically based shading at Imageworks, 2017). q·F0² gives back the light that is scattered several times between facets:
- * a white metal reflects all light (as E. Turquin, Practical multiple scattering compensation for microfacet models, 2019). One instance per
+ * Conty, Revisiting physically based shading at Imageworks, 2017). q·F0F0 gives back the light that is scattered several times between facets: F0F0 is the mean
+ * of F0² over the metal and the nonmetal part, and a white metal reflects all light (as E. Turquin, Practical multiple scattering compensation for
+ * microfacet models, 2019). One instance per
  * thread.
  */
 public final class PrincipledWeights {
@@ -118,10 +119,11 @@ public final class PrincipledWeights {
      * @param kd       diffuse color, including the texture
      * @param lit      Idiff
      * @param f0       F0, including the texture
+     * @param square   F0F0, including the texture
      * @param specular Ispec
      * @param grazing  Igraz
      */
-    public float color(float emitted, float kd, float lit, float f0, float specular, float grazing) {
-        return emitted + kd * lit * diffuse + ((f0 + multiple * (f0 * f0)) * specular + grazing);
+    public float color(float emitted, float kd, float lit, float f0, float square, float specular, float grazing) {
+        return emitted + kd * lit * diffuse + ((f0 + multiple * square) * specular + grazing);
     }
 }

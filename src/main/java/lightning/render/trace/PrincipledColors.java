@@ -1,6 +1,7 @@
 package lightning.render.trace;
 
 import lightning.base.math.Rgb;
+import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.scene.material.Material;
 
 /**
@@ -22,6 +23,23 @@ public record PrincipledColors(Material material) {
     /** Returns one channel of the part of F0 that the texture multiplies: base·metalness. */
     public float metalF0(int channel, double metalness) {
         return (float) (channel(material.base(), channel) * metalness);
+    }
+
+    /**
+     * Returns one channel of the mean of F0² over the metal and the nonmetal part: light that is scattered several times stays in its part.
+     *
+     * @param texel color of the texture
+     */
+    public float square(int channel, double metalness, float texel) {
+        double metal = channel(material.base(), channel) * texel;
+        double nonmetal = channel(material.specularTint(), channel) * material.f0();
+        return (float) (metalness * (metal * metal) + (1 - metalness) * (nonmetal * nonmetal));
+    }
+
+    /** Returns one channel of that mean at a surface. */
+    public float square(int channel, SurfacePoint at) {
+        float[] map = at.maps().get(ColumnGroup.METALNESS_TEXEL);
+        return square(channel, map == null ? material.metalness() : material.mappedMetalness(map[0]), at.texel()[channel]);
     }
 
     private static double channel(Rgb color, int channel) {

@@ -35,6 +35,12 @@ class WhiteFurnaceTest {
     }
 
     @ParameterizedTest
+    @CsvSource({"0.2, 0", "0.5, 0.5", "0.5, 1", "0.8, 1"})
+    void partlyMetal_sendsAllLightBack(String metalness, String roughness) throws JenException {
+        assertThat(mean("base 1 1 1  metalness " + metalness + "  roughness " + roughness)).isCloseTo(1, within(0.01));
+    }
+
+    @ParameterizedTest
     @CsvSource({"0", "0.08", "0.3", "0.6", "1"})
     void coatedSurface_sendsAllLightBack(String roughness) throws JenException {
         assertThat(mean(COATED + roughness)).isCloseTo(1, within(0.01));

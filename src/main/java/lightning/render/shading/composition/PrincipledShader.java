@@ -35,7 +35,7 @@ final class PrincipledShader {
                         mirror);
                 float graze = weights.grazing(principled, grazing == null ? 0 : grazing[c][i], reflected == null ? 0 : reflected[3 + c][i],
                         mirror);
-                to[c][i] = weights.color(emitted[c], colors.diffuse(c), diffuse[c][i], colors.f0(c), shine, graze);
+                to[c][i] = weights.color(emitted[c], colors.diffuse(c), diffuse[c][i], colors.f0(c), colors.square(c), shine, graze);
             }
         }
     }

@@ -37,7 +37,7 @@ record PrincipledPoint(SurfacePoint at, PrincipledMaterial material, PrincipledW
      * @param mirrored  color of the mirrored ray
      */
     float color(int c, float emitted, float diffuse, float specular, float grazing, float @Nullable [] reflected, float mirrored) {
-        return weights.color(emitted, at.diffuse()[c], diffuse, at.specular()[c],
+        return weights.color(emitted, at.diffuse()[c], diffuse, at.specular()[c], material.colors().square(c, at),
                 weights.specular(material, specular, reflected == null ? 0 : reflected[c], mirrored),
                 weights.grazing(material, grazing, reflected == null ? 0 : reflected[3 + c], mirrored));
     }

@@ -426,7 +426,7 @@ public final class ReferenceTracer {
             shine += mirrored * weights.mirrored(material);
             graze += mirrored * weights.mirroredGrazing(material);
         }
-        return weights.color(emitted(hit, c), hit.diffuse()[c], diffuse, hit.specular()[c], shine, graze);
+        return weights.color(emitted(hit, c), hit.diffuse()[c], diffuse, hit.specular()[c], material.colors().square(c, hit), shine, graze);
     }
 
     private float specular(LightingEquation equation, SurfacePoint hit) {
