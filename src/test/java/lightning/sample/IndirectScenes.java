@@ -69,6 +69,16 @@ public final class IndirectScenes {
                 sphere ball { material mirror  at 0.45 -0.5 -0.2  scale 0.5 0.5 0.5 }
                 sphere other { material dark_mirror  at -0.45 -0.5 -0.2  scale 0.5 0.5 0.5 }
                 """, new IndirectSettings(2, 16, 4, false)));
+        scenes.put("frosted glass", scene("size 33 24  depth 3", CAMERA + ROOM + LAMP
+                + """
+                        material frosted { model principled  base 0.3 0.2 0.1  clear 0.7 0.9 0.8  ior 1.5  tint 0.6 0.9 0.9  tint_distance 0.5  roughness 0.3 }
+                        material sheet { model principled  base 0.3 0.2 0.1  clear 0.7 0.9 0.8  thin yes  roughness 0.5  coat 0.5  coat_roughness 0 }
+                        sphere ball { material frosted  at 0.2 -0.5 -0.2  scale 0.5 0.5 0.5 }
+                        plane pane { material sheet  at -0.4 0 0.3  rotate 90 30 0  scale 0.3 1 0.5 }
+                        sphere bulb { material bright  at 0.3 0.1 -0.6  scale 0.1 0.1 0.1 }
+                        material bright { glow 4 3 2 }
+                        """,
+                new IndirectSettings(2, 16, 4, false)));
         scenes.put("glass ball", scene("size 33 24  depth 4", CAMERA + ROOM + LAMP + """
                 sphere ball { material glass  at 0.2 -0.5 -0.2  scale 0.5 0.5 0.5 }
                 plane pane { material glass  at -0.4 0 0.3  rotate 90 30 0  scale 0.3 1 0.5 }

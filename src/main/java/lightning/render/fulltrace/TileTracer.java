@@ -267,7 +267,7 @@ final class TileTracer {
         if (levels[k] == null) {
             levels[k] = new HitRows(Film.TILE_PIXELS,
                     eyeLevel.materials.anyTexels().or(mirrorLevels.materials.anyTexels()),
-                    eyeLevel.materials.transparentCount() > 0 || mirrorLevels.materials.transparentCount() > 0,
+                    eyeLevel.materials.clearCount() > 0 || mirrorLevels.materials.clearCount() > 0,
                     levels == sampleLevels,
                     WeightedLight.needOwners(eyeLevel.lights) || WeightedLight.needOwners(mirrorLevels.lights));
         }

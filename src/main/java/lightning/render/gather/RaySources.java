@@ -140,6 +140,17 @@ final class RaySources {
         return normal < 0 || direction[0] * geometricX[normal] + direction[1] * geometricY[normal] + direction[2] * geometricZ[normal] > 0;
     }
 
+    /** Reflects a direction at the plane of a point's surface if it goes above it: x, y, z. */
+    void turnBelow(int p, double[] direction) {
+        for (int i = 0; i < 3; i++) {
+            direction[i] = -direction[i];
+        }
+        turnAbove(p, direction);
+        for (int i = 0; i < 3; i++) {
+            direction[i] = -direction[i];
+        }
+    }
+
     /** Reflects a direction at the plane of a point's surface if it goes below it: x, y, z; returns whether it did. */
     boolean turnAbove(int p, double[] direction) {
         int normal = normal(p);

@@ -5,6 +5,7 @@ import static java.util.Objects.requireNonNull;
 import lightning.render.lobe.CoatShare;
 import lightning.render.lobe.ReflectionLobe;
 import lightning.render.lobe.RoughLobes;
+import lightning.render.lobe.RoughLobes.Kind;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RayBatch;
@@ -135,8 +136,9 @@ final class ReflectionCaster {
             }
             return;
         }
+        RoughLobes its = requireNonNull(lobes[points.material[p]]);
         if (shape >= 0 && batch.isMirrored(ray)
-                && alpha(points, p, requireNonNull(lobes[points.material[p]]), lobes[points.material[p]].isOfCoat(k)) > GLINTS) {
+                && alpha(points, p, its, kind(its, k)) > GLINTS) {
             // Few rays of a wide lobe would meet a lamp in a mirror: bright dots.
             color[ray] = 0;
             white[ray] = 0;
@@ -150,20 +152,20 @@ final class ReflectionCaster {
         d[2] = batch.directionZ[ray];
         double angle = Math.PI * glowAim.solidAngle(shape, s.px[p], s.py[p], s.pz[p], d);
         if (angle > 0) {
-            double own = raysOf(requireNonNull(lobes[points.material[p]])) * density[ray] * angle;
+            double own = its.rays(kind(its, k), directions.side) * density[ray] * angle;
             color[ray] *= own / (own + 1);
             white[ray] *= own / (own + 1);
         }
     }
 
     /** Returns the width α of a lobe of a point; 0 if it is smooth. */
-    private static double alpha(ReflectionPoints points, int p, RoughLobes its, boolean isCoat) {
-        return isCoat ? its.coatAlpha() : its.alpha() == 0 ? 0 : Material.alpha(points.seen.roughness[p]);
+    private static double alpha(ReflectionPoints points, int p, RoughLobes its, Kind kind) {
+        return kind == Kind.COAT ? its.coatAlpha() : its.alpha() == 0 ? 0 : Material.alpha(points.seen.roughness[p]);
     }
 
-    /** Returns the rays of each lobe. */
-    private int raysOf(RoughLobes its) {
-        return its.areTwo() ? directions.rays / 2 : directions.rays;
+    /** Returns the lobe of a ray of a point. */
+    private Kind kind(RoughLobes its, int k) {
+        return its.kind(k / directions.side, k % directions.side);
     }
 
     private int detail(ReflectionPoints points, int p, int k, HitRows rows, int row, double distance) {
@@ -171,7 +173,7 @@ final class ReflectionCaster {
             return 0;
         }
         RoughLobes its = requireNonNull(lobes[points.material[p]]);
-        double alpha = alpha(points, p, its, its.isOfCoat(k));
+        double alpha = alpha(points, p, its, kind(its, k));
         return keys.detailLevel(rows.px[row], rows.py[row], rows.pz[row], distance, DETAIL * alpha * distance);
     }
 
@@ -217,8 +219,9 @@ final class ReflectionCaster {
         white[at] = 0;
         density[at] = 0;
         aimed[at] = -1;
+        batch.enters[at] = false;
         if (k < directions.rays) {
-            reflect(points, p, k, at, its);
+            scatter(points, p, k, at, its);
         } else {
             aimAtGlow(points, p, k - directions.rays, at, its);
         }
@@ -228,18 +231,29 @@ final class ReflectionCaster {
     }
 
     /** Chooses the direction of a ray of a lobe. */
-    private void reflect(ReflectionPoints points, int p, int k, int at, RoughLobes its) {
-        boolean isCoat = its.isOfCoat(k);
-        lobe.aim(cosine, alpha(points, p, its, isCoat));
+    private void scatter(ReflectionPoints points, int p, int k, int at, RoughLobes its) {
+        Kind kind = kind(its, k);
+        lobe.aim(cosine, alpha(points, p, its, kind));
         int place = firstPlace + k;
         lobe.reflect(directions.share(place), directions.cos(place), directions.sin(place));
-        double z = lobe.z() < 0 ? -lobe.z() : lobe.z();
+        if (kind == Kind.PASSING) {
+            lobe.pass(requireNonNull(its.frost()).ior());
+            direct(points, p, Math.min(lobe.z(), -lobe.z()));
+            points.sources.turnBelow(p, d);
+            batch.enters[at] = true;
+        } else {
+            direct(points, p, Math.abs(lobe.z()));
+            density[at] = points.sources.turnAbove(p, d) ? 0 : lobe.density();
+        }
+        addWeights(at, its, kind, (double) directions.rays / its.rays(kind, directions.side));
+    }
+
+    /** Sets the direction to that of the lobe, with another component along the normal. */
+    private void direct(ReflectionPoints points, int p, double z) {
         SurfaceColumns s = points.surface();
         d[0] = lobe.x() * tangent[0] + lobe.y() * bitangent[0] + z * s.nx[p];
         d[1] = lobe.x() * tangent[1] + lobe.y() * bitangent[1] + z * s.ny[p];
         d[2] = lobe.x() * tangent[2] + lobe.y() * bitangent[2] + z * s.nz[p];
-        density[at] = points.sources.turnAbove(p, d) ? 0 : lobe.density();
-        addWeights(at, its, isCoat, its.areTwo() ? 2 : 1);
     }
 
     /** Aims a ray at a glowing object, if the point has so many. */
@@ -259,8 +273,8 @@ final class ReflectionCaster {
                 if (angle > 0 && z > 0 && points.sources.isAbove(p, d)) {
                     double x = d[0] * tangent[0] + d[1] * tangent[1] + d[2] * tangent[2];
                     double y = d[0] * bitangent[0] + d[1] * bitangent[1] + d[2] * bitangent[2];
-                    addAimed(at, its, false, alpha(points, p, its, false), x, y, z, angle);
-                    addAimed(at, its, true, its.coatAlpha(), x, y, z, angle);
+                    addAimed(at, its, Kind.SURFACE, alpha(points, p, its, Kind.SURFACE), x, y, z, angle);
+                    addAimed(at, its, Kind.COAT, its.coatAlpha(), x, y, z, angle);
                 } else {
                     d[0] = s.nx[p];
                     d[1] = s.ny[p];
@@ -273,19 +287,23 @@ final class ReflectionCaster {
     }
 
     /** Adds the weights of an aimed ray for one lobe, relative to those of the rays of lobes. */
-    private void addAimed(int at, RoughLobes its, boolean isCoat, double alpha, double x, double y, double z, double angle) {
+    private void addAimed(int at, RoughLobes its, Kind kind, double alpha, double x, double y, double z, double angle) {
         if (alpha > 0) {
             lobe.aim(cosine, alpha);
             lobe.moveTo(x, y, z);
             double own = lobe.density() * angle;
-            addWeights(at, its, isCoat, directions.rays * own / (raysOf(its) * own + 1));
+            addWeights(at, its, kind, directions.rays * own / (its.rays(kind, directions.side) * own + 1));
         }
     }
 
-    /** Adds the weights of a direction of a lobe. */
-    private void addWeights(int at, RoughLobes its, boolean isCoat, double factor) {
+    /** Adds the weights of a direction of a lobe. A frosted surface has one for all that it reflects, and one for what passes it. */
+    private void addWeights(int at, RoughLobes its, Kind kind, double factor) {
         double share = factor * lobe.weight();
-        if (isCoat) {
+        if (its.frost() != null) {
+            double fresnel = its.frost().f0() + (1 - its.frost().f0()) * lobe.schlick();
+            color[at] += kind == Kind.PASSING ? 0 : share * fresnel;
+            white[at] += kind == Kind.PASSING ? share * (1 - fresnel) : 0;
+        } else if (kind == Kind.COAT) {
             double f0 = requireNonNull(its.coat()).f0();
             white[at] += share * its.coat().weight() * (f0 + (1 - f0) * lobe.schlick());
         } else {

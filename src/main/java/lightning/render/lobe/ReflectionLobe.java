@@ -19,6 +19,11 @@ public final class ReflectionLobe {
     private double weight;
     private double schlick;
     private double density;
+    /** Normal of the facet, and the cosine between it and the view. */
+    private double facetX;
+    private double facetY;
+    private double facetZ;
+    private double facetCosine;
 
     /**
      * Sets the view and the roughness.
@@ -58,6 +63,30 @@ public final class ReflectionLobe {
         y = twice * hy;
         z = twice * hz - viewZ;
         weigh(hz / length, vh);
+        facetX = hx / length;
+        facetY = hy / length;
+        facetZ = hz / length;
+        facetCosine = vh;
+    }
+
+    /**
+     * Replaces the direction of {@link #reflect} by the one that passes the same facet, below the surface.
+     *
+     * @param ior of the body; 1 for a thin sheet, which mirrors the reflected direction to its other side
+     */
+    public void pass(double ior) {
+        if (ior == 1) {
+            z = -z;
+        } else {
+            double eta = 1 / ior;
+            double along = eta * facetCosine - Math.sqrt(Math.max(0, 1 - eta * eta * (1 - facetCosine * facetCosine)));
+            x = along * facetX - eta * viewX;
+            y = along * facetY;
+            z = along * facetZ - eta * viewZ;
+        }
+        double square = alpha * alpha;
+        weight = z < 0 ? -2 * z / (-z + Math.sqrt(square + (1 - square) * (z * z))) : 0;
+        density = 0;
     }
 
     /** Moves to a unit direction. */
@@ -97,7 +126,7 @@ public final class ReflectionLobe {
         return y;
     }
 
-    /** Returns component z of the unit direction: 0 or less below the surface. */
+    /** Returns component z of the direction: 0 or less below the surface. */
     public double z() {
         return z;
     }

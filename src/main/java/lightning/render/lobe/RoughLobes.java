@@ -5,24 +5,38 @@ import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Lobes by which a principled material blurs its surroundings. Smooth ones reflect a mirrored ray and are not among them.
+ * Lobes by which a principled material blurs its surroundings. Smooth ones reflect a mirrored ray and are not among them. A frosted material
+ * has one that reflects and one that lets light pass; its coat, if any, reflects as the surface does.
  *
  * @param alpha     width α of the surface below the coat, with the mean of its map; 0 if it is smooth
  * @param coatAlpha width α of the coat; 0 if it is smooth or there is none
  * @param coat      coat, smooth or not; null for none
+ * @param frost     what lets light pass; null for an opaque material
  */
-public record RoughLobes(double alpha, double coatAlpha, @Nullable Coat coat) {
+public record RoughLobes(double alpha, double coatAlpha, @Nullable Coat coat, @Nullable Frost frost) {
+    /**
+     * Surface of a frosted body.
+     *
+     * @param ior index of refraction; 1 for a thin sheet
+     * @param f0  reflectance at normal incidence
+     */
+    public record Frost(double ior, double f0) {}
+
+    /** Kind of a lobe. */
+    public enum Kind {
+        SURFACE, COAT, PASSING
+    }
 
     /** Returns the lobes of a material; null if it reflects nothing or sharply. */
     public static @Nullable RoughLobes of(Material m) {
         return !m.reflectsRoughly() ? null
                 : new RoughLobes(m.isSmooth() ? 0 : Material.alpha(m.meanRoughness()),
-                        m.coat().isVisible() && !m.hasSmoothCoat() ? m.coat().alpha() : 0,
-                        m.coat().isVisible() ? m.coat() : null);
+                        m.coat().isVisible() && !m.hasSmoothCoat() && !m.isFrosted() ? m.coat().alpha() : 0,
+                        m.coat().isVisible() ? m.coat() : null,
+                        m.isFrosted() ? new Frost(m.transmission().thin() ? 1 : m.transmission().ior(), m.f0()) : null);
     }
 
-    /** Returns whether both the surface and its coat blur. */
-    public boolean areTwo() {
+    private boolean areTwo() {
         return alpha > 0 && coatAlpha > 0;
     }
 
@@ -31,8 +45,23 @@ public record RoughLobes(double alpha, double coatAlpha, @Nullable Coat coat) {
         return alpha == 0 ? coatAlpha : coatAlpha == 0 ? alpha : Math.min(alpha, coatAlpha);
     }
 
-    /** Returns whether a ray belongs to the coat: every second one if there are two lobes. */
-    public boolean isOfCoat(int ray) {
-        return areTwo() ? (ray & 1) == 1 : alpha == 0;
+    /**
+     * Returns the lobe of a ray. If there are two, each has rays in all rows and columns.
+     *
+     * @param row of the ray in the grid of a point's rays, as {@code column}
+     */
+    public Kind kind(int row, int column) {
+        return frost != null ? row == column ? Kind.SURFACE : Kind.PASSING
+                : areTwo() ? (row + column & 1) == 1 ? Kind.COAT : Kind.SURFACE : alpha == 0 ? Kind.COAT : Kind.SURFACE;
+    }
+
+    /**
+     * Returns the number of rays of a lobe.
+     *
+     * @param side rays along each side of the grid
+     */
+    public int rays(Kind kind, int side) {
+        return frost != null ? kind == Kind.SURFACE ? side : kind == Kind.PASSING ? side * side - side : 0
+                : areTwo() ? side * side / 2 : side * side;
     }
 }

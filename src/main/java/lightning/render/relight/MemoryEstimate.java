@@ -43,7 +43,7 @@ public final class MemoryEstimate {
         PictureSettings picture = scene.picture();
         SamplingSettings sampling = picture.sampling();
         boolean mirrors = picture.depth() > 0 && scene.materials().stream().anyMatch(Material::spawnsSecondaryRays);
-        boolean clear = mirrors && scene.materials().stream().anyMatch(m -> m.transmission().isTransparent());
+        boolean clear = mirrors && scene.materials().stream().anyMatch(Material::isClear);
         boolean tinted = scene.materials().stream().anyMatch(m -> m.transmission().tintsShadows());
         boolean glows = scene.materials().stream().anyMatch(m -> !m.glow().isBlack());
         boolean metallic = scene.materials().stream().anyMatch(Material::isMetallic);

@@ -41,7 +41,7 @@ public record BounceImages(float[][] mirrored, float @Nullable [][] refracted) {
     /** Returns copies that are just long enough for the rows. */
     public BounceImages compact(HitRows rows) {
         return new BounceImages(copy(mirrored, rows.reflectiveCount),
-                rows.transparentCount == 0 ? null : copy(requireNonNull(refracted), rows.transparentCount));
+                rows.clearCount == 0 ? null : copy(requireNonNull(refracted), rows.clearCount));
     }
 
     private static float[][] copy(float[][] columns, int rows) {

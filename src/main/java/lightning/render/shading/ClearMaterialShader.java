@@ -92,6 +92,11 @@ public final class ClearMaterialShader {
         return 1 - (float) clarity.color().max();
     }
 
+    /** Returns a color's channels, rounded as the equation uses them. */
+    static float[] channels(Rgb color) {
+        return new float[] {channel(color, 0), channel(color, 1), channel(color, 2)};
+    }
+
     /** Returns a color's channel, rounded as the equation uses it. */
     public static float channel(Rgb color, int channel) {
         return (float) switch (channel) {

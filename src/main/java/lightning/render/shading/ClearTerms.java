@@ -43,7 +43,7 @@ public final class ClearTerms {
      * @param scratch receives each run's terms first, because kernels also write to rows next to a run
      */
     static ClearTerms of(HitRows rows, ShadingMaterial[] materials, SumKernel kernel, ClearTerms scratch) {
-        int length = HitRows.paddedLength(rows.transparentCount);
+        int length = HitRows.paddedLength(rows.clearCount);
         float[] share = new float[length];
         float[][] tint = new float[3][length];
         Transmission[] transmissions = new Transmission[runCount(rows)];
@@ -60,7 +60,7 @@ public final class ClearTerms {
             }
         }
         for (int c = 0; c < 3; c++) {
-            if (Arrays.equals(tint[c], 0, rows.transparentCount, WHITE, 0, rows.transparentCount)) {
+            if (Arrays.equals(tint[c], 0, rows.clearCount, WHITE, 0, rows.clearCount)) {
                 tint[c] = WHITE;
             }
         }
@@ -69,7 +69,7 @@ public final class ClearTerms {
 
     private static int runCount(HitRows rows) {
         int runs = 0;
-        while (runs < rows.runCount && rows.runStart(runs) < rows.transparentCount) {
+        while (runs < rows.runCount && rows.runStart(runs) < rows.clearCount) {
             runs++;
         }
         return runs;

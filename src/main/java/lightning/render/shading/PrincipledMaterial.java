@@ -10,7 +10,7 @@ import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What an opaque principled material needs beside {@link ShadingMaterial}.
+ * What an opaque or frosted principled material needs beside {@link ShadingMaterial}.
  *
  * @param material    the material
  * @param roughness   of the surface below the coat, 0…1, before its map
@@ -21,16 +21,24 @@ import org.jspecify.annotations.Nullable;
  * @param hasRoughnessMap whether its rows differ in roughness
  * @param hasMetalnessMap whether its rows differ in metalness
  * @param colors      its colors at any metalness
+ * @param passing     color of the light that passes a frosted one: red, green, blue; null for others
  */
 public record PrincipledMaterial(Material material, float roughness, float nonmetalF0, boolean isSmooth, @Nullable Coat coat,
-        boolean isCoatSmooth, boolean hasRoughnessMap, boolean hasMetalnessMap, PrincipledColors colors) {
+        boolean isCoatSmooth, boolean hasRoughnessMap, boolean hasMetalnessMap, PrincipledColors colors,
+        float @Nullable [] passing) {
 
-    /** Returns the properties of a material; null if it is not principled or transparent. */
+    /** Returns the properties of a material; null if it is not principled or clear. */
     public static @Nullable PrincipledMaterial of(Material m) {
         return !m.isPrincipled() ? null
                 : new PrincipledMaterial(m, (float) m.roughness(), (float) (m.f0() * m.specularTint().max()), m.isSmooth(),
                         m.coat().isVisible() ? m.coat() : null, m.hasSmoothCoat(), m.surfaceMaps().roughness().isPresent(),
-                        m.surfaceMaps().metalness().isPresent(), new PrincipledColors(m));
+                        m.surfaceMaps().metalness().isPresent(), new PrincipledColors(m),
+                        m.isFrosted() ? ClearMaterialShader.channels(m.transmission().color()) : null);
+    }
+
+    /** Returns whether light passes it. */
+    public boolean isFrosted() {
+        return passing != null;
     }
 
     /** Returns whether it needs the color of a mirrored ray. */

@@ -74,10 +74,20 @@ public final class PrincipledWeights {
         return m.isMirror() ? sum + mirrored * mirrored(m) : sum;
     }
 
-    /** Returns Igraz; parameters as above, with the lights' grazing terms and the mean light that no color multiplies. */
-    public float grazing(PrincipledMaterial m, float lights, float reflected, float mirrored) {
-        float sum = lights + reflected * reflectedGrazing(m);
+    /**
+     * Returns Igraz; parameters as above, with the lights' grazing terms.
+     *
+     * @param second mean light of rough lobes that no color multiplies; of a frosted material the light that passes it, which is not part of
+     *               Igraz
+     */
+    public float grazing(PrincipledMaterial m, float lights, float reflected, float second, float mirrored) {
+        float sum = lights + (m.isFrosted() ? reflected : second) * reflectedGrazing(m);
         return m.isMirror() ? sum + mirrored * mirroredGrazing(m) : sum;
+    }
+
+    /** Returns one channel of the light that passes a frosted material, {@code second} before its weight; 0 for others. */
+    public float passing(PrincipledMaterial m, int channel, float second) {
+        return m.passing() == null ? 0 : m.passing()[channel] * second * diffuse;
     }
 
     /** Returns the part of the mean light of rough lobes that F0 multiplies. */
@@ -122,8 +132,9 @@ public final class PrincipledWeights {
      * @param square   F0F0, including the texture
      * @param specular Ispec
      * @param grazing  Igraz
+     * @param passing  {@link #passing}
      */
-    public float color(float emitted, float kd, float lit, float f0, float square, float specular, float grazing) {
-        return emitted + kd * lit * diffuse + ((f0 + multiple * square) * specular + grazing);
+    public float color(float emitted, float kd, float lit, float f0, float square, float specular, float grazing, float passing) {
+        return emitted + (kd * lit * diffuse + passing) + ((f0 + multiple * square) * specular + grazing);
     }
 }

@@ -50,7 +50,7 @@ public record ShadingMaterial(float[] ambient, float[] glow, float[] diffuse, fl
                 new float[] {t.specular(m, 0), t.specular(m, 1), t.specular(m, 2)},
                 t.isMetallic(m) ? new float[] {t.metalF0(m, 0), t.metalF0(m, 1), t.metalF0(m, 2)} : null,
                 PrincipledMaterial.of(t.material(m)), reflective,
-                t.isTransparent(m) ? t.transmission(m) : null, t.isTransparent(m) ? new InteriorTint(t.transmission(m)) : null,
+                t.isClear(m) ? t.transmission(m) : null, t.isClear(m) ? new InteriorTint(t.transmission(m)) : null,
                 ClearMaterialShader.bodyShare(t.transmission(m)), t.isTextured(m),
                 t.texture(m) != null,
                 t.texels(m),

@@ -1,22 +1,24 @@
 package lightning.render.shading;
 
 import lightning.render.trace.SurfacePoint;
+import org.jspecify.annotations.Nullable;
 
 /** Weights of a surface point's diffuse body, its reflection and its refraction. */
 public final class SurfaceWeights {
-    private final SurfacePoint hit;
+    /** Null for a surface that is not clear. */
+    private final SurfacePoint.@Nullable BackSide side;
     private final float fresnel;
     private final float[] tint = {1, 1, 1};
 
     public SurfaceWeights(SurfacePoint hit) {
-        this.hit = hit;
-        fresnel = hit.backSide() == null ? 0 : hit.reflectance();
-        if (hit.backSide() != null) {
-            new InteriorTint(hit.backSide().transmission()).write(hit.backSide().insideDistance(), tint);
+        side = hit.clearSide();
+        fresnel = side == null ? 0 : hit.reflectance();
+        if (side != null) {
+            new InteriorTint(side.transmission()).write(side.insideDistance(), tint);
         }
     }
 
-    /** Returns the Fresnel share that a clear surface mirrors; 0 for an opaque surface. */
+    /** Returns the Fresnel share that a clear surface mirrors; 0 for an opaque or frosted surface. */
     public float fresnel() {
         return fresnel;
     }
@@ -28,8 +30,8 @@ public final class SurfaceWeights {
 
     /** Returns the factor of emitted light that an image multiplies, as in {@link LightingEquation#addMapped}. */
     public float bodyWeight(float kr, int c) {
-        return hit.backSide() == null ? 1 - kr
-                : (1 - reflectance(kr)) * ClearMaterialShader.bodyShare(hit.backSide().transmission()) * tint[c];
+        return side == null ? 1 - kr
+                : (1 - reflectance(kr)) * ClearMaterialShader.bodyShare(side.transmission()) * tint[c];
     }
 
     /**
@@ -39,19 +41,19 @@ public final class SurfaceWeights {
      * @param light light before the weights, kd·Idiff for diffuse light, linear, ≥ 0
      */
     public float body(float light, float kr, int c) {
-        return hit.backSide() == null ? light * (1 - kr)
-                : light * ((1 - reflectance(kr)) * ClearMaterialShader.bodyShare(hit.backSide().transmission())) * tint[c];
+        return side == null ? light * (1 - kr)
+                : light * ((1 - reflectance(kr)) * ClearMaterialShader.bodyShare(side.transmission())) * tint[c];
     }
 
     /** Returns the part of the mirrored ray, whose color has the channel {@code color}. */
     public float mirrored(float color, float kr, int c) {
-        return hit.backSide() == null ? kr * color : reflectance(kr) * color * tint[c];
+        return side == null ? kr * color : reflectance(kr) * color * tint[c];
     }
 
-    /** Returns the part of the refracted ray, whose color has the channel {@code color}; 0 for an opaque surface. */
+    /** Returns the part of the refracted ray, whose color has the channel {@code color}; 0 for an opaque or frosted surface. */
     public float refracted(float color, float kr, int c) {
-        return hit.backSide() == null ? 0
-                : (1 - reflectance(kr)) * ClearMaterialShader.channel(hit.backSide().transmission().color(), c) * color * tint[c];
+        return side == null ? 0
+                : (1 - reflectance(kr)) * ClearMaterialShader.channel(side.transmission().color(), c) * color * tint[c];
     }
 
     private float reflectance(float kr) {
@@ -61,10 +63,10 @@ public final class SurfaceWeights {
     /** Returns one channel of the color of a clear surface by the {@link LightingEquation}. */
     public float color(int c, float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr,
             float mirroredColor, float refractedColor) {
-        assert hit.backSide() != null;
+        assert side != null;
         return LightingEquation.clearColor(emitted, kd, diffuse, ks, specular, grazing, kr, mirroredColor,
-                ClearMaterialShader.bodyShare(hit.backSide().transmission()), fresnel,
-                ClearMaterialShader.channel(hit.backSide().transmission().color(), c), refractedColor,
+                ClearMaterialShader.bodyShare(side.transmission()), fresnel,
+                ClearMaterialShader.channel(side.transmission().color(), c), refractedColor,
                 tint[c]);
     }
 }

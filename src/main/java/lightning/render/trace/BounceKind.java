@@ -36,7 +36,7 @@ public enum BounceKind {
     REFRACTED {
         @Override
         public int rowCount(HitRows from) {
-            return from.transparentCount;
+            return from.clearCount;
         }
 
         @Override

@@ -49,12 +49,12 @@ final class HitRowBuilder {
             starts[r + 1] += starts[r];
         }
         rays.hitCount = starts[materials.count()];
-        int transparentCount = starts[materials.transparentCount()];
-        HitRows rows = allocator.allocate(rays.hitCount, columns, transparentCount > 0);
+        int clearCount = starts[materials.clearCount()];
+        HitRows rows = allocator.allocate(rays.hitCount, columns, clearCount > 0);
         rows.count = rays.hitCount;
         rows.runCount = 0;
         rows.bounds = null;
-        rows.transparentCount = transparentCount;
+        rows.clearCount = clearCount;
         rows.reflectiveCount = starts[materials.reflectiveCount()];
         for (int r = 0; r < materials.count(); r++) {
             if (starts[r + 1] > starts[r]) {
@@ -86,7 +86,7 @@ final class HitRowBuilder {
             rows.vz[row] = (float) rays.dz[ray];
             rows.parent[row] = rays.slot[ray];
         }
-        for (int row = 0; row < rows.transparentCount; row++) {
+        for (int row = 0; row < rows.clearCount; row++) {
             writeBackSide(rays, rows, row);
         }
         if (textured) {

@@ -187,7 +187,7 @@ public final class HitRows {
     /** Number of rows with reflective materials; they come first. */
     public int reflectiveCount;
     /** Number of rows with transparent materials; they come first, and all of them are reflective. */
-    public int transparentCount;
+    public int clearCount;
     /** Bounds of the points, computed on first use; code that overwrites the points must reset it. */
     @Nullable
     PointBox bounds;
@@ -257,7 +257,7 @@ public final class HitRows {
         rows.runMaterial = runMaterial;
         rows.runEnd = runEnd;
         rows.reflectiveCount = newReflectiveCount;
-        rows.transparentCount = transparentCount;
+        rows.clearCount = clearCount;
         rows.bounds = bounds;
         return rows;
     }
@@ -349,7 +349,7 @@ public final class HitRows {
     public void writeTo(ColumnWriter out) throws IOException {
         out.writeInt(count);
         out.writeInt(reflectiveCount);
-        out.writeInt(transparentCount);
+        out.writeInt(clearCount);
         out.writeArray(Arrays.copyOf(runMaterial, runCount));
         out.writeArray(Arrays.copyOf(runEnd, runCount));
         out.writeColumns(columns);
@@ -363,13 +363,13 @@ public final class HitRows {
     public static HitRows readFrom(ColumnReader in) throws IOException {
         int count = in.readInt();
         int reflectiveCount = in.readInt();
-        int transparentCount = in.readInt();
+        int clearCount = in.readInt();
         int[] runMaterial = in.readInts();
         int[] runEnd = in.readInts();
         HitRows rows = new HitRows(in.readColumns(Column.class));
         rows.count = count;
         rows.reflectiveCount = reflectiveCount;
-        rows.transparentCount = transparentCount;
+        rows.clearCount = clearCount;
         for (int r = 0; r < runEnd.length; r++) {
             rows.addRun(runMaterial[r], runEnd[r]);
         }

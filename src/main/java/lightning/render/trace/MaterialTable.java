@@ -36,7 +36,8 @@ public final class MaterialTable {
     /** Materials used by shapes with vertex colors. */
     private final boolean[] vertexColored;
     private final int reflectiveCount;
-    private final int transparentCount;
+    private final int clearCount;
+    private final boolean hasTransparent;
     private final int[] rank;
     private final int[] materialByRank;
     private final float[] ambient;
@@ -80,7 +81,8 @@ public final class MaterialTable {
         rank = new int[count];
         materialByRank = new int[count];
         int reflectiveTotal = 0;
-        int transparentTotal = 0;
+        int clearTotal = 0;
+        boolean anyTransparent = false;
         for (int m = 0; m < count; m++) {
             Material material = materials.get(m);
             this.vertexColored[m] = vertexColorMaterials.contains(material.name());
@@ -97,22 +99,24 @@ public final class MaterialTable {
                     double dielectric = 1 - material.metalness();
                     // What a principled surface reflects depends on the view.
                     double entering = material.isPrincipled() ? 1 : 1 - material.f0();
-                    store(material.base().times(dielectric * entering), diffuse, 3 * m);
+                    store(material.base().times(dielectric * entering * PrincipledColors.body(material)), diffuse, 3 * m);
                     store(material.specularTint().times(dielectric * material.f0()), specular, 3 * m);
                     store(material.base().times(material.metalness()), requireNonNull(metalF0), 3 * m);
                 }
             }
             store(material.reflective(), reflective, 3 * m);
             reflectiveTotal += castsReflections.test(material) ? 1 : 0;
-            transparentTotal += material.transmission().isTransparent() ? 1 : 0;
+            clearTotal += material.isClear() ? 1 : 0;
+            anyTransparent |= material.transmission().isTransparent();
         }
         reflectiveCount = reflectiveTotal;
-        transparentCount = transparentTotal;
-        int nextTransparent = 0;
-        int nextReflective = transparentTotal;
+        clearCount = clearTotal;
+        hasTransparent = anyTransparent;
+        int nextClear = 0;
+        int nextReflective = clearTotal;
         int nextOther = reflectiveTotal;
         for (int m = 0; m < count; m++) {
-            rank[m] = materials.get(m).transmission().isTransparent() ? nextTransparent++
+            rank[m] = materials.get(m).isClear() ? nextClear++
                     : castsReflections.test(materials.get(m)) ? nextReflective++ : nextOther++;
             materialByRank[rank[m]] = m;
         }
@@ -164,14 +168,24 @@ public final class MaterialTable {
         return reflectiveCount;
     }
 
-    /** Returns the number of transparent materials; they have the lowest ranks. */
-    public int transparentCount() {
-        return transparentCount;
+    /** Returns the number of clear materials; they have the lowest ranks. */
+    public int clearCount() {
+        return clearCount;
     }
 
-    /** Returns whether material {@code m} is transparent. */
+    /** Returns {@link Material#isClear}. */
+    public boolean isClear(int m) {
+        return rank[m] < clearCount;
+    }
+
+    /** Returns whether light passes material {@code m}, which may be frosted. */
     public boolean isTransparent(int m) {
-        return rank[m] < transparentCount;
+        return hasTransparent && materials.get(m).transmission().isTransparent();
+    }
+
+    /** Returns whether light passes any material. */
+    public boolean hasTransparent() {
+        return hasTransparent;
     }
 
     /** Returns the transmission of material {@code m}. */

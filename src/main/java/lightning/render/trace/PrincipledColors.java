@@ -10,9 +10,14 @@ import lightning.scene.material.Material;
  */
 public record PrincipledColors(Material material) {
 
-    /** Returns one channel of k<sub>diffuse</sub> without the texture: base·(1 − metalness). */
+    /** Returns one channel of k<sub>diffuse</sub> without the texture: base·(1 − metalness), less what passes a frosted one. */
     public float diffuse(int channel, double metalness) {
-        return (float) (channel(material.base(), channel) * (1 - metalness));
+        return (float) (channel(material.base(), channel) * ((1 - metalness) * body(material)));
+    }
+
+    /** Returns the share of light that enters a material and does not pass it: 1 unless it is frosted. */
+    static double body(Material material) {
+        return material.isFrosted() ? 1 - material.transmission().color().max() : 1;
     }
 
     /** Returns one channel of the part of F0 that no texture multiplies: tint·(1 − metalness)·f0. */

@@ -29,6 +29,8 @@ public final class RayBatch {
     public static final int MAX_SURFACES = 256;
     /** Surfaces at which a ray may meet a mirror. */
     private static final int MAX_MIRRORS = 4;
+    /** Surfaces at which a ray inside a frosted body may be reflected totally. */
+    private static final int MAX_INTERNAL = 8;
 
     /** Origins, render space. */
     public final float[] startX = new float[MAX_RAYS + 64];
@@ -38,6 +40,8 @@ public final class RayBatch {
     public final double[] directionX;
     public final double[] directionY;
     public final double[] directionZ;
+    /** For batches that follow rays: whether each ray starts in front of a frosted surface that it passes first, unbent and without tint. */
+    public final boolean[] enters = new boolean[MAX_RAYS];
     /** Product of the tints of the surfaces that each ray passed: red, green, blue. Valid only if {@link #isTinted}. */
     public final float[][] tint = new float[3][MAX_RAYS];
     private final Geometry geometry;
@@ -59,25 +63,33 @@ public final class RayBatch {
     private final boolean hasPassableSurfaces;
     /** Share that each material reflects in the mirrored direction; null if rays end there, as at all materials initially. */
     private final @Nullable Rgb[] mirrors;
+    /** Whether a material bends rays; false for all materials initially. */
+    private final boolean[] bends;
     private final boolean[] isMirrored = new boolean[MAX_RAYS];
-    private final double[] mirroredDirection = new double[3];
+    private final double[] direction = new double[3];
 
     /** Creates a batch whose rays end at mirrors. */
     public RayBatch(Geometry geometry, Scene scene, Tracer tracer) {
         this(geometry, scene, tracer, false);
     }
 
-    /** @param followsMirrors whether rays go on in the mirrored direction at surfaces that reflect most light so ({@link Material#mirrorTint}) */
-    public RayBatch(Geometry geometry, Scene scene, Tracer tracer, boolean followsMirrors) {
+    /**
+     * @param followsRays whether rays go on in the mirrored direction at surfaces that reflect most light so ({@link Material#mirrorTint}),
+     *                    and bent through frosted bodies
+     */
+    public RayBatch(Geometry geometry, Scene scene, Tracer tracer, boolean followsRays) {
         mirrors = new Rgb[geometry.materials().count()];
-        if (followsMirrors) {
-            Arrays.setAll(mirrors, m -> geometry.materials().material(m).mirrorTint());
+        bends = new boolean[mirrors.length];
+        for (int m = 0; followsRays && m < mirrors.length; m++) {
+            Material material = geometry.materials().material(m);
+            mirrors[m] = material.mirrorTint();
+            bends[m] = material.isFrosted() && !material.transmission().thin();
         }
         this.geometry = geometry;
         primitives = geometry.primitives();
         materials = geometry.materials();
         hasPassableSurfaces =
-                materials.transparentCount() > 0 || geometry.hasLightFaces() || Arrays.stream(mirrors).anyMatch(Objects::nonNull);
+                materials.hasTransparent() || geometry.hasLightFaces() || Arrays.stream(mirrors).anyMatch(Objects::nonNull);
         this.tracer = tracer;
         rowBuilder = new HitRowBuilder(geometry, tracer);
         rays = new RayColumns(new CameraRays(scene.camera(), scene.picture()));
@@ -161,7 +173,7 @@ public final class RayBatch {
                     allocateTints();
                     multiplyTint(ray, Rgb.BLACK, 1);
                 } else {
-                    moveThroughSurface(ray, primitive);
+                    moveThroughSurface(ray, primitive, pass);
                     selected[moved++] = (short) ray;
                 }
             }
@@ -173,17 +185,12 @@ public final class RayBatch {
     private void mirror(int ray, int primitive) {
         computeSurface(ray, primitive);
         SurfacePoint.writeReflection(surface.nx, surface.ny, surface.nz, (float) rays.dx[ray], (float) rays.dy[ray], (float) rays.dz[ray],
-                mirroredDirection);
+                direction);
         allocateTints();
         multiplyTint(ray, requireNonNull(mirrors[primitives.material[primitive]]), 1);
         passed[ray] += rays.t[ray];
         isMirrored[ray] = true;
-        startX[ray] = surface.px;
-        startY[ray] = surface.py;
-        startZ[ray] = surface.pz;
-        rays.dx[ray] = mirroredDirection[0];
-        rays.dy[ray] = mirroredDirection[1];
-        rays.dz[ray] = mirroredDirection[2];
+        sendOn(ray, surface.px, surface.py, surface.pz);
     }
 
     /** Returns whether a ray met a mirror on its way. */
@@ -191,16 +198,66 @@ public final class RayBatch {
         return isMirrored[ray];
     }
 
-    private void moveThroughSurface(int ray, int primitive) {
+    private void moveThroughSurface(int ray, int primitive, int pass) {
         computeSurface(ray, primitive);
         surface.computeBackPoint();
-        if (materials.isTransparent(primitives.material[primitive])) {
-            multiplyTransmittance(ray, primitives.material[primitive]);
+        int material = primitives.material[primitive];
+        boolean isEntry = pass == 1 && enters[ray] && materials.material(material).isFrosted() && !surface.isInside();
+        if (!isEntry && bends[material]) {
+            bend(ray, material, pass);
+            return;
+        }
+        if (!isEntry && materials.isTransparent(material)) {
+            multiplyTransmittance(ray, material);
         }
         passed[ray] += rays.t[ray];
         startX[ray] = surface.backX;
         startY[ray] = surface.backY;
         startZ[ray] = surface.backZ;
+    }
+
+    /**
+     * Sends a ray on through the surface of a frosted body computed last. Where it leaves, nothing is reflected: light that stays inside leaves
+     * elsewhere. At total reflection it stays inside for a few times.
+     */
+    private void bend(int ray, int material, int pass) {
+        Transmission transmission = materials.transmission(material);
+        boolean isInside = surface.isInside();
+        float vx = (float) rays.dx[ray];
+        float vy = (float) rays.dy[ray];
+        float vz = (float) rays.dz[ray];
+        allocateTints();
+        if (isInside && transmission.isTinted()) {
+            multiplyTint(ray, transmission.tint(), rays.t[ray] / transmission.tintDistance());
+        }
+        passed[ray] += rays.t[ray];
+        boolean passes = Refraction.writeDirection(surface.nx, surface.ny, surface.nz, vx, vy, vz,
+                Refraction.eta(transmission, isInside), direction);
+        if (!passes && pass <= MAX_INTERNAL) {
+            SurfacePoint.writeReflection(surface.nx, surface.ny, surface.nz, vx, vy, vz, direction);
+            sendOn(ray, surface.px, surface.py, surface.pz);
+            return;
+        }
+        float reflectance = isInside ? 0
+                : Refraction.fresnelReflectance(transmission, false, surface.nx, surface.ny, surface.nz, vx, vy, vz);
+        for (int c = 0; c < 3; c++) {
+            tint[c][ray] *= materials.transmitted(material, reflectance, c);
+        }
+        if (!passes) {
+            direction[0] = vx;
+            direction[1] = vy;
+            direction[2] = vz;
+        }
+        sendOn(ray, surface.backX, surface.backY, surface.backZ);
+    }
+
+    private void sendOn(int ray, float x, float y, float z) {
+        startX[ray] = x;
+        startY[ray] = y;
+        startZ[ray] = z;
+        rays.dx[ray] = direction[0];
+        rays.dy[ray] = direction[1];
+        rays.dz[ray] = direction[2];
     }
 
     /** Multiplies the tint of a ray by the transmittance of the surface computed last. */

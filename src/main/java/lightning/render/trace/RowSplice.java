@@ -25,7 +25,7 @@ public final class RowSplice {
     /** For each old row its resulting row, or −1. */
     private final int[] newIndex;
     private final int reflectiveCount;
-    private final int transparentCount;
+    private final int clearCount;
 
     /**
      * @param order rows in the order within one material, encoded as in {@link #source}
@@ -46,7 +46,7 @@ public final class RowSplice {
         }
         int[] ends = starts.clone();
         reflectiveCount = starts[materials.reflectiveCount()];
-        transparentCount = starts[materials.transparentCount()];
+        clearCount = starts[materials.clearCount()];
         source = new int[count];
         newIndex = new int[old.count];
         Arrays.fill(newIndex, -1);
@@ -74,10 +74,10 @@ public final class RowSplice {
             needed = ends[r + 1] > ends[r] ? needed.or(materials.texels(materials.materialAtRank(r))) : needed;
         }
         TexelColumns known = added == null ? old.texels() : old.texels().or(added.texels());
-        HitRows allocated = new HitRows(source.length, needed.and(known), transparentCount > 0, old.pattern != null, old.owner != null);
+        HitRows allocated = new HitRows(source.length, needed.and(known), clearCount > 0, old.pattern != null, old.owner != null);
         allocated.count = source.length;
         allocated.reflectiveCount = reflectiveCount;
-        allocated.transparentCount = transparentCount;
+        allocated.clearCount = clearCount;
         for (int r = 0; r < materials.count(); r++) {
             if (ends[r + 1] > ends[r]) {
                 allocated.addRun(materials.materialAtRank(r), ends[r + 1]);
@@ -193,7 +193,7 @@ public final class RowSplice {
         old = first.old;
         added = second.added;
         reflectiveCount = second.reflectiveCount;
-        transparentCount = second.transparentCount;
+        clearCount = second.clearCount;
         rows = second.rows;
         source = new int[second.source.length];
         Arrays.setAll(source, i -> second.source[i] < 0 ? second.source[i] : first.source[second.source[i]]);

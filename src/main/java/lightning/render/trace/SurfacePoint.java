@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  * @param diffuse k<sub>diffuse</sub> including the texture, linear RGB, {@code float[3]}
  * @param specular k<sub>specular</sub>, or F0 including the texture, linear RGB, {@code float[3]}
  * @param roughness of a metallic material, including its map
- * @param backSide start of the refracted ray; null for opaque materials
+ * @param backSide start of a ray that passes; null for opaque materials
  * @param texel texture color alone, linear RGB, {@code float[3]}; white if there is none
  * @param maps colors of the material's other images, linear RGB, {@code float[3]} each, or {@code float[1]} of a map that reads one channel; none
  *     for images that it lacks
@@ -33,14 +33,20 @@ public record SurfacePoint(int primitive, int material, float px, float py, floa
      * @param transmission transmission of the material
      * @param x point, offset from the surface, render space; also {@code y}, {@code z}
      * @param insideDistance length of the ray inside the body, scene units; below 0 if it came from outside
+     * @param frosted whether the surface blurs what is behind it, so that it refracts no single ray
      */
-    public record BackSide(Transmission transmission, float x, float y, float z, float insideDistance) {
+    public record BackSide(Transmission transmission, float x, float y, float z, float insideDistance, boolean frosted) {
         public boolean isInside() {
             return insideDistance >= 0;
         }
     }
 
-    /** Returns the refracted ray of a transparent material; null if reflection is total. */
+    /** Returns the back side of a clear material; null for others. */
+    public @Nullable BackSide clearSide() {
+        return backSide == null || backSide.frosted ? null : backSide;
+    }
+
+    /** Returns the refracted ray of a clear material; null if reflection is total. */
     public @Nullable Ray refractedRay() {
         assert backSide != null;
         double[] d = new double[3];

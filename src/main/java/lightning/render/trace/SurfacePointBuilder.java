@@ -58,7 +58,7 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
         if (materials.isTransparent(material)) {
             surface.computeBackPoint();
             backSide = new SurfacePoint.BackSide(materials.transmission(material), surface.backX, surface.backY, surface.backZ,
-                    insideDistance(materials.transmission(material), surface, t));
+                    insideDistance(materials.transmission(material), surface, t), look.isFrosted());
         }
         return new SurfacePoint(primitive, material, surface.px, surface.py, surface.pz, surface.nx, surface.ny, surface.nz,
                 (float) d.x(), (float) d.y(), (float) d.z(), diffuse, specular, roughness, texel, maps, backSide);

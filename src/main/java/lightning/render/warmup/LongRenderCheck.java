@@ -3,6 +3,7 @@ package lightning.render.warmup;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.material.Material;
 
 /**
  * Estimate of whether an image takes a new process long enough for the second compiler and the lanes to pay off. For the
@@ -35,7 +36,7 @@ public final class LongRenderCheck {
             case EDGES -> raysPerCenter(scene) + EDGE_SHARE * sampling.samplesPerPixel() * raysPerFineSample(scene);
             case EVERY -> sampling.samplesPerPixel() * raysPerFineSample(scene);
         };
-        boolean hasGlass = picture.depth() > 0 && scene.materials().stream().anyMatch(m -> m.transmission().isTransparent());
+        boolean hasGlass = picture.depth() > 0 && scene.materials().stream().anyMatch(Material::isClear);
         return (long) (picture.width() * (double) picture.height() * perPixel * (hasGlass ? GLASS_FACTOR : 1));
     }
 

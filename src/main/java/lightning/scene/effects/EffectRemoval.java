@@ -21,10 +21,10 @@ final class EffectRemoval {
         return s.withMaterials(s.materials().stream().map(change).toList());
     }
 
-    /** Removes reflective colors, and ray depth unless a material is transparent, which reflects by angle. */
+    /** Removes reflective colors, and ray depth unless a material is clear, which reflects by angle. */
     static Scene removeReflections(Scene s) {
         Scene nonReflective = mapMaterials(s, m -> m.withReflective(Rgb.BLACK));
-        return s.materials().stream().anyMatch(m -> m.transmission().isTransparent()) ? nonReflective
+        return s.materials().stream().anyMatch(Material::isClear) ? nonReflective
                 : nonReflective.withPicture(s.picture().withDepth(0));
     }
 

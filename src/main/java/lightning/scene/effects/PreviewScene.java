@@ -91,7 +91,7 @@ public final class PreviewScene {
 
     private static int depth(Scene scene) {
         int depth = scene.picture().depth();
-        return scene.materials().stream().anyMatch(m -> m.transmission().isTransparent()) ? depth : Math.min(depth, MAX_DEPTH);
+        return scene.materials().stream().anyMatch(Material::isClear) ? depth : Math.min(depth, MAX_DEPTH);
     }
 
     private Stage withoutReflections(Scene scene) {

@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  * @param f0           metallic: reflectance of a nonmetal at normal incidence
  * @param specularTint principled: color of a nonmetal's reflection at normal incidence
  * @param coat         principled: clear layer over it
- * @param surfaceMaps  principled: images of its roughness and metalness, which a transparent one ignores
+ * @param surfaceMaps  principled: images of its roughness and metalness, which a clear one ignores
  * @param reflective   k<sub>reflect</sub> per channel
  * @param texture      color texture
  * @param bumpMapping  bump and normal map
@@ -122,10 +122,20 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
     }
 
     /**
-     * Returns whether it is shaded by the {@link ShadingModel#PRINCIPLED} model. A transparent one is shaded as a clear metallic material.
+     * Returns whether it is shaded by the {@link ShadingModel#PRINCIPLED} model. A clear one is shaded as a metallic material.
      */
     public boolean isPrincipled() {
-        return model == ShadingModel.PRINCIPLED && !transmission.isTransparent();
+        return model == ShadingModel.PRINCIPLED && !isClear();
+    }
+
+    /** Returns whether it is transparent and shows sharply what is behind it. */
+    public boolean isClear() {
+        return transmission.isTransparent() && !isFrosted();
+    }
+
+    /** Returns whether it is transparent and blurs what is behind it, as frosted glass, whatever its roughness map. */
+    public boolean isFrosted() {
+        return model == ShadingModel.PRINCIPLED && transmission.isTransparent() && roughness >= MIRROR_ROUGHNESS;
     }
 
     /** Returns the roughness where its map has a value. */
@@ -201,7 +211,7 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
 
     /** Returns whether cutouts, normals, secondary rays and shadows are the same for both materials. */
     public boolean hasSameRays(Material o) {
-        return bumpMapping.hasSameNormals(o.bumpMapping) && transmission.refractsLike(o.transmission)
+        return isFrosted() == o.isFrosted() && bumpMapping.hasSameNormals(o.bumpMapping) && transmission.refractsLike(o.transmission)
                 && transmission.shadows() == o.transmission.shadows()
                 && hasSameShadowTint(o)
                 && cutout.hasSameHoles(o.cutout);
@@ -244,6 +254,6 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
 
     /** Returns whether rays that hit it are traced further: it reflects or is transparent. */
     public boolean spawnsSecondaryRays() {
-        return isMirror() || transmission.isTransparent();
+        return isMirror() || isClear();
     }
 }

@@ -105,7 +105,7 @@ class RowOrderTest {
     private static int[] assertSame(HitRows actual, MaterialTable actualMaterials, HitRows expected, MaterialTable materials, int[] above) {
         assertThat(actual.count).isEqualTo(expected.count);
         assertThat(actual.reflectiveCount).isEqualTo(expected.reflectiveCount);
-        assertThat(actual.transparentCount).isEqualTo(expected.transparentCount);
+        assertThat(actual.clearCount).isEqualTo(expected.clearCount);
         assertThat(actual.backX == null).isEqualTo(expected.backX == null);
         assertThat(actual.runCount).isEqualTo(expected.runCount);
         assertThat(actual.texelRed == null).isEqualTo(expected.texelRed == null);

@@ -46,8 +46,26 @@ class WhiteFurnaceTest {
         assertThat(mean(COATED + roughness)).isCloseTo(1, within(0.01));
     }
 
-    /** Returns the mean of the pixels that show the ball. */
+    @ParameterizedTest
+    @CsvSource({"0.08", "0.15", "0.3", "0.5", "0.7", "0.9", "1"})
+    void frostedBody_sendsAllLightOn(String roughness) throws JenException {
+        assertThat(mean("base 1 1 1  clear 1 1 1  ior 1.5  roughness " + roughness)).isCloseTo(1, within(0.01));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.08", "0.3", "0.6", "1"})
+    void frostedSheet_sendsAllLightOn(String roughness) throws JenException {
+        assertThat(mean("base 1 1 1  clear 0.5 0.5 0.5  thin yes  coat 0.5  roughness " + roughness, "plane sheet { rotate 90 0 0 "))
+                .isCloseTo(1, within(0.01));
+    }
+
+    /** Returns the mean of the pixels that show a ball. */
     private static double mean(String material) throws JenException {
+        return mean(material, "sphere ball { ");
+    }
+
+    /** Returns the mean of the pixels that show a shape of radius 1. */
+    private static double mean(String material, String shape) throws JenException {
         Scene scene = JenReader.read("""
                 jen 1
                 picture { size 48 48  depth 2  indirect { } }
@@ -56,8 +74,8 @@ class WhiteFurnaceTest {
                 material furnace { diffuse 0 0 0  glow 1 1 1 }
                 material white { model principled  %s }
                 sphere walls { material furnace  scale 50 50 50 }
-                sphere ball { material white }
-                """.replace("%s", material), "furnace", Path.of(".")).scene();
+                %o material white }
+                """.replace("%s", material).replace("%o", shape), "furnace", Path.of(".")).scene();
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
             renderer.render(scene, Progress.NONE);
             Film film = renderer.film();

@@ -53,7 +53,7 @@ class RowSpliceTest {
         HitRows now = RowSplice.join(PARENTS, old, added, after).rows();
 
         assertThat(now.count).isEqualTo(known + more);
-        assertThat(now.transparentCount).isEqualTo(old.transparentCount + (added == null ? 0 : added.transparentCount));
+        assertThat(now.clearCount).isEqualTo(old.clearCount + (added == null ? 0 : added.clearCount));
         for (int i = 0; i < now.count; i++) {
             HitRows origin = rowOf(old, now.parent[i]) >= 0 ? old : added;
             int row = rowOf(origin, now.parent[i]);
@@ -68,7 +68,7 @@ class RowSpliceTest {
     /** Returns all columns, with those of refraction if they exist. */
     private static List<HitRows.Column> columns(HitRows rows) {
         return Arrays.stream(HitRows.Column.values())
-                .filter(column -> rows.transparentCount > 0 || !HitRows.ColumnGroup.TRANSPARENT.columns().contains(column)).toList();
+                .filter(column -> rows.clearCount > 0 || !HitRows.ColumnGroup.TRANSPARENT.columns().contains(column)).toList();
     }
 
     @Test
@@ -114,7 +114,7 @@ class RowSpliceTest {
             }
         }
         rows.reflectiveCount = (int) ranks.stream().filter(rank -> rank < materials.reflectiveCount()).count();
-        rows.transparentCount = (int) ranks.stream().filter(rank -> rank < materials.transparentCount()).count();
+        rows.clearCount = (int) ranks.stream().filter(rank -> rank < materials.clearCount()).count();
         return rows;
     }
 

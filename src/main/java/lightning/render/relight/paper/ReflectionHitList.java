@@ -28,7 +28,7 @@ public final class ReflectionHitList {
      */
     public static int[][] validAfter(int[][] before, UpdatePlan.Relight plan, Geometry mirrored) {
         int[][] updated = Arrays.stream(before).map(plan.shapes()::mapIndices).toArray(int[][]::new);
-        boolean isTree = mirrored.materials().transparentCount() > 0;
+        boolean isTree = mirrored.materials().clearCount() > 0;
         // With another depth, a tree of levels gains or loses levels in the middle of the list.
         if (isTree && plan.oldDepth() != plan.newDepth()
                 || plan.mirrors() != null && containsAny(plan.mirrors().materials().mirroringChanged(), updated, mirrored)) {

@@ -279,7 +279,7 @@ final class LevelWorker {
     private long bytesRead(TileLevel level, BranchSums.@Nullable Key key, @Nullable BranchSums sums) {
         HitRows rows = level.rows();
         long bytes =
-                12L * (rows.reflectiveCount + rows.transparentCount) + (rows.texelRed == null ? 0 : 12L * rows.count) + 2L * rows.count;
+                12L * (rows.reflectiveCount + rows.clearCount) + (rows.texelRed == null ? 0 : 12L * rows.count) + 2L * rows.count;
         for (int l = 0; l < target.lights().length; l++) {
             boolean read = sums == null || requireNonNull(key).light() == l;
             if (read && !target.lights()[l].isDark() && level.layers()[l].litCount() > 0) {

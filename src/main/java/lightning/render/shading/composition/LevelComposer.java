@@ -136,7 +136,7 @@ final class LevelComposer {
     /** Returns the terms of a level's clear rows if its colors depend on them; otherwise null. */
     @Nullable
     ClearTerms clearTerms(HitRows rows, @Nullable BounceImages images) {
-        for (int run = 0; run < rows.runCount && rows.runStart(run) < rows.transparentCount; run++) {
+        for (int run = 0; run < rows.runCount && rows.runStart(run) < rows.clearCount; run++) {
             if (ClearMaterialShader.needsTerms(shadingMaterials[rows.runMaterial[run]], images)) {
                 return clearShader().terms(rows, shadingMaterials);
             }

@@ -18,8 +18,8 @@ final class PrincipledShader {
      * Writes the colors of a run's rows.
      *
      * @param specular  lights' sum of specular terms; null for none, as {@code grazing}
-     * @param reflected mean light of the surroundings: three columns for what F0 multiplies, and three for what no color multiplies; null for
-     *                  none
+     * @param reflected mean light of the surroundings: three columns for what F0 multiplies, and three for what no color multiplies or
+     *                  what passes a frosted material; null for none
      * @param mirrored  colors of mirrored rays; null if there are none
      */
     void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float @Nullable [][] specular,
@@ -31,11 +31,12 @@ final class PrincipledShader {
             weights.moveTo(principled, colors.roughness(), rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i], rows.vz[i]);
             for (int c = 0; c < 3; c++) {
                 float mirror = mirrored == null || !principled.isMirror() ? 0 : mirrored[c][i];
-                float shine = weights.specular(principled, specular == null ? 0 : specular[c][i], reflected == null ? 0 : reflected[c][i],
-                        mirror);
-                float graze = weights.grazing(principled, grazing == null ? 0 : grazing[c][i], reflected == null ? 0 : reflected[3 + c][i],
-                        mirror);
-                to[c][i] = weights.color(emitted[c], colors.diffuse(c), diffuse[c][i], colors.f0(c), colors.square(c), shine, graze);
+                float first = reflected == null ? 0 : reflected[c][i];
+                float second = reflected == null ? 0 : reflected[3 + c][i];
+                float shine = weights.specular(principled, specular == null ? 0 : specular[c][i], first, mirror);
+                float graze = weights.grazing(principled, grazing == null ? 0 : grazing[c][i], first, second, mirror);
+                to[c][i] = weights.color(emitted[c], colors.diffuse(c), diffuse[c][i], colors.f0(c), colors.square(c), shine, graze,
+                        weights.passing(principled, c, second));
             }
         }
     }

@@ -93,7 +93,8 @@ public final class RowContribution {
         if (principled != null) {
             to[at + c] = weights.color(0, colors.diffuse(c), diffuse, colors.f0(c), colors.square(c),
                     weights.specular(principled, specular, reflected(indirect, 3 + c), mirrored[from + c]),
-                    weights.grazing(principled, grazing, reflected(indirect, 6 + c), mirrored[from + c]));
+                    weights.grazing(principled, grazing, reflected(indirect, 3 + c), reflected(indirect, 6 + c), mirrored[from + c]),
+                    weights.passing(principled, c, reflected(indirect, 6 + c)));
             return;
         }
         float kd = shading.isTextured() ? texel * shading.diffuse()[c] : shading.diffuse()[c];

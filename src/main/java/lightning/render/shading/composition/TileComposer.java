@@ -63,9 +63,9 @@ public final class TileComposer {
         if (depth >= scratch.length) {
             scratch = Arrays.copyOf(scratch, depth + 1);
         }
-        if (scratch[depth] == null || rows.transparentCount > 0 && scratch[depth].refracted() == null) {
+        if (scratch[depth] == null || rows.clearCount > 0 && scratch[depth].refracted() == null) {
             scratch[depth] = new BounceImages(new float[3][TermKernel.MAX_ROWS],
-                    rows.transparentCount > 0 ? new float[3][TermKernel.MAX_ROWS] : null);
+                    rows.clearCount > 0 ? new float[3][TermKernel.MAX_ROWS] : null);
         }
         return scratch[depth];
     }

@@ -113,7 +113,7 @@ public final class PixelExplainer {
         SurfacePoint hit = geometry.surface(shape, ray);
         NormalSteps normals = geometry.normalSteps(shape, ray);
         PointReport reflected = materials.isReflective(hit.material()) && depth > 0 ? explainRay(hit.reflectedRay(), depth - 1) : null;
-        Ray through = materials.isTransparent(hit.material()) && depth > 0 ? hit.refractedRay() : null;
+        Ray through = materials.isClear(hit.material()) && depth > 0 ? hit.refractedRay() : null;
         PointReport refracted = through == null ? null : explainRay(through, depth - 1);
         List<LightReport> reports = new ArrayList<>();
         for (WeightedLight light : lights) {
@@ -145,7 +145,7 @@ public final class PixelExplainer {
                 };
                 part[c] = map == null ? share.body(amount, kr, c) : share.bodyWeight(kr, c) * (amount * map[c]);
             }
-            color[c] = materials.isTransparent(hit.material())
+            color[c] = materials.isClear(hit.material())
                     ? share.color(c, emitted, hit.diffuse()[c], diffuse,
                             hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
                             reflected == null ? 0 : reflected.color()[c], refracted == null ? 0 : refracted.color()[c])

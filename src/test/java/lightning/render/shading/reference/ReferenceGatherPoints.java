@@ -105,7 +105,7 @@ final class ReferenceGatherPoints {
                 if (materials.isReflective(hit.material())) {
                     reflected.add(hit.reflectedRay());
                 }
-                Ray through = materials.isTransparent(hit.material()) ? hit.refractedRay() : null;
+                Ray through = materials.isClear(hit.material()) ? hit.refractedRay() : null;
                 if (through != null) {
                     refracted.add(through);
                 }

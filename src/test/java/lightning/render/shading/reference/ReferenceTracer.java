@@ -185,7 +185,7 @@ public final class ReferenceTracer {
         if (materials.isReflective(material) && depth > 0) {
             mirrored = mirrorTracer.color(hit.reflectedRay(), depth - 1, pattern);
         }
-        Ray through = materials.isTransparent(material) && depth > 0 ? hit.refractedRay() : null;
+        Ray through = materials.isClear(material) && depth > 0 ? hit.refractedRay() : null;
         float[] refracted = through == null ? new float[3] : mirrorTracer.color(through, depth - 1, pattern);
         float[] color = new float[3];
         float[][] terms = terms(hit, pattern);
@@ -194,7 +194,7 @@ public final class ReferenceTracer {
         for (int c = 0; c < 3; c++) {
             float specular = sum(terms, SPECULAR, c);
             float grazing = sum(terms, GRAZING, c);
-            color[c] = materials.isTransparent(material) ? clearColor(hit, c, diffuse[c], specular, grazing, mirrored, refracted)
+            color[c] = materials.isClear(material) ? clearColor(hit, c, diffuse[c], specular, grazing, mirrored, refracted)
                     : principled != null ? principledColor(hit, principled, c, diffuse[c], specular, grazing, mirrored[c])
                     : LightingEquation.color(emitted(hit, c), hit.diffuse()[c], diffuse[c],
                             hit.specular()[c], specular, grazing, materials.reflective(material, c), mirrored[c]);
@@ -421,12 +421,14 @@ public final class ReferenceTracer {
         PrincipledWeights weights = weights(material, hit);
         float[] light = GatherSettings.of(scene).map(GatherSettings::reflections).orElse(false) ? reflections().at(hit) : new float[9];
         float shine = specular + light[3 + c] * weights.reflected(material);
-        float graze = grazing + light[6 + c] * weights.reflectedGrazing(material);
+        boolean isFrosted = material.material().isFrosted();
+        float graze = grazing + light[isFrosted ? 3 + c : 6 + c] * weights.reflectedGrazing(material);
         if (material.isMirror()) {
             shine += mirrored * weights.mirrored(material);
             graze += mirrored * weights.mirroredGrazing(material);
         }
-        return weights.color(emitted(hit, c), hit.diffuse()[c], diffuse, hit.specular()[c], material.colors().square(c, hit), shine, graze);
+        return weights.color(emitted(hit, c), hit.diffuse()[c], diffuse, hit.specular()[c], material.colors().square(c, hit), shine, graze,
+                isFrosted ? weights.passing(material, c, light[6 + c]) : 0);
     }
 
     private float specular(LightingEquation equation, SurfacePoint hit) {
