@@ -101,8 +101,6 @@ final class GltfMaterialImport {
         }
         assembler.notes.add("transparent materials without a volume (KHR_materials_volume), imported as thin sheets",
                 glass.isThin() ? 1 : 0);
-        assembler.notes.add("rough transmission of materials, imported as sharp",
-                material.roughness() > TransmissionImport.MAX_SHARP_ROUGHNESS ? 1 : 0);
         Material transmissive = transmission.withTransmission(material, SceneAssembler.clamp(glass.factor(), 1), material.base(),
                 glass.ior(), glass.isThin(), material.metalness());
         double distance = glass.tintDistance();

@@ -75,6 +75,9 @@ record PovMaterialWriter(List<String> warnings) {
         MaterialAttribute.MAPS.stream().filter(map -> !WRITTEN.contains(map) && map.get(material).isPresent())
                 .forEach(map -> warn("material " + material.name() + ": its " + map.title() + " is left out"));
         Material m = withMeanGlow(material.isMetallic() ? phong(withMeanSurface(material)) : material);
+        if (material.isFrosted()) {
+            warn("material " + m.name() + ": what is behind it is sharp, POV-Ray does not blur it");
+        }
         if (m.transmission().isTransparent()) {
             return transparent(m) + shadows(m);
         }

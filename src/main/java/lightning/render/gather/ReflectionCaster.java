@@ -19,6 +19,8 @@ final class ReflectionCaster {
     private static final double MIN_COSINE = 1e-3;
     /** Largest width α of lobes that show glowing objects in mirrors. */
     private static final double GLINTS = 0.1;
+    /** Width of the lobe that enters a body, which stands for both of its surfaces: variances add up. */
+    private static final double TWO_SURFACES = Math.sqrt(2);
     /** Maximum number of a point's rays that are aimed at glowing objects. */
     static final int MAX_AIMED = 16;
     /** Width of a surfel's cell relative to that of the lobe where it meets the surfel. */
@@ -160,7 +162,8 @@ final class ReflectionCaster {
 
     /** Returns the width α of a lobe of a point; 0 if it is smooth. */
     private static double alpha(ReflectionPoints points, int p, RoughLobes its, Kind kind) {
-        return kind == Kind.COAT ? its.coatAlpha() : its.alpha() == 0 ? 0 : Material.alpha(points.seen.roughness[p]);
+        double alpha = kind == Kind.COAT ? its.coatAlpha() : its.alpha() == 0 ? 0 : Material.alpha(points.seen.roughness[p]);
+        return kind == Kind.PASSING && requireNonNull(its.frost()).ior() != 1 ? Math.min(1, TWO_SURFACES * alpha) : alpha;
     }
 
     /** Returns the lobe of a ray of a point. */

@@ -133,9 +133,12 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         return transmission.isTransparent() && !isFrosted();
     }
 
-    /** Returns whether it is transparent and blurs what is behind it, as frosted glass, whatever its roughness map. */
+    /**
+     * Returns whether it is transparent and blurs what is behind it, as frosted glass, whatever its roughness map. A surface between equal
+     * indices of refraction bends no light.
+     */
     public boolean isFrosted() {
-        return model == ShadingModel.PRINCIPLED && transmission.isTransparent() && roughness >= MIRROR_ROUGHNESS;
+        return model == ShadingModel.PRINCIPLED && transmission.isTransparent() && transmission.ior() > 1 && roughness >= MIRROR_ROUGHNESS;
     }
 
     /** Returns the roughness where its map has a value. */

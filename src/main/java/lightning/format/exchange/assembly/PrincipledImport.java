@@ -43,7 +43,7 @@ public final class PrincipledImport {
     }
 
     /**
-     * Adds a coat; a transparent material has none, which is noted.
+     * Adds a coat; a clear material has none, which is noted.
      *
      * @param weight    share of the surface, clamped to 0 … 1
      * @param roughness clamped to 0 … 1
@@ -54,8 +54,8 @@ public final class PrincipledImport {
         if (!(share > 0)) {
             return material;
         }
-        if (material.transmission().isTransparent()) {
-            assembler.notes.add("coats of transparent materials");
+        if (material.isClear()) {
+            assembler.notes.add("coats of clear materials");
             return material;
         }
         return material.withCoat(new Coat(share, SceneAssembler.clamp(roughness, 1), ior >= 1 ? Math.min(ior, SceneLimits.MAX_IOR) : 1));

@@ -9,9 +9,6 @@ import lightning.scene.value.SceneLimits;
 
 /** Converter of other programs' transparency to transmissive materials. */
 public final class TransmissionImport {
-    /** Roughness above which light that passes is blurred by more than 3° to each side, where the GGX highlight has half its height. */
-    public static final double MAX_SHARP_ROUGHNESS = 0.2;
-
     /** Minimum reflection depth for glass: in, through, out, and one reflection. */
     private static final int MIN_DEPTH = 6;
 

@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 final class SurfaceTraits {
     /** Bump mapping of each primitive, null for none; null if there is none at all. */
     private final @Nullable BumpMapping @Nullable [] bumpMappings;
-    /** Transmission of each primitive, null for none; null if there is none at all. */
+    /** Transmission of each primitive that refracts rays, null for none; null if there is none at all. */
     private final @Nullable Transmission @Nullable [] transmissions;
     /** Cutout of each primitive, null for none; null if there is none at all. */
     private final @Nullable AlphaCutout @Nullable [] cutouts;
@@ -26,7 +26,8 @@ final class SurfaceTraits {
 
     SurfaceTraits(Stage stage) {
         bumpMappings = forEachShape(stage, Material::bumpMapping, r -> !r.isFlat(), BumpMapping[]::new);
-        transmissions = forEachShape(stage, Material::transmission, Transmission::isTransparent, Transmission[]::new);
+        transmissions = forEachShape(stage, m -> m.isClear() ? m.transmission() : Transmission.NONE, Transmission::isTransparent,
+                Transmission[]::new);
         cutouts = forEachShape(stage, Material::cutout, AlphaCutout::isActive, AlphaCutout[]::new);
         shadowTints = forEachShape(stage, m -> m, m -> m.transmission().tintsShadows(), Material[]::new);
     }
@@ -47,7 +48,7 @@ final class SurfaceTraits {
         return bumpMappings == null ? null : bumpMappings[s];
     }
 
-    /** Returns the transmission of primitive {@code s}; null for none. */
+    /** Returns the transmission of primitive {@code s} if it refracts rays, otherwise null. */
     private @Nullable Transmission transmission(int s) {
         return transmissions == null ? null : transmissions[s];
     }
