@@ -135,14 +135,14 @@ class RowSpliceTest {
         return rows.runMaterial[run];
     }
 
-    /** Creates textured materials, so that texels are stored; some are reflective, and one is transparent. */
+    /** Creates textured materials, so that texels are stored; some are reflective, and one is clear. */
     private static MaterialTable materials(Random random) {
         Texture texture = new Texture(1, 1, new float[] {1, 1, 1});
         List<String> names = new ArrayList<>();
         List<Material> materials = new ArrayList<>();
         for (int m = 0; m < MATERIALS; m++) {
             names.add("m" + m);
-            materials.add(Material.of("m" + m).withModel(ShadingModel.PRINCIPLED).withRoughness(random.nextInt(2))
+            materials.add(Material.of("m" + m).withModel(ShadingModel.PRINCIPLED).withRoughness(m == 1 ? 0 : random.nextInt(2))
                     .withTransmission(m == 1 ? Transmission.NONE.withColor(Rgb.WHITE) : Transmission.NONE)
                     .withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture))));
             for (MaterialAttribute<Optional<TextureMap>> map : MaterialAttribute.MAPS) {
