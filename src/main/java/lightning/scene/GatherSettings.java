@@ -11,9 +11,9 @@ import lightning.scene.material.Material;
  * @param rays        rays by which a gather point collects light, as in {@link IndirectSettings}
  * @param spacing     distance of gather points, as in {@link IndirectSettings}
  * @param environment whether the scene has an environment, so that rays that leave it keep their direction
- * @param reflections whether any material blurs its reflections
+ * @param reflectionRays rays by which a point collects blurred reflections; 0 if no material blurs them
  */
-public record GatherSettings(int bounces, int rays, int spacing, boolean environment, boolean reflections) {
+public record GatherSettings(int bounces, int rays, int spacing, boolean environment, int reflectionRays) {
 
     /** Returns the paths that a scene needs; none without indirect light, the light of an environment and blurred reflections. */
     public static Optional<GatherSettings> of(Scene scene) {
@@ -24,7 +24,7 @@ public record GatherSettings(int bounces, int rays, int spacing, boolean environ
         }
         IndirectSettings settings = indirect.orElse(IndirectSettings.DEFAULT);
         return Optional.of(new GatherSettings(indirect.isEmpty() ? 0 : settings.bounces(), settings.rays(), settings.spacing(),
-                scene.world().environment().isPresent(), reflections));
+                scene.world().environment().isPresent(), reflections ? scene.picture().reflectionRays() : 0));
     }
 
     /** Returns whether gather points are needed. */
@@ -32,14 +32,19 @@ public record GatherSettings(int bounces, int rays, int spacing, boolean environ
         return isIndirect() || environment;
     }
 
+    /** Returns whether any material blurs its reflections. */
+    public boolean reflections() {
+        return reflectionRays > 0;
+    }
+
     /** Returns the bounces of paths: reflections show surfaces that are lit. */
     public int pathBounces() {
-        return reflections ? Math.max(1, bounces) : bounces;
+        return reflections() ? Math.max(1, bounces) : bounces;
     }
 
     /** Returns the rays along each side of the square pattern of a reflection point, an even number. */
     public int reflectionRaysPerSide() {
-        return Math.max(2, raysPerSide() / 4 * 2);
+        return (int) Math.round(Math.sqrt(reflectionRays));
     }
 
     /** Returns whether surfaces pass on light. */
@@ -52,7 +57,7 @@ public record GatherSettings(int bounces, int rays, int spacing, boolean environ
      * nothing at present adds nothing, so its paths can stay.
      */
     public boolean canServe(Scene scene) {
-        return of(scene).map(this::equals).orElse(bounces == 0 && !reflections && scene.world().environment().isPresent());
+        return of(scene).map(this::equals).orElse(bounces == 0 && !reflections() && scene.world().environment().isPresent());
     }
 
     /** Returns the distance of gather points in a picture, in its own pixels. */
@@ -75,7 +80,6 @@ public record GatherSettings(int bounces, int rays, int spacing, boolean environ
         return isIndirect() ? Messages.tr("indirect light with {0}", new IndirectSettings(bounces, rays, spacing, false).label())
                 : environment ? Messages.tr("light of the environment with {0} rays, every {1} pixels", rays, spacing)
                 : Messages.tr("blurred reflections with {0} rays, up to every {1} pixels",
-                        reflectionRaysPerSide() * reflectionRaysPerSide(),
-                        spacing);
+                        reflectionRays, spacing);
     }
 }

@@ -77,6 +77,7 @@ public final class SceneDiff {
         }
         if (!before.picture().equals(after.picture())) {
             change(PictureSettings.DEPTH, before.picture(), after.picture()).ifPresent(this::addPart);
+            change(PictureSettings.REFLECTION_RAYS, before.picture(), after.picture()).ifPresent(this::addPart);
             addPart(new Change(Messages.key("anti-aliasing"), sampling(before), sampling(after)));
             addIndirect(before.picture().indirect(), after.picture().indirect());
             addPart(new Change(Messages.key("size"), size(before), size(after)));

@@ -31,7 +31,7 @@ class IndirectSettingsTest {
     @ParameterizedTest
     @CsvSource({"1920, 1080, 8", "480, 270, 8", "3840, 2160, 16", "1080, 1920, 8", "2160, 3840, 16", "4000, 1080, 8", "1620, 1620, 12"})
     void spacing_countsPixelsOfFullHd(int width, int height, double pixels) {
-        assertThat(new GatherSettings(2, 64, 8, false, false).pixelSpacing(new PictureSettings(width, height, 0))).isEqualTo(pixels);
+        assertThat(new GatherSettings(2, 64, 8, false, 0).pixelSpacing(new PictureSettings(width, height, 0))).isEqualTo(pixels);
     }
 
     @Test

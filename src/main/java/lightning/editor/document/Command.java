@@ -216,8 +216,12 @@ public enum Command {
     INDIRECT_BACKGROUND(Messages.key("Light from Background"),
             Messages.key("Choose whether the background lights the scene where a ray leaves it"), "mdi2i-image-outline", "",
             DisabledReasons::noIndirectLight),
+    REFLECTION_RAYS(Messages.key("Blurred Reflections"),
+            Messages.key("Set how many rays collect what a point of a rough surface reflects; more rays are smoother and slower"),
+            "mdi2b-blur-linear"),
     COMPARE_SETTINGS(Messages.key("Compare Settings…"),
-            Messages.key("Compare the time and accuracy of settings of indirect light and soft shadows"), "mdi2c-chart-scatter-plot"),
+            Messages.key("Compare the time and accuracy of settings of indirect light, blurred reflections and soft shadows"),
+            "mdi2c-chart-scatter-plot"),
 
     ONLY_SELECTED(Messages.key("Isolate Selected Light"), Messages.key("Show only the selected light's contribution, reflections included"),
             "mdi2f-filter-outline", "Shortcut+I"),

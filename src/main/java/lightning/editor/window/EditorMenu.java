@@ -22,6 +22,7 @@ import lightning.editor.window.model.UiLanguage;
 import lightning.editor.window.model.WindowLayout.CanvasLayout;
 import lightning.editor.window.preview.PreviewMenuItems;
 import lightning.editor.window.traced.IndirectMenu;
+import lightning.editor.window.traced.ReflectionMenu;
 import lightning.editor.window.traced.SamplingMenu;
 import lightning.editor.window.traced.ViewMenuItems;
 import lightning.editor.window.widget.ColorTheme;
@@ -77,7 +78,8 @@ final class EditorMenu extends MenuBar {
         Menu render =
                 menu(Messages.tr("Render"), Command.GO, Command.LIVE, Command.UPDATE_REFLECTIONS, Command.VERIFY, Command.CANCEL, SEPARATOR,
                         Command.UPDATES_PANEL, Command.ACCURACY_PANEL, Command.COMPARE_SETTINGS, Command.EFFECTS_PANEL, SEPARATOR);
-        render.getItems().addAll(accuracy(), sizes(), SamplingMenu.of(model.editor(), items), IndirectMenu.of(model.editor(), items));
+        render.getItems().addAll(accuracy(), sizes(), SamplingMenu.of(model.editor(), items), IndirectMenu.of(model.editor(), items),
+                ReflectionMenu.of(model.editor(), items));
         getMenus().setAll(file, edit, light, shape, shot, render, view(),
                 menu(Messages.tr("Help"), Command.PALETTE, Command.KEYS, Command.ABOUT));
     }

@@ -30,6 +30,7 @@ import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.traced.IndirectMenu;
+import lightning.editor.window.traced.ReflectionMenu;
 import lightning.editor.window.traced.SamplingMenu;
 import lightning.scene.value.SceneLimits;
 import org.kordamp.ikonli.javafx.FontIcon;
@@ -115,7 +116,8 @@ final class EditorToolBar extends ToolBar {
                 new Tooltip(Messages.tr("Resolution, anti-aliasing and indirect light\nA new resolution renders the image in full.")));
         CommandMenuItems items = CommandMenuItems.forMenu(commands);
         sizes.getItems().setAll(SizeMenu.pictureSizeItems(editor, items, area));
-        sizes.getItems().addAll(new SeparatorMenuItem(), SamplingMenu.of(editor, items), IndirectMenu.of(editor, items));
+        sizes.getItems().addAll(new SeparatorMenuItem(), SamplingMenu.of(editor, items), IndirectMenu.of(editor, items),
+                ReflectionMenu.of(editor, items));
         editor.sceneProperty().subscribe(s -> sizes.setText(s.picture().width() + " × " + s.picture().height() + SamplingMenu.text(s)));
         return sizes;
     }

@@ -49,6 +49,7 @@ final class BlockTypes {
                     Value.of(PictureSettings.DEFAULT.width(), PictureSettings.DEFAULT.height()), 1, SceneLimits.MAX_SIZE, "pixels",
                     p -> Value.of(p.width(), p.height())).asIntegers(),
             Property.of(PictureSettings.DEPTH).getFirst(),
+            Property.of(PictureSettings.REFLECTION_RAYS).getFirst(),
             Property.choice("antialias", new Value.Word(SamplingSettings.DEFAULT.antialias().word()), AntialiasMode.WORDS,
                     p -> new Value.Word(p.sampling().antialias().word())),
             Property.<PictureSettings>number("samples", SamplingSettings.DEFAULT.grid(), SceneLimits.MIN_SAMPLES, SceneLimits.MAX_SAMPLES,
@@ -60,7 +61,8 @@ final class BlockTypes {
             Property.block(INDIRECT, "diffuse indirect light", PictureSettings::indirect)),
             (name, v, children) -> new PictureSettings(v.integer("size", 0), v.integer("size", 1), v.integer("depth", 0),
                     new SamplingSettings(AntialiasMode.of(v.word("antialias")), v.integer("samples", 0)),
-                    v.nested(INDIRECT), new ViewSettings(ViewCurve.of(v.word("view")), v.number("exposure"))));
+                    v.nested(INDIRECT), new ViewSettings(ViewCurve.of(v.word("view")), v.number("exposure")),
+                    v.attributeValue(PictureSettings.REFLECTION_RAYS)));
 
     static final BlockType<Camera> CAMERA = new BlockType<>("camera", false, Optional.empty(), Property.of(Camera.ATTRIBUTES),
             (name, v, children) -> new Camera(v.vector("from"), v.vector("to"), v.vector("up"), v.number("fov"),

@@ -6,10 +6,12 @@ import lightning.base.text.Messages;
 import lightning.scene.Scene;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.light.Light;
+import lightning.scene.material.Material;
 
 /** Effect whose accuracy depends on settings that {@link SettingSweep} compares. */
 public enum SweptEffect {
     INDIRECT(RenderEffect.INDIRECT, SweptSetting.Gathering.all()),
+    BLURRED_REFLECTIONS(RenderEffect.BLURRED_REFLECTIONS, SweptSetting.ReflectionRays.all()),
     SOFT_SHADOWS(RenderEffect.SOFT_SHADOWS, SweptSetting.LightSamples.all());
 
     private final RenderEffect effect;
@@ -32,7 +34,12 @@ public enum SweptEffect {
 
     /** Returns a clause that says why a scene's settings cannot be compared; empty if they can. */
     public Optional<String> missingReason(Scene scene) {
-        return this == SOFT_SHADOWS && scene.lights().stream().noneMatch(Light::isArea)
-                ? Optional.of(Messages.tr("the scene has no area light")) : Optional.empty();
+        return switch (this) {
+            case INDIRECT -> Optional.empty();
+            case BLURRED_REFLECTIONS -> scene.materials().stream().anyMatch(Material::reflectsRoughly) ? Optional.empty()
+                    : Optional.of(Messages.tr("no material of the scene blurs reflections"));
+            case SOFT_SHADOWS -> scene.lights().stream().anyMatch(Light::isArea) ? Optional.empty()
+                    : Optional.of(Messages.tr("the scene has no area light"));
+        };
     }
 }

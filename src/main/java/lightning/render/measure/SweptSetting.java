@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import lightning.scene.IndirectSettings;
+import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 
@@ -42,6 +43,29 @@ public sealed interface SweptSetting {
         @Override
         public double expectedWork() {
             return (rays + 64.0) / (spacing * spacing);
+        }
+    }
+
+    /**
+     * Setting of blurred reflections.
+     *
+     * @param rays rays of each point
+     */
+    record ReflectionRays(int rays) implements SweptSetting {
+        /** Returns all settings, from fast to slow. */
+        static List<SweptSetting> all() {
+            return PictureSettings.REFLECTION_RAY_COUNTS.stream().<SweptSetting>map(ReflectionRays::new).toList();
+        }
+
+        @Override
+        public Scene applyTo(Scene scene) {
+            return scene.withPicture(scene.picture().withReflectionRays(rays));
+        }
+
+        /** The rays of the points, and a part that does not depend on them. */
+        @Override
+        public double expectedWork() {
+            return rays + 16.0;
         }
     }
 

@@ -55,6 +55,10 @@ public final class RenderEffect {
                     UnaryOperator.identity(), false);
     public static final RenderEffect REFLECTION =
             register("reflection", "reflections", EffectUsers::mirrors, EffectRemoval::removeReflections);
+    public static final RenderEffect BLURRED_REFLECTIONS = register("blurred-reflections", "blurred reflections",
+            uses -> uses.materials(Material::reflectsRoughly),
+            scene -> EffectRemoval.mapMaterials(scene, m -> m.reflectsRoughly() ? m.withModel(ShadingModel.METALLIC) : m),
+            UnaryOperator.identity(), false);
     public static final RenderEffect TRANSMISSION = register("clear", "transparent materials",
             uses -> uses.materials(m -> m.transmission().isTransparent() || !m.transmission().castsShadows()),
             scene -> EffectRemoval.mapMaterials(scene, m -> m.withTransmission(Transmission.NONE)), UnaryOperator.identity(), false);

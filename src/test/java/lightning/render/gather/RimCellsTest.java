@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 
 /** Tests which cells of a point's directions contain a rim: {@code -} is a ray that leaves the scene, {@code x} one that does not. */
 class RimCellsTest {
-    private static final GatherSettings SETTINGS = new GatherSettings(2, 4, 8, true, false);
+    private static final GatherSettings SETTINGS = new GatherSettings(2, 4, 8, true, 0);
 
     @Test
     void cellInWhichOtherPointsDiffer_isRim() throws JenException {

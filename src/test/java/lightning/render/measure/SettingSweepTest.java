@@ -41,7 +41,19 @@ class SettingSweepTest {
     }
 
     @Test
-    void sceneWithoutAreaLight_hasNothingToCompare() {
+    void raysOfReflections_areComparedWithTheMost() {
+        SettingSweep sweep = SettingSweep.measure(SweptEffect.BLURRED_REFLECTIONS, IndirectScenes.all().get("frosted glass"), OPTIONS,
+                Progress.NONE);
+        assertThat(sweep.points()).extracting(SettingSweep.Point::setting).containsExactly(new SweptSetting.ReflectionRays(4),
+                new SweptSetting.ReflectionRays(16), new SweptSetting.ReflectionRays(64), new SweptSetting.ReflectionRays(256));
+        assertThat(sweep.points()).allMatch(SettingSweep.Point::fits);
+        assertThat(sweep.points().getLast().meanDifference()).isZero();
+        assertThat(sweep.points().getFirst().meanDifference()).isGreaterThan(sweep.points().get(2).meanDifference()).isPositive();
+    }
+
+    @Test
+    void sceneWithoutEffect_hasNothingToCompare() {
+        assertThat(SweptEffect.BLURRED_REFLECTIONS.missingReason(scene)).isPresent();
         assertThat(SweptEffect.SOFT_SHADOWS.missingReason(scene)).isPresent();
         assertThat(SweptEffect.INDIRECT.missingReason(scene)).isEmpty();
     }

@@ -234,7 +234,9 @@ class SceneEffectsTest {
     @Test
     void bird_usesOnlyItsEffects() throws Exception {
         assertThat(SceneEffects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).unused()).containsExactly(RenderEffect.METALLIC,
-                RenderEffect.CUTOUTS, RenderEffect.BUMPS, RenderEffect.VERTEX_COLORS, RenderEffect.TRANSMISSION, RenderEffect.GLOW,
+                RenderEffect.CUTOUTS, RenderEffect.BUMPS, RenderEffect.VERTEX_COLORS, RenderEffect.BLURRED_REFLECTIONS,
+                RenderEffect.TRANSMISSION,
+                RenderEffect.GLOW,
                 RenderEffect.TINTED_SHADOWS, RenderEffect.BARN_DOORS, RenderEffect.GOBOS,
                 RenderEffect.PROFILES, RenderEffect.LIGHT_TEXTURES, RenderEffect.LIGHT_LINKS,
                 RenderEffect.SHADOW_LINKS, RenderEffect.LIGHT_GAINS,

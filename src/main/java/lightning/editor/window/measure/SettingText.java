@@ -12,6 +12,7 @@ final class SettingText {
     static String title(SweptEffect effect) {
         return switch (effect) {
             case INDIRECT -> Messages.tr("Indirect Light");
+            case BLURRED_REFLECTIONS -> Messages.tr("Blurred Reflections");
             case SOFT_SHADOWS -> Messages.tr("Soft Shadows");
         };
     }
@@ -20,6 +21,7 @@ final class SettingText {
     static String text(SweptSetting setting) {
         return switch (setting) {
             case SweptSetting.Gathering s -> Messages.tr("{0} rays every {1} pixels", s.rays(), s.spacing());
+            case SweptSetting.ReflectionRays s -> Messages.tr("{0} Rays", s.rays());
             case SweptSetting.LightSamples s -> Messages.tr("{0} samples", s.samples());
         };
     }
@@ -28,6 +30,7 @@ final class SettingText {
     static String label(SweptSetting setting) {
         return switch (setting) {
             case SweptSetting.Gathering s -> s.spacing() + ", " + s.rays();
+            case SweptSetting.ReflectionRays s -> Integer.toString(s.rays());
             case SweptSetting.LightSamples s -> Integer.toString(s.samples());
         };
     }

@@ -12,7 +12,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /**
- * JSON form of a picture's settings, with the names and words of {@code .jen} files: {@code size} in pixels, {@code depth}, {@code antialias},
+ * JSON form of a picture's settings, with the names and words of {@code .jen} files: {@code size} in pixels, {@code depth}, {@code reflection_rays}, {@code antialias},
  * {@code samples}, {@code view}, {@code exposure}, and {@code indirect}, which is absent without indirect light.
  */
 public final class PictureJson {
@@ -21,6 +21,7 @@ public final class PictureJson {
     public static void write(ObjectNode out, PictureSettings picture) {
         out.putArray("size").add(picture.width()).add(picture.height());
         out.put("depth", picture.depth());
+        out.put("reflection_rays", picture.reflectionRays());
         out.put("antialias", picture.sampling().antialias().word());
         out.put("samples", picture.sampling().grid());
         out.put("view", picture.view().curve().word());
@@ -40,7 +41,8 @@ public final class PictureJson {
             if (size.size() == 2) {
                 result = result.withSize(size.get(0).asInt(0), size.get(1).asInt(0));
             }
-            result = result.withView(view(in)).withDepth(in.path("depth").asInt(result.depth()));
+            result = result.withView(view(in)).withDepth(in.path("depth").asInt(result.depth()))
+                    .withReflectionRays(in.path("reflection_rays").asInt(result.reflectionRays()));
             if (in.has("antialias") || in.has("samples")) {
                 result = result.withSampling(new SamplingSettings(AntialiasMode.of(in.path("antialias").asString("off")),
                         in.path("samples").asInt(SamplingSettings.DEFAULT.grid())));
