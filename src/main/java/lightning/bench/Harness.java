@@ -103,6 +103,7 @@ public final class Harness {
         }
         if (settings.indirect()) {
             new IndirectBench(settings, ledger).parts(originals).forEach(part -> groups.add(new PartGroup(List.of(part), () -> {})));
+            new ReflectionBench(settings, ledger).parts(originals).forEach(part -> groups.add(new PartGroup(List.of(part), () -> {})));
             new SoftShadowBench(settings, ledger).parts(originals).forEach(part -> groups.add(new PartGroup(List.of(part), () -> {})));
         }
         predictedMs = groups.stream().flatMap(g -> g.parts().stream()).mapToDouble(BenchPart::predictedMs).sum();

@@ -9,14 +9,16 @@ import lightning.bench.result.IndirectAccuracy;
 import lightning.bench.result.IndirectCost;
 import lightning.bench.result.IndirectGrowth;
 import lightning.bench.result.IndirectResults;
+import lightning.bench.result.ReflectionAccuracy;
 import lightning.bench.result.SoftShadowAccuracy;
 
-/** Collector of the results of indirect light and soft shadows so far. */
+/** Collector of the results of indirect light, blurred reflections and soft shadows so far. */
 final class IndirectCollector {
     private final List<IndirectAccuracy> accuracy = new ArrayList<>();
     private final List<IndirectCost> costs = new ArrayList<>();
     private final Map<String, IndirectGrowth> growths = new LinkedHashMap<>();
     private final List<IndirectAbsence> absence = new ArrayList<>();
+    private final List<ReflectionAccuracy> reflections = new ArrayList<>();
     private final List<SoftShadowAccuracy> softShadows = new ArrayList<>();
 
     void add(IndirectAccuracy measured) {
@@ -31,6 +33,10 @@ final class IndirectCollector {
         absence.add(measured);
     }
 
+    void add(ReflectionAccuracy measured) {
+        reflections.add(measured);
+    }
+
     void add(SoftShadowAccuracy measured) {
         softShadows.add(measured);
     }
@@ -43,6 +49,6 @@ final class IndirectCollector {
     }
 
     IndirectResults result() {
-        return new IndirectResults(accuracy, costs, List.copyOf(growths.values()), absence, softShadows);
+        return new IndirectResults(accuracy, costs, List.copyOf(growths.values()), absence, softShadows, reflections);
     }
 }

@@ -118,7 +118,7 @@ class StoredRunsTest {
         var cost = new IndirectCost("hall", 10, 10, 1, "2 bounces", SampleResults.samples(7, 8, 9), SampleResults.samples(1, 2, 3),
                 SampleResults.samples(7, 8, 9), 40, 10, 100, List.of(edit));
         var absence = new IndirectAbsence("hall", 10, 10, 8, 0, true, SampleResults.samples(1, 2, 3), SampleResults.samples(1, 2, 3));
-        var indirect = new IndirectResults(List.of(), List.of(cost), List.of(), List.of(absence), List.of());
+        var indirect = new IndirectResults(List.of(), List.of(cost), List.of(), List.of(absence), List.of(), List.of());
         var results = new BenchResults(validResults().run(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), indirect,
                 List.of());
         assertThat(faultsOf(validResults(), results)).containsExactly("cold: hall, indirect light, color: not equal to the full trace",

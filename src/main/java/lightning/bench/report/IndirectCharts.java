@@ -9,6 +9,7 @@ import lightning.bench.result.BenchResults;
 import lightning.bench.result.IndirectAccuracy;
 import lightning.bench.result.IndirectGrowth;
 import lightning.bench.result.IndirectResults;
+import lightning.bench.result.ReflectionAccuracy;
 import lightning.bench.result.SoftShadowAccuracy;
 import lightning.render.measure.ParetoFront;
 
@@ -29,6 +30,8 @@ public final class IndirectCharts {
         if (!results.indirect().accuracy().isEmpty()) {
             charts.put(BOUNCES, ChartSvg.file(bounces(results.indirect()), build));
         }
+        results.indirect().reflections().stream().filter(scene -> !scene.points().isEmpty())
+                .forEach(scene -> charts.put(fileName(scene), ChartSvg.file(svg(scene), scene.scene() + ", " + build)));
         results.indirect().softShadows()
                 .forEach(scene -> charts.put(fileName(scene), ChartSvg.file(svg(scene), scene.scene() + ", " + build)));
         results.indirect().growth().forEach(growth -> charts.put(fileName(growth), ChartSvg.file(svg(growth), build)));
@@ -37,6 +40,10 @@ public final class IndirectCharts {
 
     static String fileName(IndirectAccuracy scene) {
         return "indirect-error-" + word(scene.scene()) + ".svg";
+    }
+
+    static String fileName(ReflectionAccuracy scene) {
+        return "indirect-reflections-" + word(scene.scene()) + ".svg";
     }
 
     static String fileName(SoftShadowAccuracy scene) {
@@ -67,6 +74,15 @@ public final class IndirectCharts {
                 point.time().lowerQuartile(),
                 point.time().median(), point.time().upperQuartile(), point.error().mean())).toList();
         return ParetoChart.svg("Mean error of indirect light against time (ms), " + scene.scene(), points, WIDTH, HEIGHT,
+                IndirectCharts::percent);
+    }
+
+    /** Returns the chart of a scene's blurred reflections: mean error against the milliseconds of the first pass; the default is filled. */
+    static String svg(ReflectionAccuracy scene) {
+        List<ParetoChart.Point> points = scene.points().stream().map(point -> new ParetoChart.Point(Integer.toString(point.rays()),
+                PlotColor.OURS, PlotStyle.shape(0), point.usesDefault(), point.time().lowerQuartile(),
+                point.time().median(), point.time().upperQuartile(), point.mean())).toList();
+        return ParetoChart.svg("Mean error of blurred reflections against time (ms), " + scene.scene(), points, WIDTH, HEIGHT,
                 IndirectCharts::percent);
     }
 

@@ -21,6 +21,9 @@ final class IndirectSection {
         page.open("div", "class", "charts");
         indirect.accuracy().forEach(scene -> SceneSection.figure(page, scene.scene(),
                 "Mean error against the time of the first pass (ms).", IndirectCharts.svg(scene)));
+        indirect.reflections().stream().filter(scene -> !scene.points().isEmpty()).forEach(scene -> SceneSection.figure(page,
+                scene.scene() + ", blurred reflections", "Mean error against the time of the first pass (ms); labels are rays.",
+                IndirectCharts.svg(scene)));
         indirect.softShadows().forEach(scene -> SceneSection.figure(page, scene.scene() + ", area lights",
                 "Mean error against the time of the first pass (ms); labels are samples.", IndirectCharts.svg(scene)));
         if (!indirect.accuracy().isEmpty()) {

@@ -17,6 +17,10 @@ final class IndirectCsvRows {
                     "spacing " + point.spacing() + ", rays " + point.rays() + ", bounces " + point.bounces(), point.time(),
                     error(point.error().mean()))));
         }
+        for (ReflectionAccuracy scene : results.reflections()) {
+            scene.points().forEach(point -> rows.add(row("reflection-error", scene.scene(), scene.width(), scene.height(), "",
+                    "rays " + point.rays(), point.time(), error(point.mean()))));
+        }
         for (SoftShadowAccuracy scene : results.softShadows()) {
             scene.points().forEach(point -> rows.add(row("shadow-error", scene.scene(), scene.width(), scene.height(), "",
                     "samples " + point.samples(), point.time(), error(point.mean()))));

@@ -20,6 +20,7 @@ import lightning.bench.result.MeshPoint;
 import lightning.bench.result.ModernPicture;
 import lightning.bench.result.ModernScene;
 import lightning.bench.result.RayThroughput;
+import lightning.bench.result.ReflectionAccuracy;
 import lightning.bench.result.SceneResult;
 import lightning.bench.result.SoftShadowAccuracy;
 import lightning.bench.result.SweepPointResult;
@@ -120,6 +121,7 @@ public final class BenchTable {
         }
         results.modern().forEach(this::printModern);
         results.indirect().accuracy().forEach(this::printIndirectErrors);
+        results.indirect().reflections().forEach(this::printReflections);
         results.indirect().softShadows().forEach(this::printSoftShadows);
         results.indirect().costs().forEach(this::printIndirectCost);
         results.indirect().growth().forEach(this::printIndirectGrowth);
@@ -164,6 +166,13 @@ public final class BenchTable {
                 Console.count(scene.pixels(), "pixel"), scene.points().stream().map(p -> Console.text(
                         "spacing %d, rays %d, bounces %d: %.1f ms, mean error %.1f %%", p.spacing(), p.rays(), p.bounces(),
                         p.time().median(), 100 * p.error().mean())).collect(Collectors.joining("; ")));
+    }
+
+    private void printReflections(ReflectionAccuracy scene) {
+        console.print("%s at %d x %d, blurred reflections, %s: %s", scene.scene(), scene.width(), scene.height(),
+                Console.count(scene.pixels(), "pixel"), scene.points().stream().map(p -> Console.text(
+                        "%d rays: %.1f ms, mean error %.1f %%, bias %.1f %%", p.rays(), p.time().median(), 100 * p.mean(),
+                        100 * p.bias())).collect(Collectors.joining("; ")));
     }
 
     private void printSoftShadows(SoftShadowAccuracy scene) {

@@ -146,7 +146,8 @@ public final class IndirectErrorMeter implements AutoCloseable {
         TileLevel level = level(cache, pixel);
         float[][] light = new float[3][Film.TILE_SIZE * Film.TILE_SIZE];
         requireNonNull(level.weights()).interpolate(requireNonNull(cache.indirect()).light().light(), light);
-        int row = row(level.rows(), pixel);
+        int width = scene.picture().width();
+        int row = row(level.rows(), pixel / width % Film.TILE_SIZE * Film.TILE_SIZE + pixel % width % Film.TILE_SIZE);
         return BruteForceGather.luminance(light[0][row], light[1][row], light[2][row]);
     }
 
@@ -155,10 +156,8 @@ public final class IndirectErrorMeter implements AutoCloseable {
         return cache.tile(pixel / width / Film.TILE_SIZE * Film.tilesAlong(width) + pixel % width / Film.TILE_SIZE).levels[0];
     }
 
-    /** Returns a pixel's row of its tile; −1 if it has none. */
-    private int row(HitRows rows, int pixel) {
-        int width = scene.picture().width();
-        int parent = pixel / width % Film.TILE_SIZE * Film.TILE_SIZE + pixel % width % Film.TILE_SIZE;
+    /** Returns the row of a pixel of a tile; −1 if it has none. */
+    static int row(HitRows rows, int parent) {
         for (int row = 0; row < rows.count; row++) {
             if (rows.parent[row] == parent) {
                 return row;

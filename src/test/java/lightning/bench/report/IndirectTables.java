@@ -14,6 +14,7 @@ import lightning.bench.result.IndirectAccuracy;
 import lightning.bench.result.IndirectCost;
 import lightning.bench.result.IndirectGrowth;
 import lightning.bench.result.IndirectResults;
+import lightning.bench.result.ReflectionAccuracy;
 import lightning.bench.result.SoftShadowAccuracy;
 
 /** Named Markdown tables and lists of indirect light for documents, made from the results only. */
@@ -28,6 +29,10 @@ public final class IndirectTables {
         tables.put("indirect charts", () -> images("Error against time", this.results.accuracy().stream(), IndirectAccuracy::scene,
                 IndirectCharts::fileName));
         tables.put("indirect errors", this::errors);
+        tables.put("reflection charts", () -> images("Error of blurred reflections against time",
+                this.results.reflections().stream().filter(scene -> !scene.points().isEmpty()), ReflectionAccuracy::scene,
+                IndirectCharts::fileName));
+        tables.put("reflection errors", this::reflections);
         tables.put("area light charts", () -> images("Error of area lights against time", this.results.softShadows().stream(),
                 SoftShadowAccuracy::scene, IndirectCharts::fileName));
         tables.put("area light errors", this::softShadows);
@@ -77,6 +82,14 @@ public final class IndirectTables {
                         Integer.toString(p.gatherPoints()), Integer.toString(p.surfels()), percent(p.error().mean()),
                         percent(p.error().median()), percent(p.error().high()), percent(p.error().bias()),
                         IndirectCharts.front(scene).contains(p) ? "yes" : ""))));
+    }
+
+    private String reflections() {
+        return results.reflections().isEmpty() ? "" : MarkdownTables.table(
+                List.of("scene", "pixels", "rays", "reflection points", "first pass ms", "mean error", "95th percentile", "bias"),
+                results.reflections().stream().flatMap(scene -> scene.points().stream().map(p -> List.of(scene.scene(),
+                        Integer.toString(scene.pixels()), Integer.toString(p.rays()), Integer.toString(p.points()),
+                        MarkdownTables.median(p.time()), percent(p.mean()), percent(p.high()), percent(p.bias())))));
     }
 
     private String softShadows() {

@@ -44,7 +44,7 @@ class IndirectTablesTest {
         var growth = new IndirectGrowth("pixels", "room", List.of(growth(1920L * 1080, 1000), growth(3840L * 2160, 3100)));
         return new BenchResults(RUN, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), new IndirectResults(
                 List.of(accuracy), List.of(cost("window", 1900, 60), cost("hall", 5000, 80), cost("night", 3000, 80)), List.of(growth),
-                List.of(), List.of()), List.of());
+                List.of(), List.of(), List.of()), List.of());
     }
 
     private static String table(String name) {

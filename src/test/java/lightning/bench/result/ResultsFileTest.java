@@ -58,6 +58,7 @@ class ResultsFileTest {
 
     private static int rows(IndirectResults indirect) {
         return indirect.accuracy().stream().mapToInt(scene -> scene.points().size()).sum()
+                + indirect.reflections().stream().mapToInt(scene -> scene.points().size()).sum()
                 + indirect.softShadows().stream().mapToInt(scene -> scene.points().size()).sum()
                 + indirect.costs().stream().mapToInt(cost -> 3 + 2 * cost.edits().size()).sum()
                 + indirect.growth().stream().mapToInt(growth -> 4 * growth.points().size()).sum() + 2 * indirect.absence().size();

@@ -1,0 +1,179 @@
+package lightning.render.measure;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.concurrent.CancellationException;
+import lightning.base.math.Ray;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.render.cache.PixelCache;
+import lightning.render.cache.TileLevel;
+import lightning.render.engine.choice.Engines;
+import lightning.render.image.Film;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.PrincipledMaterial;
+import lightning.render.shading.PrincipledWeights;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.PixelRays;
+import lightning.render.trace.SurfacePoint;
+import lightning.scene.SamplingSettings;
+import lightning.scene.Scene;
+
+/**
+ * Meter of the error of blurred reflections: renders a scene with any number of rays and compares what random pixels reflect with brute force
+ * by the same tracer ({@value BruteForceReflection#RAYS} rays from each pixel). It measures opaque surfaces without a coat, in scenes without
+ * indirect light. Not thread-safe.
+ *
+ * <p>{@link #traceReference} must come before {@link #measure}.
+ */
+public final class ReflectionErrorMeter implements AutoCloseable {
+    private static final long SEED = 7;
+    private static final int CHUNK = 32;
+
+    private final Scene scene;
+    private final Renderer renderer;
+    private final WorkerPool workers;
+    private final List<Pixel> pixels = new ArrayList<>();
+
+    /**
+     * Sampled pixel.
+     *
+     * @param factors factors of the mean light by which it becomes a luminance: three for what F0 multiplies, and three for what no color
+     *                multiplies
+     * @param reference luminance by brute force
+     */
+    private record Pixel(int x, int y, double[] factors, double reference) {}
+
+    /**
+     * Result of one number of rays.
+     *
+     * @param mean   mean error of the pixels ({@link RelativeErrors})
+     * @param high   95th percentile of the errors
+     * @param bias   difference of the sums of all pixels, relative to the reference; negative if too dark
+     * @param time   milliseconds of the first pass
+     * @param points number of reflection points
+     */
+    public record Measured(double mean, double high, double bias, Timing time, int points) {}
+
+    /**
+     * @param scene   scene at the size to measure; anti-aliasing and indirect light are switched off
+     * @param options render options; accuracy and view should be those of a final image
+     */
+    public ReflectionErrorMeter(Scene scene, RenderOptions options) {
+        this.scene = scene.withPicture(scene.picture().withSampling(SamplingSettings.DEFAULT).withIndirect(Optional.empty()));
+        renderer = new Renderer(options.withEngines(Engines.FASTEST));
+        workers = new WorkerPool(options.threads());
+    }
+
+    /**
+     * Traces the reference at random pixels, always in the same order, until either limit is reached.
+     *
+     * @param maxPixels maximum number of pixels that are tried
+     * @param maxMs     time after which no further pixels are traced, milliseconds
+     * @return number of pixels that show a measured surface
+     * @throws CancellationException if {@code progress} requests a stop
+     */
+    public int traceReference(int maxPixels, double maxMs, Progress progress) {
+        renderer.render(scene, progress.cancellationOnly());
+        Geometry geometry = renderer.cache().geometry();
+        SplittableRandom random = new SplittableRandom(SEED);
+        List<BruteForceReflection> tracers = new ArrayList<>();
+        for (int i = 0; i < workers.count(); i++) {
+            tracers.add(new BruteForceReflection(scene, geometry));
+        }
+        PixelRays rays = new PixelRays(scene);
+        pixels.clear();
+        int width = scene.picture().width();
+        long start = System.nanoTime();
+        for (int done = 0; done < maxPixels && (done == 0 || (System.nanoTime() - start) / 1e6 < maxMs); done += CHUNK) {
+            int[] chunk = random.ints(Math.min(CHUNK, maxPixels - done), 0, width * scene.picture().height()).toArray();
+            Pixel[] found = new Pixel[chunk.length];
+            workers.run(chunk.length, (worker, i) -> {
+                Ray ray = rays.ray(chunk[i] % width, chunk[i] / width);
+                double[] means = tracers.get(worker).means(ray, chunk[i]);
+                if (means != null) {
+                    double[] factors = factors(geometry, ray);
+                    found[i] = new Pixel(chunk[i] % width, chunk[i] / width, factors, luminance(factors, means));
+                }
+            }, progress.cancellationOnly());
+            for (Pixel pixel : found) {
+                if (pixel != null) {
+                    pixels.add(pixel);
+                }
+            }
+            progress.report(done, maxPixels);
+        }
+        return pixels.size();
+    }
+
+    private static double[] factors(Geometry geometry, Ray ray) {
+        SurfacePoint at = geometry.surface(geometry.nearest(ray), ray);
+        PrincipledMaterial material = requireNonNull(PrincipledMaterial.of(geometry.materials().material(at.material())));
+        var weights = new PrincipledWeights();
+        weights.moveTo(material, (float) at.roughness(), at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz());
+        double[] factors = new double[6];
+        for (int c = 0; c < 3; c++) {
+            double luminance = BruteForceGather.luminance(c == 0 ? 1 : 0, c == 1 ? 1 : 0, c == 2 ? 1 : 0);
+            factors[c] = luminance * at.specular()[c] * weights.reflected(material);
+            factors[3 + c] = luminance * weights.reflectedGrazing(material);
+        }
+        return factors;
+    }
+
+    private static double luminance(double[] factors, double[] means) {
+        double sum = 0;
+        for (int i = 0; i < factors.length; i++) {
+            sum += factors[i] * means[i];
+        }
+        return sum;
+    }
+
+    /**
+     * Measures the first pass and the error of a number of rays.
+     *
+     * @param rays        rays of a point
+     * @param repetitions number of samples of the time after one warm-up, ≥ 1
+     * @throws CancellationException    if {@code progress} requests a stop
+     * @throws IllegalArgumentException if no sampled pixel shows a measured surface
+     */
+    public Measured measure(int rays, int repetitions, Progress progress) {
+        Timing time = Timing.ofFirstPass(renderer, scene.withPicture(scene.picture().withReflectionRays(rays)), repetitions, progress);
+        PixelCache cache = renderer.cache();
+        double[] light = pixels.stream().mapToDouble(pixel -> luminance(cache, pixel)).toArray();
+        double[] exact = pixels.stream().mapToDouble(Pixel::reference).toArray();
+        RelativeErrors errors = RelativeErrors.of(light, exact);
+        double total = 0;
+        double bias = 0;
+        for (int i = 0; i < light.length; i++) {
+            total += exact[i];
+            bias += light[i] - exact[i];
+        }
+        return new Measured(errors.mean(), errors.percentile(IndirectError.HIGH), total > 0 ? bias / total : 0, time,
+                requireNonNull(requireNonNull(cache.indirect()).structure().reflections()).count());
+    }
+
+    private static double luminance(PixelCache cache, Pixel pixel) {
+        TileLevel level = cache.tile(pixel.y / Film.TILE_SIZE * Film.tilesAlong(cache.scene().picture().width())
+                + pixel.x / Film.TILE_SIZE).levels[0];
+        float[] light = new float[9];
+        int parent = pixel.y % Film.TILE_SIZE * Film.TILE_SIZE + pixel.x % Film.TILE_SIZE;
+        requireNonNull(level.weights()).interpolate(requireNonNull(cache.indirect()).light().light(),
+                IndirectErrorMeter.row(level.rows(), parent), light);
+        double[] means = new double[6];
+        for (int i = 0; i < means.length; i++) {
+            means[i] = light[3 + i];
+        }
+        return luminance(pixel.factors, means);
+    }
+
+    @Override
+    public void close() {
+        renderer.close();
+        workers.close();
+    }
+}
