@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from materialx import CHANNELS, MISSING, SURFACES, WEIGHTS, as_preview, is_image, multiply
+from arithmetic import Linear, apply, linear
+from materialx import CHANNELS, MISSING, NUMBERS, SURFACES, WEIGHTS, as_preview, is_image, multiply
 from meshes import identity
 from output import Output, StageError, numbers
 from pxr import Sdf, Usd, UsdGeom, UsdShade
@@ -144,7 +145,7 @@ class Materials:
             return
         attribute = self.constant(attributes[0])
         if is_output(attribute):
-            texture = self.texture(UsdShade.Shader(attribute.GetPrim()), attribute.GetName().split(":")[-1], result)
+            texture = self.texture(UsdShade.Shader(attribute.GetPrim()), attribute.GetName().split(":")[-1], target in NUMBERS, result)
             if texture:
                 result["textures"][target] = texture
             else:
@@ -157,9 +158,10 @@ class Materials:
         if attribute.ValueMightBeTimeVarying():
             self.out.note_moving("animated inputs of materials", str(attribute.GetPath()))
 
-    def texture(self, shader: UsdShade.Shader, channel: str, result: dict[str, Any]) -> dict[str, Any] | None:
+    def texture(self, shader: UsdShade.Shader, channel: str, is_number: bool, result: dict[str, Any]) -> dict[str, Any] | None:
         """Returns a texture, followed through MaterialX nodes that pass one image on; None for other shaders."""
         factors: list[list[float]] = []
+        steps: list[Linear] = []
         strength = 1.0
         for _ in range(8):
             kind = str(shader.GetIdAttr().Get() or "")
@@ -167,6 +169,8 @@ class Materials:
                 texture = self.image(shader, channel, result)
                 for factor in factors if texture else []:
                     multiply(texture, factor)
+                if texture:
+                    apply(texture, steps)
                 if texture and strength != 1:
                     texture["strength"] = strength
                 return texture
@@ -175,7 +179,10 @@ class Materials:
             images = [source for source in sources if is_output(source)]
             if len(images) != 1:
                 return None
-            if kind.startswith("ND_multiply"):
+            step = self.step(shader, kind) if is_number else None
+            if step:
+                steps.append(step)
+            elif kind.startswith("ND_multiply"):
                 factors += [amounts(source.Get(self.time)) for source in sources if not is_output(source)]
             elif kind.startswith("ND_extract"):
                 channel = "rgba"[min(max(int(self.value(shader, "index", 0)), 0), 3)]
@@ -189,6 +196,16 @@ class Materials:
             if not kind.startswith(("ND_extract", "ND_separate")):
                 channel = images[0].GetName().split(":")[-1] if channel in ("out", "rgb") else channel
         return None
+
+    def step(self, shader: UsdShade.Shader, kind: str) -> Linear | None:
+        """Returns what a node does to the numbers of an image; None for other nodes."""
+        constants = {}
+        for source in shader.GetInputs():
+            attributes = UsdShade.Utils.GetValueProducingAttributes(source)
+            attribute = self.constant(attributes[0]) if attributes else None
+            if attribute and not is_output(attribute):
+                constants[source.GetBaseName()] = amounts(attribute.Get(self.time))
+        return linear(kind, constants)
 
     def constant(self, attribute: Usd.Attribute) -> Usd.Attribute:
         """Returns the value of a MaterialX constant instead of its output."""
@@ -214,6 +231,7 @@ class Materials:
             value = self.value(shader, name, None)
             if value is not None:
                 texture[name] = self.out.vector(shader.GetPrim(), f"inputs:{name}", value, [1.0 if name == "scale" else 0.0] * 4)
+        texture["space"] = str(self.value(shader, "sourceColorSpace", "auto"))
         texture["wrap"] = [self.edge(shader, "wrapS", "uaddressmode"), self.edge(shader, "wrapT", "vaddressmode")]
         self.placement(shader, texture, result)
         return texture

@@ -7,12 +7,15 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Optional;
 import javax.imageio.ImageIO;
 import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
+import lightning.format.jen.asset.TextureDecoder;
 import lightning.sample.PythonPrograms;
+import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
@@ -76,6 +79,35 @@ class UsdMaterialXTest {
                     color3f inputs:in.connect = </look/image.outputs:out>
                     float outputs:outb
                 }
+                def Shader "inverted"
+                {
+                    uniform token info:id = "ND_invert_float"
+                    float inputs:in.connect = </look/blue.outputs:outb>
+                    float outputs:out
+                }
+                def Shader "half"
+                {
+                    uniform token info:id = "ND_multiply_float"
+                    float inputs:in1.connect = </look/blue.outputs:outb>
+                    float inputs:in2 = 0.5
+                    float outputs:out
+                }
+                def Shader "more"
+                {
+                    uniform token info:id = "ND_add_float"
+                    float inputs:in1.connect = </look/half.outputs:out>
+                    float inputs:in2 = 0.125
+                    float outputs:out
+                }
+                def Shader "moved"
+                {
+                    uniform token info:id = "ND_remap_float"
+                    float inputs:in.connect = </look/more.outputs:out>
+                    float inputs:inhigh = 0.5
+                    float inputs:outlow = 0.25
+                    float inputs:outhigh = 0.75
+                    float outputs:out
+                }
                 def Shader "bumps"
                 {
                     uniform token info:id = "ND_normalmap_float"
@@ -124,12 +156,35 @@ class UsdMaterialXTest {
         assertThat(map.repeatU()).isEqualTo(2);
         assertThat(map.repeatV()).isEqualTo(4);
         assertThat(material.base()).isEqualTo(new Rgb(0.25, 0.125, 0.5));
-        assertThat(material.metalness()).isCloseTo(0x33 / 255.0, offset(1e-6));
+        assertThat(material.metalness()).isEqualTo(1);
+        assertThat(material.surfaceMaps().metalness().map(TextureMap::repeatV)).contains(4.0);
+        assertThat(material.surfaceMaps().metalnessChannel()).isEqualTo(TextureChannel.BLUE);
         assertThat(material.roughness()).isEqualTo(0.75);
         assertThat(material.bumpMapping().normalMap()).isPresent();
         assertThat(material.bumpMapping().strength()).isEqualTo(0.5);
         // A texture of emission without a weight does not glow.
         assertThat(material.glow()).isEqualTo(Rgb.BLACK);
+    }
+
+    /** The blue channel of the image is 0x33, each node changes it in turn. */
+    @Test
+    void arithmeticOfTextures_isExact() throws Exception {
+        Material material = network("open_pbr_surface", """
+                float inputs:base_metalness.connect = </look/inverted.outputs:out>
+                float inputs:specular_roughness.connect = </look/moved.outputs:out>
+                """);
+        double blue = 0x33 / 255.0;
+        assertThat(number(material.surfaceMaps().metalness(), material.surfaceMaps().metalnessChannel())).isCloseTo(1 - blue,
+                offset(1.0 / 65535));
+        assertThat(number(material.surfaceMaps().roughness(), material.surfaceMaps().roughnessChannel()))
+                .isCloseTo(0.25 + (0.75 - 0.25) * ((blue * 0.5 + 0.125) / 0.5), offset(1.0 / 65535));
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("shading n"));
+    }
+
+    private double number(Optional<TextureMap> map, TextureChannel channel) throws Exception {
+        imported.write();
+        byte[] file = Files.readAllBytes(folder.resolve(map.orElseThrow().file()));
+        return TextureDecoder.decodeNumbers("map", file).channel(0, 0, channel.ordinal());
     }
 
     @Test
