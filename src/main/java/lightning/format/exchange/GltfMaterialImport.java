@@ -31,6 +31,8 @@ final class GltfMaterialImport {
     private final GltfScene file;
     private final String meshFile;
     private final Map<Integer, TextureMeans> textureMeans = new HashMap<>();
+    /** Names of embedded images, by their index. */
+    private final Map<Integer, String> stems = new HashMap<>();
 
     /**
      * Creates a converter.
@@ -184,8 +186,19 @@ final class GltfMaterialImport {
         }
     }
 
+    /** Returns the name for the file of an embedded image, another one for each image. */
     private String stem(int image) throws MeshException {
+        String known = stems.get(image);
+        if (known != null) {
+            return known;
+        }
         String name = file.imageName(image);
-        return meshFile.replaceFirst("\\.[^.]*$", "") + "-" + (name.isEmpty() ? "image" + image : name);
+        String base = meshFile.replaceFirst("\\.[^.]*$", "") + "-" + (name.isEmpty() ? "image" + image : name);
+        String stem = base;
+        for (int i = 2; stems.containsValue(stem); i++) {
+            stem = base + " " + i;
+        }
+        stems.put(image, stem);
+        return stem;
     }
 }

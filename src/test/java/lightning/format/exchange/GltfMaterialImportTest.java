@@ -53,6 +53,10 @@ class GltfMaterialImportTest {
     private static final String PIXEL =
             "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGNoOPAfAAQDAkBvhCYaAAAAAElFTkSuQmCC";
 
+    /** A black pixel. */
+    private static final String BLACK =
+            "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGNgYGAAAAAEAAH2FzhVAAAAAElFTkSuQmCC";
+
     /** Largest relative error by the interpolation of albedos. */
     private static final double TABLE_ERROR = 0.01;
 
@@ -332,6 +336,18 @@ class GltfMaterialImportTest {
         assertThat(maps.metalness()).as("one file for both").isEqualTo(maps.roughness());
         assertThat(material.texture()).isEmpty();
         assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("metallicRoughnessTexture"));
+    }
+
+    @Test
+    void embeddedImagesOfOneName_areDifferent() throws Exception {
+        String image = "{'name': 'a', 'uri': 'data:image/png;base64,";
+        ImportedScene imported = importJson(surface("'baseColorTexture': {'index': 0}, 'metallicRoughnessTexture': {'index': 1}"),
+                "'textures': [{'source': 0}],\n 'images': [{'uri': 'data:image/png;base64," + PIXEL + "'}]",
+                "'textures': [{'source': 0}, {'source': 1}], 'images': [" + image + PIXEL + "'}, " + image + BLACK + "'}]");
+        imported.write();
+        Material material = JenReader.read(folder.resolve("a.jen")).scene().materials().getFirst();
+        assertThat(material.texture().orElseThrow().image().channel(0, 0, 2)).isEqualTo(1);
+        assertThat(material.surfaceMaps().meanMetalness()).isZero();
     }
 
     @Test
