@@ -4,7 +4,9 @@ import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import lightning.base.math.Affine2;
 import lightning.base.math.Rgb;
+import lightning.format.exchange.assembly.PlacedTexture;
 import lightning.format.exchange.assembly.PrincipledImport;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.assembly.TextureMeans;
@@ -161,7 +163,18 @@ final class GltfMaterialImport {
 
     /** Returns an image as a texture; empty if there is none or it cannot be used. */
     private Optional<TextureMap> textureMap(GltfImage image, TextureUsage usage) throws IOException, MeshException {
-        return image.isPresent() ? textureMap(image.index(), usage).map(map -> map.withWrap(image.wrap())) : Optional.empty();
+        return image.isPresent() ? textureMap(image.index(), usage).map(map -> placed(map.withWrap(image.wrap()), image.map()))
+                : Optional.empty();
+    }
+
+    private TextureMap placed(TextureMap texture, Affine2 map) {
+        if (map.equals(Affine2.IDENTITY)) {
+            return texture;
+        }
+        Optional<TextureMap> placed = PlacedTexture.of(texture, map);
+        assembler.notes.add("textures with another scale and rotation than others of their material, placed like them",
+                placed.isEmpty() ? 1 : 0);
+        return placed.orElse(texture);
     }
 
     private Optional<TextureMap> textureMap(int image, TextureUsage usage) throws IOException, MeshException {

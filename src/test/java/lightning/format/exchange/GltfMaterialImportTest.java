@@ -27,6 +27,8 @@ import lightning.render.image.Film;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import lightning.scene.asset.TextureChannel;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TexturePlacement;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.asset.TextureWrap.Edge;
 import lightning.scene.material.AlphaCutout;
@@ -399,7 +401,8 @@ class GltfMaterialImportTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = ';',
-            value = {"'texCoord': 1; 1", "'extensions': {'KHR_texture_transform': {'scale': [2, 2]}}; 1", "'texCoord': 0; 0"})
+            value = {"'texCoord': 1; 1", "'extensions': {'KHR_texture_transform': {'scale': [2, 2]}}; 0",
+                "'extensions': {'KHR_texture_transform': {'texCoord': 1}}; 1", "'texCoord': 0; 0"})
     void differentlyPlacedNormalMap_isNoted(String placement, int noteCount) throws Exception {
         ImportedScene imported =
                 importJson("{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}}, 'normalTexture': {'index': 0, PLACED}}"
@@ -407,6 +410,27 @@ class GltfMaterialImportTest {
         assertThat(
                 imported.notes().getOrDefault("normalTexture of materials with another placement than baseColorTexture, placed like it", 0))
                 .isEqualTo(noteCount);
+    }
+
+    /** The image of a point (u, v), v downwards, is at (0.25 + 2 v, 0.5 − 3 u) by the extension's rotation by a quarter. */
+    @Test
+    void texturesOfOneMaterial_haveTheirOwnPlacements() throws Exception {
+        ImportedScene imported =
+                importJson("{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}, 'metallicRoughnessTexture': {'index': 0,"
+                        + " 'extensions': {'KHR_texture_transform': {'offset': [0.25, 0.5], 'rotation': 1.5707963267948966, 'scale': [3, 2]}}}}}");
+        Material material = imported.scene().materials().getFirst();
+        assertThat(material.texture().orElseThrow().placement()).isEqualTo(TexturePlacement.NONE);
+        TextureMap map = material.surfaceMaps().roughness().orElseThrow();
+        TexturePlacement placement = map.placement();
+        for (double[] point : new double[][] {{0, 0}, {0.25, 0.125}, {0.75, 0.5}}) {
+            double u = map.repeatU() * point[0];
+            double v = map.repeatV() * (1 - point[1]);
+            double imageU = placement.cosine() * u - placement.sine() * v + placement.offsetU();
+            double imageV = placement.sine() * u + placement.cosine() * v + placement.offsetV();
+            assertThat(Math.IEEEremainder(imageU - (0.25 + 2 * point[1]), 1)).isCloseTo(0, within(1e-6));
+            assertThat(Math.IEEEremainder(1 - imageV - (0.5 - 3 * point[0]), 1)).isCloseTo(0, within(1e-6));
+        }
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("plac"));
     }
 
     @Test

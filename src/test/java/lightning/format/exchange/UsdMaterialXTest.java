@@ -17,6 +17,7 @@ import lightning.format.jen.asset.TextureDecoder;
 import lightning.sample.PythonPrograms;
 import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TexturePlacement;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import org.junit.jupiter.api.BeforeEach;
@@ -164,6 +165,28 @@ class UsdMaterialXTest {
         assertThat(material.bumpMapping().strength()).isEqualTo(0.5);
         // A texture of emission without a weight does not glow.
         assertThat(material.glow()).isEqualTo(Rgb.BLACK);
+    }
+
+    /** At (0.5, 0.5): less the pivot, divided by (0.5, 0.25), turned clockwise, less the offset, plus the pivot. */
+    @Test
+    void place2d_turnsAboutItsPivot() throws Exception {
+        String nodes = String.format(Locale.ROOT, NETWORK, "ND_standard_surface_surfaceshader",
+                "color3f inputs:base_color.connect = </look/image.outputs:out>").replace("float2 inputs:scale = (0.5, 0.25)", """
+                        float2 inputs:scale = (0.5, 0.25)
+                        float inputs:rotate = 90
+                        float2 inputs:offset = (0.125, 0.25)
+                        float2 inputs:pivot = (0.25, 0.375)
+                        """);
+        TextureMap map = imported(String.format(Locale.ROOT, SQUARE, "/look") + nodes).texture().orElseThrow();
+        TexturePlacement placement = map.placement();
+        double u = 0.5 * map.repeatU();
+        double v = 0.5 * map.repeatV();
+        // Turned clockwise, (0.5, 0.5) becomes (0.5, −0.5).
+        assertThat(Math.IEEEremainder(placement.cosine() * u - placement.sine() * v + placement.offsetU() - (0.5 - 0.125 + 0.25), 1))
+                .isCloseTo(0, offset(1e-6));
+        assertThat(Math.IEEEremainder(placement.sine() * u + placement.cosine() * v + placement.offsetV() - (-0.5 - 0.25 + 0.375), 1))
+                .isCloseTo(0, offset(1e-6));
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("textures"));
     }
 
     /** The blue channel of the image is 0x33, each node changes it in turn. */

@@ -2,11 +2,14 @@ package lightning.format.exchange.usd;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.LongToDoubleFunction;
+import lightning.base.math.Affine2;
+import lightning.format.exchange.assembly.PlacedTexture;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.assembly.TextureMeans;
 import lightning.format.gltf.JsonValue;
@@ -18,15 +21,12 @@ import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureUsage;
 import lightning.scene.asset.TextureWrap;
-import lightning.scene.value.SceneLimits;
 
 /**
  * Image files of a stage. PNG and JPEG files are copied; OpenEXR files, images that are too large and tiles of one texture (UDIM) are
  * written as PNG.
  */
 final class UsdTextures {
-    private static final double MIN_REPEAT = 1e-6;
-
     private final SceneAssembler assembler;
     private final Map<String, Optional<String>> names = new HashMap<>();
     private final Map<Path, Long> sizes = new HashMap<>();
@@ -107,10 +107,17 @@ final class UsdTextures {
         if (!names.containsKey(key)) {
             names.put(key, write(all, image.get("name").text().orElse("texture"), writer));
         }
-        double[] repeat = image.get("repeat").numbers(1, 1);
         TextureWrap wrap = all.isSingle() ? wrap(image.get("wrap")) : TextureWrap.REPEAT;
-        return names.get(key).map(file -> new TextureMap(file, repeat(repeat[0] / all.columns()), repeat(repeat[1] / all.rows()),
-                new Texture(1, 1, new float[3]), wrap));
+        double[] p = Arrays.stream(image.get("placement").numbers(1, 0, 0, 0, 1, 0)).map(UsdNumbers::tidy).toArray();
+        var map = new Affine2(1.0 / all.columns(), 0, 0, 0, 1.0 / all.rows(), 0).times(new Affine2(p[0], p[1], p[2], p[3], p[4], p[5]));
+        return names.get(key).map(file -> placed(new TextureMap(file, 1.0 / all.columns(), 1.0 / all.rows(),
+                new Texture(1, 1, new float[3]), wrap), map));
+    }
+
+    private TextureMap placed(TextureMap texture, Affine2 map) {
+        Optional<TextureMap> placed = PlacedTexture.of(texture, map);
+        assembler.notes.add("textures that are sheared, or scaled to nothing, imported without their placement", placed.isEmpty() ? 1 : 0);
+        return placed.orElse(texture);
     }
 
     /** Returns what follows the edges of a texture; those of several tiles repeat together. */
@@ -124,11 +131,6 @@ final class UsdTextures {
             case "mirror" -> TextureWrap.Edge.MIRROR;
             default -> TextureWrap.Edge.REPEAT;
         };
-    }
-
-    private static double repeat(double v) {
-        double limited = Math.clamp(UsdNumbers.tidy(v), -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT);
-        return Math.abs(limited) < MIN_REPEAT ? 1 : limited;
     }
 
     private Optional<String> write(UsdTiles tiles, String name, TileWriter writer) throws IOException {
