@@ -14,7 +14,10 @@ import lightning.sample.Slow;
 import lightning.scene.Scene;
 import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TexturePlacement;
 import lightning.scene.material.Material;
+import lightning.scene.node.Mesh;
+import lightning.scene.node.Solid;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
@@ -111,6 +114,37 @@ class BlenderMapsTest {
     @Test
     void groups_areFollowed() {
         assertRoughness("grouped", 0.2, 0);
+    }
+
+    /** A Mapping node scales, turns and moves coordinates. */
+    @Test
+    void imagesOfOneMaterial_haveTheirOwnMapping() {
+        Mesh mesh = scene.placedShapes().stream().filter(shape -> shape.material().name().equals("placed")).findFirst()
+                .map(shape -> ((Solid.TriangleMesh) shape.shape().solid()).mesh()).orElseThrow();
+        TextureMap rough = scene.material("placed").orElseThrow().surfaceMaps().roughness().orElseThrow();
+        for (int i = 0; i < mesh.positions().length / 3; i++) {
+            // The plane has coordinates from 0 to 1 from its left front.
+            double u = (mesh.positions()[3 * i] + 1) / 2;
+            double v = (1 - mesh.positions()[3 * i + 2]) / 2;
+            assertPlace(scene.material("placed").orElseThrow().texture().orElseThrow(), mesh, i, 0.25 + 2 * u, 0.5 + 2 * v);
+            assertPlace(rough, mesh, i, 0.125 + Math.cos(0.5) * 3 * u - Math.sin(0.5) * 1.5 * v,
+                    0.75 + Math.sin(0.5) * 3 * u + Math.cos(0.5) * 1.5 * v);
+        }
+    }
+
+    private static void assertPlace(TextureMap map, Mesh mesh, int vertex, double u, double v) {
+        TexturePlacement placement = map.placement();
+        double x = map.repeatU() * mesh.coordinates()[2 * vertex];
+        double y = map.repeatV() * mesh.coordinates()[2 * vertex + 1];
+        assertThat(Math.IEEEremainder(placement.cosine() * x - placement.sine() * y + placement.offsetU() - u, 1)).isCloseTo(0,
+                offset(1e-5));
+        assertThat(Math.IEEEremainder(placement.sine() * x + placement.cosine() * y + placement.offsetV() - v, 1)).isCloseTo(0,
+                offset(1e-5));
+    }
+
+    @Test
+    void otherMappingOfRoughness_isNamed() {
+        assertThat(messages).anyMatch(message -> message.contains("apart (coordinates of the image of Roughness"));
     }
 
     @Test

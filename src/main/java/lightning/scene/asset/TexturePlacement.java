@@ -1,5 +1,6 @@
 package lightning.scene.asset;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import lightning.scene.value.SceneLimits;
 
 /**
@@ -11,7 +12,8 @@ import lightning.scene.value.SceneLimits;
  * @param offsetV  in images, up
  * @param rotation degrees, from u to v
  */
-public record TexturePlacement(double offsetU, double offsetV, double rotation) {
+@RecordBuilder
+public record TexturePlacement(double offsetU, double offsetV, double rotation) implements TexturePlacementBuilder.With {
     /** Neither rotation nor offset. */
     public static final TexturePlacement NONE = new TexturePlacement(0, 0, 0);
     /** Largest rotation in degrees, in both directions. */
