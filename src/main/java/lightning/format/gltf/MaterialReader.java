@@ -34,11 +34,11 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
         JsonValue normals = material.get("normalTexture");
         JsonValue emissive = material.get("emissiveTexture");
         GltfMaterial.Transmission transmission = readTransmission(extensions);
-        notePlacement(material, normals, "normalTexture of materials with another placement than baseColorTexture, placed like it");
-        notePlacement(material, emissive, "emissiveTexture of materials with another placement than other textures, placed like them");
+        notePlacement(material, normals, "normalTexture of materials with other texture coordinates than baseColorTexture, placed like it");
+        notePlacement(material, emissive, "emissiveTexture of materials with texture coordinates of its own, placed like other textures");
         if (opacity == 1 && transmission.factor() == 0) {
             notePlacement(material, pbr.get("metallicRoughnessTexture"),
-                    "metallicRoughnessTexture of materials with another placement than other textures, placed like them");
+                    "metallicRoughnessTexture of materials with texture coordinates of its own, placed like other textures");
         }
         noteMissing(material);
         JsonValue glossy = extensions.get("KHR_materials_pbrSpecularGlossiness");

@@ -232,7 +232,7 @@ class GltfMaterialImportTest {
         ImportedScene imported = importJson("{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}},"
                 + " 'emissiveTexture': {'index': 0, 'texCoord': 1}, 'emissiveFactor': [1, 1, 1]}");
         assertThat(imported.notes()).containsEntry(
-                "emissiveTexture of materials with another placement than other textures, placed like them",
+                "emissiveTexture of materials with texture coordinates of its own, placed like other textures",
                 1);
     }
 
@@ -364,7 +364,7 @@ class GltfMaterialImportTest {
 
     @Test
     void metallicRoughnessTextureWithAnotherPlacement_isNoted() throws Exception {
-        String note = "metallicRoughnessTexture of materials with another placement than other textures, placed like them";
+        String note = "metallicRoughnessTexture of materials with texture coordinates of its own, placed like other textures";
         String json = surface("'baseColorTexture': {'index': 0}, 'metallicRoughnessTexture': {'index': 0, 'texCoord': 1}");
         assertThat(importJson(json).notes()).containsEntry(note, 1);
         assertThat(importJson(json.replace("'texCoord': 1", "'texCoord': 0")).notes()).doesNotContainKey(note);
@@ -408,7 +408,8 @@ class GltfMaterialImportTest {
                 importJson("{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}}, 'normalTexture': {'index': 0, PLACED}}"
                         .replace("PLACED", placement));
         assertThat(
-                imported.notes().getOrDefault("normalTexture of materials with another placement than baseColorTexture, placed like it", 0))
+                imported.notes()
+                        .getOrDefault("normalTexture of materials with other texture coordinates than baseColorTexture, placed like it", 0))
                 .isEqualTo(noteCount);
     }
 

@@ -27,6 +27,8 @@ final class BilinearLookup {
     private int signU;
     private int signV;
     private TexturePlacement placement = TexturePlacement.NONE;
+    /** Placement whose cosine and sine are known. */
+    private TexturePlacement turned = TexturePlacement.NONE;
     private double cosine = 1;
     private double sine;
 
@@ -39,12 +41,9 @@ final class BilinearLookup {
         // Negative counts mirror the image at its own place.
         double scaledU = u * map.repeatU() + (wrapU != Edge.REPEAT && map.repeatU() < 0 ? 1 : 0);
         double scaledV = v * map.repeatV() + (wrapV != Edge.REPEAT && map.repeatV() < 0 ? 1 : 0);
-        if (map.placement() != placement) {
-            placement = map.placement();
-            cosine = placement.cosine();
-            sine = placement.sine();
-        }
+        placement = map.placement();
         if (placement != TexturePlacement.NONE) {
+            turn(placement);
             double turnedU = cosine * scaledU - sine * scaledV + placement.offsetU();
             scaledV = sine * scaledU + cosine * scaledV + placement.offsetV();
             scaledU = turnedU;
@@ -61,6 +60,14 @@ final class BilinearLookup {
         x1 = wrap(left + 1, image.width(), wrapU);
         y0 = wrap(top, image.height(), wrapV);
         y1 = wrap(top + 1, image.height(), wrapV);
+    }
+
+    private void turn(TexturePlacement next) {
+        if (next != turned) {
+            turned = next;
+            cosine = next.cosine();
+            sine = next.sine();
+        }
     }
 
     /** Returns the place in the image, 0…1, that a surface shows at a coordinate. */
