@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Materials with one Principled BSDF in place of other shaders, since Blender's glTF exporter writes only that."""
 
-from . import shaders
+from . import links, shaders
 from .lobes import BLACK, WHITE, Lobes, add, mean, mix, times
-
-# The most nodes, one after another, that are followed.
-DEPTH = 40
 
 
 def of_material(material, lost: dict):
@@ -38,14 +35,15 @@ class _Reader:
 
     def surface(self, socket, path: tuple, depth: int = 0) -> Lobes:
         """Returns what the shader that is linked to a socket reflects."""
-        source, path = self._source(socket, path)
-        if source is None or depth > DEPTH:
+        source, path = links.source(socket, path)
+        if source is None or depth > links.DEPTH:
             return Lobes(opacity=1.0)
         node = source.node
         kind = node.bl_idname
         if kind in ("ShaderNodeMixShader", "ShaderNodeAddShader"):
             inputs = [s for s in node.inputs if s.type == "SHADER"]
             first, second = (self.surface(s, path, depth + 1) for s in inputs)
+            self._unlink_metal(first, second)
             return add(first, second) if kind == "ShaderNodeAddShader" else self._mixed(node.inputs[0], first, second, path)
         read = _READERS.get(kind)
         if read is not None:
@@ -54,7 +52,7 @@ class _Reader:
         return self._diffuse(node, path) if "Color" in node.inputs else Lobes(diffuse=(0.8, 0.8, 0.8))
 
     def _mixed(self, factor, first: Lobes, second: Lobes, path: tuple) -> Lobes:
-        source, _ = self._source(factor, path)
+        source, _ = links.source(factor, path)
         kind = source.node.bl_idname if source is not None else ""
         index = self._fresnel_index(source, path)
         if index is not None:
@@ -65,6 +63,13 @@ class _Reader:
             return second
         share = self._number(factor, path)
         return mix(first, second, 0.5 if share is None else min(max(share, 0.0), 1.0))
+
+    def _unlink_metal(self, first: Lobes, second: Lobes) -> None:
+        """Leaves metalness by nodes out of mixed bodies, which have a single metalness."""
+        if mean(first.body()) > 0 and mean(second.body()) > 0:
+            for lobes in (first, second):
+                if lobes.links.pop("Metallic", None) is not None:
+                    self._lose("nodes for Metallic")
 
     def _fresnel_index(self, source, path: tuple) -> float | None:
         """Returns the index of refraction of a factor that grows to grazing angles; None for other factors."""
@@ -146,13 +151,13 @@ class _Reader:
                        times(self._color(value["Emission Color"], path), 1.0 if glow is None else max(glow, 0.0)),
                        times(self._color(value["Specular Tint"], path), f0), self._share(node, "Alpha", path), self._share(node, "Roughness", path), index,
                        self._share(node, "Coat Weight", path), self._share(node, "Coat Roughness", path), self._number(value["Coat IOR"], path) or 1.5)
-        return self._linked(node, path, result, {name: name for name in ("Base Color", "Roughness", "Alpha", "Emission Color")})
+        return self._linked(node, path, result, {name: name for name in ("Base Color", "Metallic", "Roughness", "Alpha", "Emission Color")})
 
     def _linked(self, node, path: tuple, lobes: Lobes, names: dict[str, str]) -> Lobes:
         """Adds links of sockets whose values are not constant."""
         for name, target in [*names.items(), ("Normal", "Normal")]:
-            source, place = self._source(node.inputs[name], path) if name in node.inputs else (None, ())
-            if source is not None and source.node.bl_idname not in _CONSTANTS:
+            source, place = links.source(node.inputs[name], path) if name in node.inputs else (None, ())
+            if source is not None and source.node.bl_idname not in links.CONSTANTS:
                 if place:
                     self._lose("textures in node groups")
                 else:
@@ -171,54 +176,22 @@ class _Reader:
         """Returns the value of a socket; None, and a note, if nodes compute it."""
         value = self._constant(socket, path)
         if value is None:
-            if socket.name not in ("Roughness", "Alpha"):
+            if socket.name not in ("Metallic", "Roughness", "Alpha"):
                 self._lose(f"nodes for {socket.name}")
             return None
         return mean(value[:3]) if hasattr(value, "__len__") else value
 
     def _constant(self, socket, path: tuple):
-        source, _ = self._source(socket, path)
+        source, _ = links.source(socket, path)
         if source is None:
-            socket = self._outermost(socket, path)
+            socket = links.outermost(socket, path)
             return socket.default_value
-        return source.default_value if source.node.bl_idname in _CONSTANTS else None
-
-    def _outermost(self, socket, path: tuple):
-        """Returns the socket that has the value of an unlinked one: that of a group's node for an input of the group."""
-        while path and socket.is_linked and socket.links[0].from_node.bl_idname == "NodeGroupInput":
-            socket = path[-1].inputs[socket.links[0].from_socket.identifier]
-            path = path[:-1]
-        return socket
-
-    def _source(self, socket, path: tuple):
-        """Returns the output that gives a socket its value, and the groups around it; None for an unlinked one."""
-        for _ in range(DEPTH):
-            if not socket.is_linked:
-                return None, path
-            output = socket.links[0].from_socket
-            node = output.node
-            if node.bl_idname == "NodeReroute":
-                socket = node.inputs[0]
-            elif node.bl_idname == "NodeGroupInput" and path:
-                socket, path = _same(path[-1].inputs, output), path[:-1]
-            elif node.bl_idname == "ShaderNodeGroup" and node.node_tree is not None:
-                ends = [inner for inner in node.node_tree.nodes if inner.bl_idname == "NodeGroupOutput"]
-                if not ends:
-                    return None, path
-                socket, path = _same(ends[0].inputs, output), (*path, node)
-            else:
-                return output, path
-        return None, path
+        return source.default_value if source.node.bl_idname in links.CONSTANTS else None
 
     def _lose(self, title: str) -> None:
         self.lost[title] = None
 
 
-def _same(sockets, socket):
-    return next(s for s in sockets if s.identifier == socket.identifier)
-
-
-_CONSTANTS = ("ShaderNodeRGB", "ShaderNodeValue")
 _READERS = {
     "ShaderNodeBsdfDiffuse": _Reader._diffuse, "ShaderNodeBsdfAnisotropic": _Reader._glossy, "ShaderNodeBsdfGlossy": _Reader._glossy,
     "ShaderNodeBsdfMetallic": _Reader._glossy, "ShaderNodeBsdfGlass": _Reader._glass, "ShaderNodeBsdfRefraction": _Reader._glass,

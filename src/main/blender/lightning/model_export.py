@@ -5,7 +5,7 @@ from pathlib import Path
 
 import bpy
 
-from . import equivalents, gltf, materials, nodes
+from . import equivalents, gltf, materials, nodes, number_images
 
 
 def export(scene, snapshot, path: Path, lost: dict[str, str]) -> tuple[dict, bytes]:
@@ -16,6 +16,7 @@ def export(scene, snapshot, path: Path, lost: dict[str, str]) -> tuple[dict, byt
     """
     added = []
     copies: dict = {}
+    images: list = []
     own = bpy.data.scenes.new("lightning export")
     for name in ("resolution_x", "resolution_y", "resolution_percentage", "pixel_aspect_x", "pixel_aspect_y"):
         setattr(own.render, name, getattr(scene.render, name))
@@ -26,7 +27,7 @@ def export(scene, snapshot, path: Path, lost: dict[str, str]) -> tuple[dict, byt
         for index, shape in enumerate(snapshot.shapes):
             obj = bpy.data.objects.new(f"lightning {index}", shape.mesh)
             added.append(obj)
-            _set_materials(obj, [_exported(material, copies, lost) for material in shape.materials])
+            _set_materials(obj, [_exported(material, copies, lost, images) for material in shape.materials])
             own.collection.objects.link(obj)
             shapes[obj.name] = index
         cameras = {}
@@ -42,17 +43,17 @@ def export(scene, snapshot, path: Path, lost: dict[str, str]) -> tuple[dict, byt
             materials.add_reflections(entry, bpy.data.materials.get(entry.get("name", "")))
             entry["name"] = originals.get(entry.get("name", ""), entry.get("name", ""))
     finally:
-        bpy.data.batch_remove([*added, own, *(copy for copy in copies.values() if copy is not None)])
+        bpy.data.batch_remove([*added, own, *(copy for copy in copies.values() if copy is not None), *images])
     _replace_nodes(root, scene, snapshot, shapes, cameras)
     return root, rest
 
 
-def _exported(material, copies: dict, lost: dict[str, str]):
+def _exported(material, copies: dict, lost: dict[str, str], images: list):
     """Returns a material that Blender's exporter can write."""
     if material is None:
         return None
     if material.name not in copies:
-        copies[material.name] = equivalents.of_material(material, lost)
+        copies[material.name] = number_images.of_material(material, equivalents.of_material(material, lost), lost, images)
     return copies[material.name] or material
 
 

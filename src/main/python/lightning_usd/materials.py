@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from materialx import CHANNELS, MISSING, SURFACES, WEIGHTS, as_preview, is_image, multiply
+from arithmetic import Linear, apply, linear
+from materialx import CHANNELS, MISSING, NUMBERS, SURFACES, WEIGHTS, as_preview, is_image, multiply
 from meshes import identity
 from output import Output, StageError, numbers
 from pxr import Sdf, Usd, UsdGeom, UsdShade
@@ -36,8 +37,6 @@ class Materials:
             faces = subset.GetIndicesAttr().Get(self.time)
             if faces:
                 material = self.of(subset.GetPrim())
-                if self.placement_of(material) != self.placement_of(self.of(prim)):
-                    self.out.note("textures of parts of a mesh with another rotation or translation than those of the mesh, placed like them")
                 result.append({"name": subset.GetPrim().GetName(), "faces": self.out.array(faces), "material": material})
         return result
 
@@ -103,7 +102,6 @@ class Materials:
 
     def keep(self, material: UsdShade.Material, surface: dict[str, Any]) -> int:
         """Adds a surface."""
-        self.note_placements(surface)
         self.all.append({"name": material.GetPrim().GetName(), **surface})
         return len(self.all) - 1
 
@@ -144,7 +142,7 @@ class Materials:
             return
         attribute = self.constant(attributes[0])
         if is_output(attribute):
-            texture = self.texture(UsdShade.Shader(attribute.GetPrim()), attribute.GetName().split(":")[-1], result)
+            texture = self.texture(UsdShade.Shader(attribute.GetPrim()), attribute.GetName().split(":")[-1], target in NUMBERS, result)
             if texture:
                 result["textures"][target] = texture
             else:
@@ -157,9 +155,10 @@ class Materials:
         if attribute.ValueMightBeTimeVarying():
             self.out.note_moving("animated inputs of materials", str(attribute.GetPath()))
 
-    def texture(self, shader: UsdShade.Shader, channel: str, result: dict[str, Any]) -> dict[str, Any] | None:
+    def texture(self, shader: UsdShade.Shader, channel: str, is_number: bool, result: dict[str, Any]) -> dict[str, Any] | None:
         """Returns a texture, followed through MaterialX nodes that pass one image on; None for other shaders."""
         factors: list[list[float]] = []
+        steps: list[Linear] = []
         strength = 1.0
         for _ in range(8):
             kind = str(shader.GetIdAttr().Get() or "")
@@ -167,6 +166,8 @@ class Materials:
                 texture = self.image(shader, channel, result)
                 for factor in factors if texture else []:
                     multiply(texture, factor)
+                if texture:
+                    apply(texture, steps)
                 if texture and strength != 1:
                     texture["strength"] = strength
                 return texture
@@ -175,7 +176,10 @@ class Materials:
             images = [source for source in sources if is_output(source)]
             if len(images) != 1:
                 return None
-            if kind.startswith("ND_multiply"):
+            step = self.step(shader, kind) if is_number else None
+            if step:
+                steps.append(step)
+            elif kind.startswith("ND_multiply"):
                 factors += [amounts(source.Get(self.time)) for source in sources if not is_output(source)]
             elif kind.startswith("ND_extract"):
                 channel = "rgba"[min(max(int(self.value(shader, "index", 0)), 0), 3)]
@@ -189,6 +193,16 @@ class Materials:
             if not kind.startswith(("ND_extract", "ND_separate")):
                 channel = images[0].GetName().split(":")[-1] if channel in ("out", "rgb") else channel
         return None
+
+    def step(self, shader: UsdShade.Shader, kind: str) -> Linear | None:
+        """Returns what a node does to the numbers of an image; None for other nodes."""
+        constants = {}
+        for source in shader.GetInputs():
+            attributes = UsdShade.Utils.GetValueProducingAttributes(source)
+            attribute = self.constant(attributes[0]) if attributes else None
+            if attribute and not is_output(attribute):
+                constants[source.GetBaseName()] = amounts(attribute.Get(self.time))
+        return linear(kind, constants)
 
     def constant(self, attribute: Usd.Attribute) -> Usd.Attribute:
         """Returns the value of a MaterialX constant instead of its output."""
@@ -214,6 +228,7 @@ class Materials:
             value = self.value(shader, name, None)
             if value is not None:
                 texture[name] = self.out.vector(shader.GetPrim(), f"inputs:{name}", value, [1.0 if name == "scale" else 0.0] * 4)
+        texture["space"] = str(self.value(shader, "sourceColorSpace", "auto"))
         texture["wrap"] = [self.edge(shader, "wrapS", "uaddressmode"), self.edge(shader, "wrapT", "vaddressmode")]
         self.placement(shader, texture, result)
         return texture
@@ -234,10 +249,12 @@ class Materials:
         return [{"tile": int(tile), **self.out.file(Sdf.AssetPath(place, place))} for place, tile in found]
 
     def placement(self, shader: UsdShade.Shader, texture: dict[str, Any], result: dict[str, Any]) -> None:
-        """Adds how often a texture repeats, and the name of its coordinates."""
+        """Adds where a texture is on its surface, and the name of its coordinates."""
         tiling = self.value(shader, "uvtiling", None)
         if tiling is not None:
-            texture["repeat"] = self.out.vector(shader.GetPrim(), "inputs:uvtiling", tiling, [1.0, 1.0])
+            tiling = self.out.vector(shader.GetPrim(), "inputs:uvtiling", tiling, [1.0, 1.0])
+            shift = self.out.vector(shader.GetPrim(), "inputs:uvoffset", self.value(shader, "uvoffset", (0, 0)), [0.0, 0.0])
+            place(texture, tiling, 0.0, [-v for v in shift])
         for _ in range(4):
             source = shader.GetInput("st") or shader.GetInput("in") or shader.GetInput("texcoord")
             attributes = UsdShade.Utils.GetValueProducingAttributes(source) if source else []
@@ -248,38 +265,37 @@ class Materials:
                 return
             kind = str(shader.GetIdAttr().Get() or "")
             if kind == "UsdTransform2d":
-                self.transform(shader, texture, result)
+                self.transform(shader, texture)
             elif kind.startswith("ND_place2d"):
-                texture["repeat"] = [1 / v if v else 1.0 for v in self.out.vector(shader.GetPrim(), "inputs:scale", self.value(shader, "scale", (1, 1)), [1.0, 1.0])]
-                if self.value(shader, "rotate", 0.0) or any(self.value(shader, "offset", (0, 0))):
-                    self.out.note("rotations and translations of textures")
+                self.place2d(shader, texture)
             elif kind.startswith(("UsdPrimvarReader", "ND_UsdPrimvarReader", "ND_geompropvalue")):
                 result["coordinates"] = str(self.value(shader, "geomprop" if "geomprop" in kind else "varname", "st"))
                 return
 
-    def transform(self, shader: UsdShade.Shader, texture: dict[str, Any], result: dict[str, Any]) -> None:
-        """Adds a UsdTransform2d: its scale to the texture, or, if it turns or moves, all of it to the coordinates of the meshes."""
+    def transform(self, shader: UsdShade.Shader, texture: dict[str, Any]) -> None:
+        """Adds a UsdTransform2d: a scale, then a rotation and a translation."""
         prim = shader.GetPrim()
         scale = self.out.vector(prim, "inputs:scale", self.value(shader, "scale", (1, 1)), [1.0, 1.0])
-        angle = math.radians(self.out.number(prim, "inputs:rotation", self.value(shader, "rotation", 0.0), 0.0))
+        angle = self.out.number(prim, "inputs:rotation", self.value(shader, "rotation", 0.0), 0.0)
         shift = self.out.vector(prim, "inputs:translation", self.value(shader, "translation", (0, 0)), [0.0, 0.0])
-        if not angle and not any(shift):
-            texture["repeat"] = scale
-            return
-        cosine, sine = math.cos(angle), math.sin(angle)
-        placement = [cosine * scale[0], -sine * scale[1], shift[0], sine * scale[0], cosine * scale[1], shift[1]]
-        texture["placement"] = placement
-        result.setdefault("placement", placement)
+        place(texture, scale, angle, shift)
 
-    def note_placements(self, surface: dict[str, Any]) -> None:
-        """Notes textures that are placed apart from others of their material: meshes have one set of coordinates here."""
-        shared = surface.get("placement")
-        if shared and any(texture.get("placement") != shared for texture in surface["textures"].values()):
-            self.out.note("textures with another rotation or translation than others of their material, placed like them")
-
-    def placement_of(self, material: int) -> list[float] | None:
-        """Returns the map of texture coordinates that a material needs, u' = p0 u + p1 v + p2 and v' = p3 u + p4 v + p5; None for none."""
-        return self.all[material].get("placement") if material >= 0 else None
+    def place2d(self, shader: UsdShade.Shader, texture: dict[str, Any]) -> None:
+        """Adds a place2d node of MaterialX, which moves, turns and scales an image, not its coordinates."""
+        prim = shader.GetPrim()
+        sizes = self.out.vector(prim, "inputs:scale", self.value(shader, "scale", (1, 1)), [1.0, 1.0])
+        angle = self.out.number(prim, "inputs:rotate", self.value(shader, "rotate", 0.0), 0.0)
+        shift = self.out.vector(prim, "inputs:offset", self.value(shader, "offset", (0, 0)), [0.0, 0.0])
+        pivot = self.out.vector(prim, "inputs:pivot", self.value(shader, "pivot", (0, 0)), [0.0, 0.0])
+        scale = [1 / size if size else 1.0 for size in sizes]
+        if self.value(shader, "operationorder", 0) == 0:
+            turned = rotated([-scale[0] * pivot[0], -scale[1] * pivot[1]], -angle)
+            place(texture, scale, -angle, [t + p - s for t, p, s in zip(turned, pivot, shift)])
+        elif angle and scale[0] != scale[1]:
+            self.out.note("textures that are turned before an uneven scale, imported without either")
+        else:
+            turned = rotated([-pivot[0] - shift[0], -pivot[1] - shift[1]], -angle)
+            place(texture, scale, -angle, [s * t + p for s, t, p in zip(scale, turned, pivot)])
 
     def value(self, shader: UsdShade.Shader, name: str, fallback: Any) -> Any:
         """Returns the value of an input, also one that the material passes on."""
@@ -287,6 +303,20 @@ class Materials:
         attributes = UsdShade.Utils.GetValueProducingAttributes(source) if source else []
         found = attributes[0].Get(self.time) if attributes else None
         return fallback if found is None else found
+
+
+def place(texture: dict[str, Any], scale: list[float], angle: float, shift: list[float]) -> None:
+    """Applies a scale, a rotation in degrees and a translation to the coordinates of a texture, before its own."""
+    (a, d), (b, e) = rotated([scale[0], 0.0], angle), rotated([0.0, scale[1]], angle)
+    p = texture.get("placement", [1.0, 0.0, 0.0, 0.0, 1.0, 0.0])
+    texture["placement"] = [p[0] * a + p[1] * d, p[0] * b + p[1] * e, p[0] * shift[0] + p[1] * shift[1] + p[2],
+                            p[3] * a + p[4] * d, p[3] * b + p[4] * e, p[3] * shift[0] + p[4] * shift[1] + p[5]]
+
+
+def rotated(vector: list[float], angle: float) -> list[float]:
+    """Returns a vector turned by an angle in degrees, from u to v."""
+    cosine, sine = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    return [cosine * vector[0] - sine * vector[1], sine * vector[0] + cosine * vector[1]]
 
 
 def is_output(attribute: Usd.Attribute) -> bool:

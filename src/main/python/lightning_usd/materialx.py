@@ -44,8 +44,10 @@ MISSING = {"sheen": (("sheen", "fuzz_weight", "sheen_color"), 0.0),
 WEIGHTS = {"coat_color": ("coat", "coat_weight"), "thin_film_thickness": ("thin_film_weight",)}
 # Inputs whose textures are shown, or become their mean.
 TEXTURED = {"diffuseColor", "metallic", "roughness", "emissiveColor", "opacity", "normal"}
+# Inputs whose textures are numbers, not colors.
+NUMBERS = {"metallic", "roughness"}
 IMAGES = ("ND_image_", "ND_tiledimage_", "ND_UsdUVTexture", "ND_gltf_image_", "ND_gltf_colorimage", "ND_gltf_normalmap")
-CHANNELS = {"outr": "r", "outg": "g", "outb": "b", "outx": "r", "outy": "g", "outz": "b"}
+CHANNELS = {"outr": "r", "outg": "g", "outb": "b", "outx": "r", "outy": "g", "outz": "b", "outa": "a", "outw": "a"}
 MASK, BLEND = 1, 2
 
 

@@ -52,12 +52,9 @@ class Meshes:
         """Returns the index of a mesh; -1 if it has no faces."""
         prim = mesh.GetPrim()
         coordinates = materials.coordinates(material)
-        placement = materials.placement_of(material)
-        key = (identity(prim), coordinates, material < 0, tuple(placement or ()))
+        key = (identity(prim), coordinates, material < 0)
         if key not in self.known:
             self.known[key] = self.add(mesh, coordinates, material < 0)
-            if placement and self.known[key] >= 0 and "uv" in self.all[self.known[key]]:
-                self.all[self.known[key]]["uv"]["placement"] = placement
         return self.known[key]
 
     def cube(self, prim: Usd.Prim) -> int:

@@ -6,6 +6,7 @@ import lightning.base.math.Rgb;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TexturePlacement;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.Bulb;
@@ -240,8 +241,14 @@ final class MaterialArbitraries {
     }
 
     private static Arbitrary<TextureMap> maps() {
-        return Combinators.combine(images(), repeats(), repeats(), wraps())
-                .as((image, u, v, wrap) -> new TextureMap("sample.png", u, v, image, wrap));
+        return Combinators.combine(images(), repeats(), repeats(), wraps(), placements())
+                .as((image, u, v, wrap, placement) -> new TextureMap("sample.png", u, v, image, wrap, placement));
+    }
+
+    private static Arbitrary<TexturePlacement> placements() {
+        Arbitrary<Double> offsets = Arbitraries.of(0.0, 0.25, -0.375, 7.5);
+        return Arbitraries.frequencyOf(Tuple.of(2, Arbitraries.of(TexturePlacement.NONE)),
+                Tuple.of(1, Combinators.combine(offsets, offsets, Arbitraries.of(0.0, 90.0, -30.0, 180.0)).as(TexturePlacement::new)));
     }
 
     private static Arbitrary<TextureWrap> wraps() {

@@ -4,7 +4,9 @@ import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import lightning.base.math.Affine2;
 import lightning.base.math.Rgb;
+import lightning.format.exchange.assembly.PlacedTexture;
 import lightning.format.exchange.assembly.PrincipledImport;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.assembly.TextureMeans;
@@ -31,6 +33,8 @@ final class GltfMaterialImport {
     private final GltfScene file;
     private final String meshFile;
     private final Map<Integer, TextureMeans> textureMeans = new HashMap<>();
+    /** Names of embedded images, by their index. */
+    private final Map<Integer, String> stems = new HashMap<>();
 
     /**
      * Creates a converter.
@@ -66,7 +70,7 @@ final class GltfMaterialImport {
         if (!m.metallicRoughnessImage().isPresent() || material.model() != ShadingModel.PRINCIPLED) {
             return material;
         }
-        if (material.transmission().isTransparent()) {
+        if (material.isClear()) {
             boolean isRead = metallicRoughnessMeans(m.metallicRoughnessImage().index()) != TextureMeans.NONE;
             assembler.notes.add(isRead ? "metallicRoughnessTexture of materials, averaged" : "metallicRoughnessTexture of materials");
             return material;
@@ -157,7 +161,18 @@ final class GltfMaterialImport {
 
     /** Returns an image as a texture; empty if there is none or it cannot be used. */
     private Optional<TextureMap> textureMap(GltfImage image, TextureUsage usage) throws IOException, MeshException {
-        return image.isPresent() ? textureMap(image.index(), usage).map(map -> map.withWrap(image.wrap())) : Optional.empty();
+        return image.isPresent() ? textureMap(image.index(), usage).map(map -> placed(map.withWrap(image.wrap()), image.map()))
+                : Optional.empty();
+    }
+
+    private TextureMap placed(TextureMap texture, Affine2 map) {
+        if (map.equals(Affine2.IDENTITY)) {
+            return texture;
+        }
+        Optional<TextureMap> placed = PlacedTexture.of(texture, map);
+        assembler.notes.add("textures with another scale and rotation than others of their material, placed like them",
+                placed.isEmpty() ? 1 : 0);
+        return placed.orElse(texture);
     }
 
     private Optional<TextureMap> textureMap(int image, TextureUsage usage) throws IOException, MeshException {
@@ -182,8 +197,19 @@ final class GltfMaterialImport {
         }
     }
 
+    /** Returns the name for the file of an embedded image, another one for each image. */
     private String stem(int image) throws MeshException {
+        String known = stems.get(image);
+        if (known != null) {
+            return known;
+        }
         String name = file.imageName(image);
-        return meshFile.replaceFirst("\\.[^.]*$", "") + "-" + (name.isEmpty() ? "image" + image : name);
+        String base = meshFile.replaceFirst("\\.[^.]*$", "") + "-" + (name.isEmpty() ? "image" + image : name);
+        String stem = base;
+        for (int i = 2; stems.containsValue(stem); i++) {
+            stem = base + " " + i;
+        }
+        stems.put(image, stem);
+        return stem;
     }
 }

@@ -257,7 +257,7 @@ final class ObjImport {
     /** Adds the maps of roughness and metalness, map_Pr and map_Pm; a transparent material has none. */
     private Material withSurfaceMaps(MtlMaterial m, Material material) throws IOException {
         MtlMaterial.Physical surface = m.physical().orElse(MtlMaterial.Physical.NONE);
-        if (material.transmission().isTransparent()) {
+        if (material.isClear()) {
             assembler.notes.add("map_Pr of transparent materials", surface.roughnessMap().isPresent() ? 1 : 0);
             assembler.notes.add("map_Pm of transparent materials", surface.metalnessMap().isPresent() ? 1 : 0);
             return material;

@@ -2,6 +2,7 @@ package lightning.format.gltf;
 
 import java.util.List;
 import java.util.Optional;
+import lightning.base.math.Affine2;
 import lightning.base.math.Rgb;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
@@ -33,25 +34,27 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
         JsonValue normals = material.get("normalTexture");
         JsonValue emissive = material.get("emissiveTexture");
         GltfMaterial.Transmission transmission = readTransmission(extensions);
-        notePlacement(material, normals, "normalTexture of materials with another placement than baseColorTexture, placed like it");
-        notePlacement(material, emissive, "emissiveTexture of materials with another placement than other textures, placed like them");
+        notePlacement(material, normals, "normalTexture of materials with other texture coordinates than baseColorTexture, placed like it");
+        notePlacement(material, emissive, "emissiveTexture of materials with texture coordinates of its own, placed like other textures");
         if (opacity == 1 && transmission.factor() == 0) {
             notePlacement(material, pbr.get("metallicRoughnessTexture"),
-                    "metallicRoughnessTexture of materials with another placement than other textures, placed like them");
+                    "metallicRoughnessTexture of materials with texture coordinates of its own, placed like other textures");
         }
         noteMissing(material);
         JsonValue glossy = extensions.get("KHR_materials_pbrSpecularGlossiness");
-        Surface surface = glossy.isPresent() && !pbr.isPresent() ? glossySurface(glossy) : metallicSurface(pbr, extensions);
+        Surface surface =
+                glossy.isPresent() && !pbr.isPresent() ? glossySurface(material, glossy) : metallicSurface(material, pbr, extensions);
         return new GltfMaterial(material.get("name").text().orElse(""), surface.base, surface.metallic, surface.roughness,
                 surface.f0, surface.f90, new Rgb(emission[0], emission[1], emission[2]).times(strength),
-                emissive.isPresent() ? Optional.of(textureImage(emissive)) : Optional.empty(),
-                extensions.get("KHR_materials_unlit").isPresent(), surface.baseImage, surface.metallicRoughnessImage, textureImage(normals),
+                emissive.isPresent() ? Optional.of(textureImage(material, emissive)) : Optional.empty(),
+                extensions.get("KHR_materials_unlit").isPresent(), surface.baseImage, surface.metallicRoughnessImage,
+                textureImage(material, normals),
                 normals.get("scale").number(1), opacity, transmission, readClearcoat(extensions), cutoff, alphaFactor,
                 isBlended);
     }
 
     private void notePlacement(JsonValue material, JsonValue texture, String note) throws MeshException {
-        notes.add(note, texture.isPresent() && !TextureTransform.areSame(TextureTransform.placingTexture(material), texture) ? 1 : 0);
+        notes.add(note, texture.isPresent() && TextureTransform.relative(material, texture).isEmpty() ? 1 : 0);
     }
 
     /** Notes the properties that no material of a scene has, with the name of the material. */
@@ -106,7 +109,7 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
      * Reads the metallic-roughness model: appendix B of glTF 2.0; KHR_materials_ior; KHR_materials_specular, which clamps
      * the tinted F0 before scaling.
      */
-    private Surface metallicSurface(JsonValue pbr, JsonValue extensions) throws MeshException {
+    private Surface metallicSurface(JsonValue material, JsonValue pbr, JsonValue extensions) throws MeshException {
         double[] base = pbr.get("baseColorFactor").numbers(1, 1, 1, 1);
         double ior = ior(extensions);
         JsonValue specular = extensions.get("KHR_materials_specular");
@@ -116,27 +119,27 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
         double[] tint = specular.get("specularColorFactor").numbers(1, 1, 1);
         double weight = specular.get("specularFactor").number(1);
         double f0 = (ior - 1) * (ior - 1) / ((ior + 1) * (ior + 1));
-        return new Surface(new Rgb(base[0], base[1], base[2]), textureImage(pbr.get("baseColorTexture")),
+        return new Surface(new Rgb(base[0], base[1], base[2]), textureImage(material, pbr.get("baseColorTexture")),
                 pbr.get("metallicFactor").number(1), pbr.get("roughnessFactor").number(1),
-                textureImage(pbr.get("metallicRoughnessTexture")), new Rgb(Math.min(f0 * tint[0], 1) * weight,
+                textureImage(material, pbr.get("metallicRoughnessTexture")), new Rgb(Math.min(f0 * tint[0], 1) * weight,
                         Math.min(f0 * tint[1], 1) * weight, Math.min(f0 * tint[2], 1) * weight),
                 weight);
     }
 
     /** Reads the older specular-glossiness model, in which nothing is metallic; its use is noted as an extension. */
-    private Surface glossySurface(JsonValue glossiness) throws MeshException {
+    private Surface glossySurface(JsonValue material, JsonValue glossiness) throws MeshException {
         double[] diffuse = glossiness.get("diffuseFactor").numbers(1, 1, 1, 1);
         double[] specular = glossiness.get("specularFactor").numbers(1, 1, 1);
         boolean hasTexture = glossiness.get("specularGlossinessTexture").isPresent();
         notes.add("specularGlossinessTexture of materials", hasTexture ? 1 : 0);
         // The factor multiplied by such an image is not meaningful alone: most files use 1.
-        return new Surface(new Rgb(diffuse[0], diffuse[1], diffuse[2]), textureImage(glossiness.get("diffuseTexture")), 0,
+        return new Surface(new Rgb(diffuse[0], diffuse[1], diffuse[2]), textureImage(material, glossiness.get("diffuseTexture")), 0,
                 hasTexture ? 0.5 : 1 - glossiness.get("glossinessFactor").number(1), GltfImage.NONE,
                 hasTexture ? Rgb.gray(0.04) : new Rgb(specular[0], specular[1], specular[2]), 1);
     }
 
-    private GltfImage textureImage(JsonValue texture) {
-        return new GltfImage(imageIndex(texture), wrap(texture));
+    private GltfImage textureImage(JsonValue material, JsonValue texture) throws MeshException {
+        return new GltfImage(imageIndex(texture), wrap(texture), TextureTransform.relative(material, texture).orElse(Affine2.IDENTITY));
     }
 
     /** Returns what follows the edges of a texture's image. */

@@ -1,7 +1,8 @@
 package lightning.format.gltf;
 
-import java.util.Arrays;
+import java.util.Optional;
 import java.util.stream.Stream;
+import lightning.base.math.Affine2;
 import lightning.format.mesh.MeshException;
 
 /**
@@ -9,18 +10,18 @@ import lightning.format.mesh.MeshException;
  * emission image or of its metallic-roughness image.
  *
  * @param set index of the primitive's texture coordinates
- * @param matrix u′ = map₀·u + map₁·v + map₂, v′ = map₃·u + map₄·v + map₅
+ * @param map of coordinates whose v points down
  */
-record TextureTransform(int set, double[] matrix) {
+record TextureTransform(int set, Affine2 map) {
     static TextureTransform of(GltfFile file, int material) {
         if (material < 0) {
-            return new TextureTransform(0, new double[] {1, 0, 0, 0, 1, 0});
+            return new TextureTransform(0, Affine2.IDENTITY);
         }
         try {
             return ofMaterial(file.array("materials").element(material));
         } catch (MeshException e) {
             // The reader of the materials notes it.
-            return new TextureTransform(0, new double[] {1, 0, 0, 0, 1, 0});
+            return new TextureTransform(0, Affine2.IDENTITY);
         }
     }
 
@@ -42,7 +43,7 @@ record TextureTransform(int set, double[] matrix) {
 
     /** Returns whether two placements are the same. */
     boolean isSame(TextureTransform other) {
-        return set == other.set && Arrays.equals(matrix, other.matrix);
+        return set == other.set && map.equals(other.map);
     }
 
     private static TextureTransform of(JsonValue texture) throws MeshException {
@@ -54,12 +55,18 @@ record TextureTransform(int set, double[] matrix) {
         double c = Math.cos(angle);
         double s = Math.sin(angle);
         // Translation · rotation · scale; the extension rotates with v pointing down.
-        return new TextureTransform(set, new double[] {c * scale[0], s * scale[1], offset[0], -s * scale[0], c * scale[1], offset[1]});
+        return new TextureTransform(set, new Affine2(c * scale[0], s * scale[1], offset[0], -s * scale[0], c * scale[1], offset[1]));
     }
 
-    /** Returns whether two textures of a material have the same placement. */
-    static boolean areSame(JsonValue texture, JsonValue other) throws MeshException {
-        return of(texture).isSame(of(other));
+    /**
+     * Returns the map from the coordinates of a material's meshes here, whose v points up, to those of one of its textures; empty if there is none, because
+     * the texture has other coordinates.
+     */
+    static Optional<Affine2> relative(JsonValue material, JsonValue texture) throws MeshException {
+        TextureTransform shared = ofMaterial(material);
+        TextureTransform own = of(texture);
+        return own.isSame(shared) ? Optional.of(Affine2.IDENTITY) : own.set != shared.set ? Optional.empty()
+                : shared.map.inverse().map(back -> Affine2.FLIP.times(own.map).times(back).times(Affine2.FLIP));
     }
 
     /** Transforms glTF coordinates, whose v points down, to coordinates whose v points up. */
@@ -67,8 +74,8 @@ record TextureTransform(int set, double[] matrix) {
         for (int i = 0; i < coordinates.length; i += 2) {
             double u = coordinates[i];
             double v = coordinates[i + 1];
-            coordinates[i] = (float) (matrix[0] * u + matrix[1] * v + matrix[2]);
-            coordinates[i + 1] = (float) (1 - (matrix[3] * u + matrix[4] * v + matrix[5]));
+            coordinates[i] = (float) map.u(u, v);
+            coordinates[i + 1] = (float) (1 - map.v(u, v));
         }
     }
 }

@@ -13,6 +13,7 @@ import lightning.format.jen.asset.TextureFolder;
 import lightning.scene.asset.FileAsset;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TexturePlacement;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
@@ -59,7 +60,7 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         return attributes.stream().flatMap(a -> of(a).stream()).toList();
     }
 
-    /** Returns the properties of an attribute: a file, a repeat and a wrap for an image, one property for all others. */
+    /** Returns the properties of an attribute: a file, its placement and a wrap for an image, one property for all others. */
     static <T, V> List<Property<T>> of(SceneAttribute<T, V> a) {
         return switch (a.kind()) {
             case NumericKind<V> n -> List.of(new Property<>(a.name(), Form.NUMBERS,
@@ -86,6 +87,11 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
                             "times, needs a " + a.name(), t -> textureValue(a.get(t), map -> Value.of(map.repeatU(), map.repeatV())))
                             .withCheck(v -> new TextureMap("", ((Value.Numbers) v).values().get(0), ((Value.Numbers) v).values().get(1),
                                     ANY_IMAGE)),
+                    numbers(k.offsetName(), List.of(" u", " v"), Value.of(0, 0), -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT,
+                            "images, needs a " + a.name(),
+                            t -> textureValue(a.get(t), map -> Value.of(map.placement().offsetU(), map.placement().offsetV()))),
+                    numbers(k.rotationName(), List.of(""), Value.of(0), -TexturePlacement.MAX_ROTATION, TexturePlacement.MAX_ROTATION,
+                            "degrees, needs a " + a.name(), t -> textureValue(a.get(t), map -> Value.of(map.placement().rotation()))),
                     choice(k.wrapName(), new Value.Word(TextureWrap.REPEAT.word()), ValueKind.TextureKind.WRAP.words(),
                             t -> textureValue(a.get(t), map -> new Value.Word(map.wrap().word()))));
         };

@@ -10,6 +10,7 @@ import lightning.scene.asset.Gobo;
 import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.LightTexture;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TexturePlacement;
 import lightning.scene.asset.TextureUsage;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
@@ -64,7 +65,8 @@ record PropertyValues(Function<String, @Nullable Value> lookup, AssetSource file
 
     private TextureMap textureMap(String file, ValueKind.TextureKind kind) {
         return new TextureMap(file, number(kind.repeatName(), 0), number(kind.repeatName(), 1), files.texture(file, kind.usage()),
-                ValueKind.TextureKind.WRAP.parse(word(kind.wrapName())));
+                ValueKind.TextureKind.WRAP.parse(word(kind.wrapName())),
+                new TexturePlacement(number(kind.offsetName(), 0), number(kind.offsetName(), 1), number(kind.rotationName(), 0)));
     }
 
     /** Casts a value whose attribute kind guarantees type {@code V}, which the compiler cannot verify. */

@@ -13,7 +13,7 @@ import lightning.scene.material.MaterialAttribute;
 /**
  * Property that references an image file.
  *
- * @param dependents properties that need it: repetitions of the image, and its continuation beyond its edges
+ * @param dependents properties that need it: repetitions, offset and rotation of the image, and its continuation beyond its edges
  * @param samples meaning of the samples
  */
 record TextureProperty(String name, List<String> dependents, TextureUsage samples) {
@@ -28,7 +28,8 @@ record TextureProperty(String name, List<String> dependents, TextureUsage sample
     private static Stream<TextureProperty> of(SceneAttribute<?, ?> attribute) {
         return switch (attribute.kind()) {
             case ValueKind.TextureKind t ->
-                    Stream.of(new TextureProperty(attribute.name(), List.of(t.repeatName(), t.wrapName()), t.usage()));
+                    Stream.of(new TextureProperty(attribute.name(), List.of(t.repeatName(), t.offsetName(), t.rotationName(), t.wrapName()),
+                            t.usage()));
             case ValueKind.GoboKind _ -> Stream.of(new TextureProperty(attribute.name(), List.of(), TextureUsage.COLOR));
             case ValueKind.LightTextureKind _ ->
                     Stream.of(new TextureProperty(attribute.name(), List.of(), TextureUsage.EMISSION));

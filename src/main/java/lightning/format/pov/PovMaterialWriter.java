@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import lightning.base.math.Rgb;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TexturePlacement;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.material.Bulb;
 import lightning.scene.material.BumpMapping;
@@ -247,6 +248,14 @@ record PovMaterialWriter(List<String> warnings) {
         if (!map.wrap().equals(TextureWrap.REPEAT)) {
             warn("material " + m.name() + ": a texture repeats beyond its edges");
         }
+        TexturePlacement placement = map.placement();
+        boolean isFlat = solid instanceof Solid.TriangleMesh || solid instanceof Solid.Plane;
+        if (!placement.isNone() && isFlat) {
+            // POV-Ray moves the image, not the coordinates.
+            statements
+                    .add("translate <" + -placement.offsetU() + ", " + -placement.offsetV() + ", 0> rotate <0, 0, " + -placement.rotation()
+                            + ">");
+        }
         if (solid instanceof Solid.TriangleMesh) {
             statements.add("scale <" + 1 / map.repeatU() + ", " + 1 / map.repeatV() + ", 1>");
             return statements;
@@ -258,6 +267,9 @@ record PovMaterialWriter(List<String> warnings) {
         }
         if (map.repeatU() != 1 || map.repeatV() != 1) {
             warn("material " + m.name() + ": a wrapped texture does not repeat");
+        }
+        if (!placement.isNone()) {
+            warn("material " + m.name() + ": a wrapped texture is neither rotated nor moved");
         }
         if (hasCaps(solid)) {
             warn("material " + m.name() + ": caps repeat the texture's edge");

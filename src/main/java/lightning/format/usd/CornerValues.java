@@ -63,20 +63,6 @@ record CornerValues(float[] values, int stride, Level level, int[] indices) {
         return result.indices.length == 0 && level == Level.CORNER ? result.merged() : result;
     }
 
-    /**
-     * Changes texture coordinates u and v.
-     *
-     * @param p u′ = p₀·u + p₁·v + p₂, v′ = p₃·u + p₄·v + p₅
-     */
-    void place(double[] p) {
-        for (int i = 0; i < values.length; i += 2) {
-            double u = values[i];
-            double v = values[i + 1];
-            values[i] = (float) (p[0] * u + p[1] * v + p[2]);
-            values[i + 1] = (float) (p[3] * u + p[4] * v + p[5]);
-        }
-    }
-
     private void check(JsonValue in, int elements) throws MeshException {
         int count = values.length / stride;
         if ((indices.length == 0 ? count : indices.length) < elements) {

@@ -27,9 +27,6 @@ record UsdFaces(float[] points, int[] counts, int[] corners, boolean isLeftHande
         int pointCount = points.length / 3;
         CornerValues normals = CornerValues.read(stage, in.get("normals"), 3, counts.length, pointCount, corners.length);
         CornerValues coordinates = CornerValues.read(stage, in.get("uv"), 2, counts.length, pointCount, corners.length);
-        if (coordinates != null && in.get("uv").get("placement").isPresent()) {
-            coordinates.place(in.get("uv").get("placement").numbers(1, 0, 0, 0, 1, 0));
-        }
         CornerValues colors = CornerValues.read(stage, in.get("colors"), 3, counts.length, pointCount, corners.length);
         for (int hole : stage.ints(in.get("holes"))) {
             if (hole >= 0 && hole < counts.length) {

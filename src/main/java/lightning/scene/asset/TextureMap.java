@@ -4,17 +4,21 @@ import io.soabase.recordbuilder.core.RecordBuilder;
 import lightning.scene.value.SceneLimits;
 
 /**
- * Texture with its repetition over a shape's texture coordinates.
+ * Texture with its repetition and placement over a shape's texture coordinates.
  *
  * @param file    name as written in the scene file
  * @param repeatU repetitions around the shape, not 0 (negative mirrors it)
  * @param repeatV repetitions along the shape, not 0
  * @param image   the decoded image
  * @param wrap    continuation of the image beyond its edges
+ * @param placement rotation and offset of the repeated image
  */
 @RecordBuilder
-public record TextureMap(String file, double repeatU, double repeatV, Texture image, TextureWrap wrap) implements TextureMapBuilder.With {
+public record TextureMap(String file, double repeatU, double repeatV, Texture image, TextureWrap wrap, TexturePlacement placement)
+        implements TextureMapBuilder.With {
     public TextureMap {
+        // The only placement without effect, so that a look-up compares references.
+        placement = placement.isNone() ? TexturePlacement.NONE : placement;
         checkRepeat("repeat u", repeatU);
         checkRepeat("repeat v", repeatV);
     }
@@ -24,9 +28,15 @@ public record TextureMap(String file, double repeatU, double repeatV, Texture im
         this(file, repeatU, repeatV, image, TextureWrap.REPEAT);
     }
 
+    /** Creates a map whose image is neither rotated nor moved. */
+    public TextureMap(String file, double repeatU, double repeatV, Texture image, TextureWrap wrap) {
+        this(file, repeatU, repeatV, image, wrap, TexturePlacement.NONE);
+    }
+
     /** Returns whether both look the same on every surface; the file name does not matter. */
     public boolean hasSameTexels(TextureMap o) {
-        return repeatU == o.repeatU && repeatV == o.repeatV && wrap.equals(o.wrap) && image.equals(o.image);
+        return repeatU == o.repeatU && repeatV == o.repeatV && wrap.equals(o.wrap) && placement.equals(o.placement)
+                && image.equals(o.image);
     }
 
     private static void checkRepeat(String name, double value) {

@@ -10,6 +10,7 @@ import lightning.scene.asset.Gobo;
 import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.LightTexture;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TexturePlacement;
 import lightning.scene.asset.TextureUsage;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.value.SceneLimits;
@@ -198,6 +199,16 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
             return repeatName.replace("repeat", "wrap");
         }
 
+        /** Returns the keyword for the offset of the image. */
+        public String offsetName() {
+            return repeatName.replace("repeat", "offset");
+        }
+
+        /** Returns the keyword for the rotation of the image. */
+        public String rotationName() {
+            return repeatName.replace("repeat", "rotation");
+        }
+
         @Override
         public boolean isEquivalent(Optional<TextureMap> a, Optional<TextureMap> b) {
             return a.isPresent() == b.isPresent() && (a.isEmpty() || a.get().hasSameTexels(b.get()));
@@ -206,8 +217,13 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
         @Override
         public String format(Optional<TextureMap> value) {
             return value.map(t -> t.file() + " " + SceneLimits.formatShort(t.repeatU()) + " × " + SceneLimits.formatShort(t.repeatV())
-                    + (t.wrap().equals(TextureWrap.REPEAT) ? "" : " " + t.wrap().word()))
+                    + (t.wrap().equals(TextureWrap.REPEAT) ? "" : " " + t.wrap().word()) + format(t.placement()))
                     .orElse("none");
+        }
+
+        private static String format(TexturePlacement p) {
+            return p.isNone() ? "" : " + " + SceneLimits.formatShort(p.offsetU()) + " " + SceneLimits.formatShort(p.offsetV()) + " "
+                    + SceneLimits.formatShort(p.rotation()) + "°";
         }
 
         @Override

@@ -27,6 +27,8 @@ import lightning.render.image.Film;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import lightning.scene.asset.TextureChannel;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TexturePlacement;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.asset.TextureWrap.Edge;
 import lightning.scene.material.AlphaCutout;
@@ -52,6 +54,10 @@ class GltfMaterialImportTest {
     /** Pixel with the values 128, 192, 255. */
     private static final String PIXEL =
             "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGNoOPAfAAQDAkBvhCYaAAAAAElFTkSuQmCC";
+
+    /** A black pixel. */
+    private static final String BLACK =
+            "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGNgYGAAAAAEAAH2FzhVAAAAAElFTkSuQmCC";
 
     /** Largest relative error by the interpolation of albedos. */
     private static final double TABLE_ERROR = 0.01;
@@ -227,7 +233,7 @@ class GltfMaterialImportTest {
         ImportedScene imported = importJson("{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}},"
                 + " 'emissiveTexture': {'index': 0, 'texCoord': 1}, 'emissiveFactor': [1, 1, 1]}");
         assertThat(imported.notes()).containsEntry(
-                "emissiveTexture of materials with another placement than other textures, placed like them",
+                "emissiveTexture of materials with texture coordinates of its own, placed like other textures",
                 1);
     }
 
@@ -336,18 +342,40 @@ class GltfMaterialImportTest {
     }
 
     @Test
-    void metallicRoughnessTextureOfGlass_isReplacedByItsMean() throws Exception {
+    void embeddedImagesOfOneName_areDifferent() throws Exception {
+        String image = "{'name': 'a', 'uri': 'data:image/png;base64,";
+        ImportedScene imported = importJson(surface("'baseColorTexture': {'index': 0}, 'metallicRoughnessTexture': {'index': 1}"),
+                "'textures': [{'source': 0}],\n 'images': [{'uri': 'data:image/png;base64," + PIXEL + "'}]",
+                "'textures': [{'source': 0}, {'source': 1}], 'images': [" + image + PIXEL + "'}, " + image + BLACK + "'}]");
+        imported.write();
+        Material material = JenReader.read(folder.resolve("a.jen")).scene().materials().getFirst();
+        assertThat(material.texture().orElseThrow().image().channel(0, 0, 2)).isEqualTo(1);
+        assertThat(material.surfaceMaps().meanMetalness()).isZero();
+    }
+
+    @Test
+    void metallicRoughnessTextureOfFrostedGlass_isMap() throws Exception {
         ImportedScene imported = importJson("{'pbrMetallicRoughness': {'metallicFactor': 0, 'roughnessFactor': 0.5,"
                 + " 'metallicRoughnessTexture': {'index': 0}}, 'extensions': {'KHR_materials_transmission': {'transmissionFactor': 1}}}");
         Material glass = imported.scene().materials().getFirst();
-        assertThat(glass.roughness()).isEqualTo(0.5 * (192 / 255f));
+        assertThat(glass.roughness()).isEqualTo(0.5);
+        assertThat(glass.surfaceMaps().roughness()).isPresent();
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("metallicRoughnessTexture"));
+    }
+
+    @Test
+    void metallicRoughnessTextureOfClearGlass_isReplacedByItsMean() throws Exception {
+        ImportedScene imported = importJson("{'pbrMetallicRoughness': {'metallicFactor': 0, 'roughnessFactor': 0.09,"
+                + " 'metallicRoughnessTexture': {'index': 0}}, 'extensions': {'KHR_materials_transmission': {'transmissionFactor': 1}}}");
+        Material glass = imported.scene().materials().getFirst();
+        assertThat(glass.roughness()).isEqualTo(0.09 * (192 / 255f));
         assertThat(glass.surfaceMaps()).isEqualTo(SurfaceMaps.NONE);
         assertThat(imported.notes()).containsEntry("metallicRoughnessTexture of materials, averaged", 1);
     }
 
     @Test
     void metallicRoughnessTextureWithAnotherPlacement_isNoted() throws Exception {
-        String note = "metallicRoughnessTexture of materials with another placement than other textures, placed like them";
+        String note = "metallicRoughnessTexture of materials with texture coordinates of its own, placed like other textures";
         String json = surface("'baseColorTexture': {'index': 0}, 'metallicRoughnessTexture': {'index': 0, 'texCoord': 1}");
         assertThat(importJson(json).notes()).containsEntry(note, 1);
         assertThat(importJson(json.replace("'texCoord': 1", "'texCoord': 0")).notes()).doesNotContainKey(note);
@@ -384,14 +412,37 @@ class GltfMaterialImportTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = ';',
-            value = {"'texCoord': 1; 1", "'extensions': {'KHR_texture_transform': {'scale': [2, 2]}}; 1", "'texCoord': 0; 0"})
+            value = {"'texCoord': 1; 1", "'extensions': {'KHR_texture_transform': {'scale': [2, 2]}}; 0",
+                "'extensions': {'KHR_texture_transform': {'texCoord': 1}}; 1", "'texCoord': 0; 0"})
     void differentlyPlacedNormalMap_isNoted(String placement, int noteCount) throws Exception {
         ImportedScene imported =
                 importJson("{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}}, 'normalTexture': {'index': 0, PLACED}}"
                         .replace("PLACED", placement));
         assertThat(
-                imported.notes().getOrDefault("normalTexture of materials with another placement than baseColorTexture, placed like it", 0))
+                imported.notes()
+                        .getOrDefault("normalTexture of materials with other texture coordinates than baseColorTexture, placed like it", 0))
                 .isEqualTo(noteCount);
+    }
+
+    /** The image of a point (u, v), v downwards, is at (0.25 + 2 v, 0.5 − 3 u) by the extension's rotation by a quarter. */
+    @Test
+    void texturesOfOneMaterial_haveTheirOwnPlacements() throws Exception {
+        ImportedScene imported =
+                importJson("{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}, 'metallicRoughnessTexture': {'index': 0,"
+                        + " 'extensions': {'KHR_texture_transform': {'offset': [0.25, 0.5], 'rotation': 1.5707963267948966, 'scale': [3, 2]}}}}}");
+        Material material = imported.scene().materials().getFirst();
+        assertThat(material.texture().orElseThrow().placement()).isEqualTo(TexturePlacement.NONE);
+        TextureMap map = material.surfaceMaps().roughness().orElseThrow();
+        TexturePlacement placement = map.placement();
+        for (double[] point : new double[][] {{0, 0}, {0.25, 0.125}, {0.75, 0.5}}) {
+            double u = map.repeatU() * point[0];
+            double v = map.repeatV() * (1 - point[1]);
+            double imageU = placement.cosine() * u - placement.sine() * v + placement.offsetU();
+            double imageV = placement.sine() * u + placement.cosine() * v + placement.offsetV();
+            assertThat(Math.IEEEremainder(imageU - (0.25 + 2 * point[1]), 1)).isCloseTo(0, within(1e-6));
+            assertThat(Math.IEEEremainder(1 - imageV - (0.5 - 3 * point[0]), 1)).isCloseTo(0, within(1e-6));
+        }
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("plac"));
     }
 
     @Test

@@ -7,13 +7,17 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Optional;
 import javax.imageio.ImageIO;
 import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
+import lightning.format.jen.asset.TextureDecoder;
 import lightning.sample.PythonPrograms;
+import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TexturePlacement;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import org.junit.jupiter.api.BeforeEach;
@@ -76,6 +80,35 @@ class UsdMaterialXTest {
                     color3f inputs:in.connect = </look/image.outputs:out>
                     float outputs:outb
                 }
+                def Shader "inverted"
+                {
+                    uniform token info:id = "ND_invert_float"
+                    float inputs:in.connect = </look/blue.outputs:outb>
+                    float outputs:out
+                }
+                def Shader "half"
+                {
+                    uniform token info:id = "ND_multiply_float"
+                    float inputs:in1.connect = </look/blue.outputs:outb>
+                    float inputs:in2 = 0.5
+                    float outputs:out
+                }
+                def Shader "more"
+                {
+                    uniform token info:id = "ND_add_float"
+                    float inputs:in1.connect = </look/half.outputs:out>
+                    float inputs:in2 = 0.125
+                    float outputs:out
+                }
+                def Shader "moved"
+                {
+                    uniform token info:id = "ND_remap_float"
+                    float inputs:in.connect = </look/more.outputs:out>
+                    float inputs:inhigh = 0.5
+                    float inputs:outlow = 0.25
+                    float inputs:outhigh = 0.75
+                    float outputs:out
+                }
                 def Shader "bumps"
                 {
                     uniform token info:id = "ND_normalmap_float"
@@ -124,12 +157,57 @@ class UsdMaterialXTest {
         assertThat(map.repeatU()).isEqualTo(2);
         assertThat(map.repeatV()).isEqualTo(4);
         assertThat(material.base()).isEqualTo(new Rgb(0.25, 0.125, 0.5));
-        assertThat(material.metalness()).isCloseTo(0x33 / 255.0, offset(1e-6));
+        assertThat(material.metalness()).isEqualTo(1);
+        assertThat(material.surfaceMaps().metalness().map(TextureMap::repeatV)).contains(4.0);
+        assertThat(material.surfaceMaps().metalnessChannel()).isEqualTo(TextureChannel.BLUE);
         assertThat(material.roughness()).isEqualTo(0.75);
         assertThat(material.bumpMapping().normalMap()).isPresent();
         assertThat(material.bumpMapping().strength()).isEqualTo(0.5);
         // A texture of emission without a weight does not glow.
         assertThat(material.glow()).isEqualTo(Rgb.BLACK);
+    }
+
+    /** At (0.5, 0.5): less the pivot, divided by (0.5, 0.25), turned clockwise, less the offset, plus the pivot. */
+    @Test
+    void place2d_turnsAboutItsPivot() throws Exception {
+        String nodes = String.format(Locale.ROOT, NETWORK, "ND_standard_surface_surfaceshader",
+                "color3f inputs:base_color.connect = </look/image.outputs:out>").replace("float2 inputs:scale = (0.5, 0.25)", """
+                        float2 inputs:scale = (0.5, 0.25)
+                        float inputs:rotate = 90
+                        float2 inputs:offset = (0.125, 0.25)
+                        float2 inputs:pivot = (0.25, 0.375)
+                        """);
+        TextureMap map = imported(String.format(Locale.ROOT, SQUARE, "/look") + nodes).texture().orElseThrow();
+        TexturePlacement placement = map.placement();
+        double u = 0.5 * map.repeatU();
+        double v = 0.5 * map.repeatV();
+        // Turned clockwise, (0.5, 0.5) becomes (0.5, −0.5).
+        assertThat(Math.IEEEremainder(placement.cosine() * u - placement.sine() * v + placement.offsetU() - (0.5 - 0.125 + 0.25), 1))
+                .isCloseTo(0, offset(1e-6));
+        assertThat(Math.IEEEremainder(placement.sine() * u + placement.cosine() * v + placement.offsetV() - (-0.5 - 0.25 + 0.375), 1))
+                .isCloseTo(0, offset(1e-6));
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("textures"));
+    }
+
+    /** The blue channel of the image is 0x33, each node changes it in turn. */
+    @Test
+    void arithmeticOfTextures_isExact() throws Exception {
+        Material material = network("open_pbr_surface", """
+                float inputs:base_metalness.connect = </look/inverted.outputs:out>
+                float inputs:specular_roughness.connect = </look/moved.outputs:out>
+                """);
+        double blue = 0x33 / 255.0;
+        assertThat(number(material.surfaceMaps().metalness(), material.surfaceMaps().metalnessChannel())).isCloseTo(1 - blue,
+                offset(1.0 / 65535));
+        assertThat(number(material.surfaceMaps().roughness(), material.surfaceMaps().roughnessChannel()))
+                .isCloseTo(0.25 + (0.75 - 0.25) * ((blue * 0.5 + 0.125) / 0.5), offset(1.0 / 65535));
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("shading n"));
+    }
+
+    private double number(Optional<TextureMap> map, TextureChannel channel) throws Exception {
+        imported.write();
+        byte[] file = Files.readAllBytes(folder.resolve(map.orElseThrow().file()));
+        return TextureDecoder.decodeNumbers("map", file).channel(0, 0, channel.ordinal());
     }
 
     @Test

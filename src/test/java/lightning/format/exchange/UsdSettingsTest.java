@@ -3,15 +3,17 @@ package lightning.format.exchange;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.data.Offset.offset;
 
+import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.imageio.ImageIO;
 import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.sample.PythonPrograms;
-import lightning.scene.node.Mesh;
-import lightning.scene.node.Solid;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TexturePlacement;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -118,17 +120,15 @@ class UsdSettingsTest {
 
     /** Scale by 2 along u, then a quarter turn, then the translation: (u, v) goes to (2u, v), (−v, 2u) and (0.5 − v, 0.25 + 2u). */
     @Test
-    void transformOfTexture_movesTheCoordinates() throws Exception {
-        Files.write(folder.resolve("w.png"), new byte[] {});
+    void transformOfTexture_isItsPlacement() throws Exception {
+        ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "png", folder.resolve("w.png").toFile());
         ImportedScene scene = imported("", square("rel material:binding = </red>")
                 + MATERIAL.replace("%s", "color3f inputs:diffuseColor.connect = </red/image.outputs:rgb>").replaceFirst(
                         "color3f inputs:diffuseColor = \\(1, 0, 0\\)", ""));
-        Mesh mesh = ((Solid.TriangleMesh) scene.scene().placedShapes().getFirst().shape().solid()).mesh();
-        for (int v = 0; v < 4; v++) {
-            float u = mesh.positions()[3 * v];
-            assertThat(mesh.coordinates()[2 * v]).isCloseTo(0.5f - mesh.positions()[3 * v + 1], offset(1e-6f));
-            assertThat(mesh.coordinates()[2 * v + 1]).isCloseTo(0.25f + 2 * u, offset(1e-6f));
-        }
+        TextureMap map = scene.scene().placedShapes().getFirst().material().texture().orElseThrow();
+        assertThat(map.repeatU()).isEqualTo(2);
+        assertThat(map.repeatV()).isEqualTo(1);
+        assertThat(map.placement()).isEqualTo(new TexturePlacement(0.5, 0.25, 90));
         assertThat(scene.notes().keySet()).noneMatch(note -> note.contains("rotation"));
     }
 }

@@ -19,6 +19,7 @@ import lightning.format.jen.JenReader;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.sample.PythonPrograms;
+import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.material.Material;
@@ -124,8 +125,11 @@ class UsdTextureTest {
                 .orElseThrow();
         assertThat(map.image().channel(1, 0, 0)).isCloseTo(0.25f, offset(1e-5f));
         assertThat(map.image().channel(1, 0, 1)).isCloseTo(0.75f, offset(1e-5f));
-        assertThat(material("float inputs:roughness.connect = </look/image.outputs:r>", "n.exr").roughness())
-                .isCloseTo(0.375, offset(1e-6));
+        Material rough = material("float inputs:roughness.connect = </look/image.outputs:r>", "n.exr");
+        assertThat(rough.roughness()).isEqualTo(1);
+        assertThat(rough.surfaceMaps().roughnessChannel()).isEqualTo(TextureChannel.RED);
+        // Codes of 16 bits.
+        assertThat(rough.surfaceMaps().roughness().orElseThrow().image().channel(1, 0, 0)).isCloseTo(0.25f, offset(0.5f / 65535));
     }
 
     @Test

@@ -182,7 +182,8 @@ class PropertyEditTest {
     @Test
     void unknownProperty_isReportedWithThoseOfTheTable() {
         List<String> names = MaterialAttribute.ALL.stream().flatMap(a -> a.kind() instanceof ValueKind.TextureKind map
-                ? Stream.of(a.name(), map.repeatName(), map.wrapName()) : Stream.of(a.name())).toList();
+                ? Stream.of(a.name(), map.repeatName(), map.offsetName(), map.rotationName(), map.wrapName()) : Stream.of(a.name()))
+                .toList();
         assertThat(names).contains("texture", "repeat", "glow_map", "glow_repeat", "shininess", "shadows");
         assertThatThrownBy(() -> PropertyEdit.apply(scene, "material:floor.shinines=1")).hasMessage(
                 "material 'floor': unknown property 'shinines', expected one of " + String.join(", ", names)

@@ -78,7 +78,7 @@ final class RandomJenText {
     private void properties(BlockType<?> type) {
         for (Property<?> p : type.properties()) {
             boolean file = p.name().equals(BlockTypes.FILE) && type.keyword().equals("mesh");
-            boolean missing = p.form() == Property.Form.QUOTED || p.name().endsWith("repeat") || p.name().equals(BlockTypes.PART)
+            boolean missing = p.form() == Property.Form.QUOTED || p.unit().contains(", needs a ") || p.name().equals(BlockTypes.PART)
                     || p.name().equals("bank") && groupNames.isEmpty();
             if (file ? !mistake() : missing ? mistake() : random.nextInt(3) == 0) {
                 word(p.name());

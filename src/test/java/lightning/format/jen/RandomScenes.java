@@ -17,6 +17,7 @@ import lightning.scene.ViewSettings;
 import lightning.scene.World;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TexturePlacement;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
@@ -264,7 +265,8 @@ final class RandomScenes {
     private Optional<TextureMap> map(List<Texture> images) {
         int i = random.nextInt(TEXTURES.size());
         return random.nextInt(3) == 0 ? Optional.of(new TextureMap(TEXTURES.get(i), chance() ? 1 : scale(1e-6, 1e6),
-                scale(1e-6, 1e6), images.get(i), TextureWrap.ALL.get(chance() ? 0 : random.nextInt(TextureWrap.ALL.size()))))
+                scale(1e-6, 1e6), images.get(i), TextureWrap.ALL.get(chance() ? 0 : random.nextInt(TextureWrap.ALL.size())),
+                chance() ? TexturePlacement.NONE : new TexturePlacement(scale(1e-6, 1e6), scale(1e-6, 1e6), scale(1e-3, 360))))
                 : Optional.empty();
     }
 

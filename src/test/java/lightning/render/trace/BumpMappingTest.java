@@ -16,6 +16,7 @@ import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TexturePlacement;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.material.BumpMapping;
@@ -58,6 +59,15 @@ class BumpMappingTest {
     void rampRepeatedMinusTwice_isTwiceAsSteepInReverse() {
         BumpMapping relief = new BumpMapping(Optional.of(new TextureMap("a.png", -2, 1, RAMP_U)), 0.5, Optional.empty(), 1);
         assertNormal(plane(relief, 2), new Vec3(-0.49, 5, 0.02), new Vec3(0, -1, 0), new Vec3(0.5, 1, 0));
+    }
+
+    /** The image shows its u where the surface has its v. */
+    @Example
+    void rampTurnedByQuarter_tiltsAgainstV() {
+        BumpMapping relief =
+                new BumpMapping(Optional.of(new TextureMap("a.png", 1, 1, RAMP_U).withPlacement(new TexturePlacement(0, 0.25, -90))),
+                        0.5, Optional.empty(), 1);
+        assertNormal(plane(relief, 2), new Vec3(0.01, 5, 0.02), new Vec3(0, -1, 0), new Vec3(0, 1, -0.25));
     }
 
     @Example

@@ -3,7 +3,9 @@ package lightning.editor.window.property;
 import static java.util.Objects.requireNonNull;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import javafx.css.PseudoClass;
 import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
@@ -26,6 +28,7 @@ import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.format.jen.asset.FileKind;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TexturePlacement;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.attribute.ValueKind;
 import lightning.scene.material.Material;
@@ -33,8 +36,9 @@ import lightning.scene.material.MaterialAttribute;
 import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
 
-/** Field for a texture of a material: file name, menu of the files next to the scene, repetition, and what follows the edges. Reads files in the background. */
+/** Field for a texture of a material: file name, menu of the files next to the scene, place on the surface, and what follows the edges. Reads files in the background. */
 final class TextureField extends VBox {
+    private static final StepRange OFFSETS = new StepRange(0.1, -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT);
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
 
     private final SceneEditor editor;
@@ -44,8 +48,7 @@ final class TextureField extends VBox {
     private final TextField file = new TextField();
     private final FileMenu fileMenu;
     private final Label refusal = new Label();
-    private final ArrowWidget repeatU;
-    private final ArrowWidget repeatV;
+    private final List<NumberWidget> numbers;
     private final AttributeChoiceBox<TextureWrap> wrap;
     private final DisabledReason disabledReason;
     private @Nullable Material shownMaterial;
@@ -85,42 +88,59 @@ final class TextureField extends VBox {
         var row = new HBox(file, fileMenu);
         row.getStyleClass().add("header-row");
         disabledReason = new DisabledReason(this, row);
-        repeatU = repeatWidget(id("u"), Messages.tr("Repeat U"), repeatTitle("u"),
-                TextureMap::withRepeatU);
-        repeatV = repeatWidget(id("v"), Messages.tr("Repeat V"), repeatTitle("v"),
-                TextureMap::withRepeatV);
+        numbers = List.of(
+                number("repeat-u", repeatName() + " u", Messages.tr("Repeat U"),
+                        new StepRange(1, -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT),
+                        TextureMap::repeatU, TextureMap::withRepeatU),
+                number("repeat-v", repeatName() + " v", Messages.tr("Repeat V"),
+                        new StepRange(1, -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT),
+                        TextureMap::repeatV, TextureMap::withRepeatV),
+                number("offset-u", name("offset") + " u", Messages.tr("Offset U"), OFFSETS, map -> map.placement().offsetU(),
+                        (map, v) -> map.withPlacement(map.placement().withOffsetU(v))),
+                number("offset-v", name("offset") + " v", Messages.tr("Offset V"), OFFSETS, map -> map.placement().offsetV(),
+                        (map, v) -> map.withPlacement(map.placement().withOffsetV(v))),
+                number("rotation", name("rotation"), Messages.tr("Rotation"),
+                        new StepRange(5, -TexturePlacement.MAX_ROTATION, TexturePlacement.MAX_ROTATION), map -> map.placement().rotation(),
+                        (map, v) -> map.withPlacement(map.placement().withRotation(v))));
         wrap = new AttributeChoiceBox<>(wrapName().replace('_', '-'), Messages.tr("{0}: beyond its edges", title),
                 ValueKind.TextureKind.WRAP,
                 Messages.tr("What a surface shows beyond the edges of an image; the first word is for left and right"),
                 v -> editor.edit(scene -> MaterialEdits.edit(scene, editedMaterial().name(),
                         m -> attribute.with(m, attribute.get(m).map(map -> map.withWrap(v)))), null));
-        getChildren().addAll(row, refusal, repeatU, repeatV, MaterialPane.labeled(Messages.tr("Wrap"), wrap));
+        getChildren().addAll(row, refusal);
+        numbers.forEach(number -> getChildren().add(number.widget));
+        getChildren().add(MaterialPane.labeled(Messages.tr("Wrap"), wrap));
     }
 
-    private String id(String axis) {
-        return repeatTitle(axis).replace('_', '-').replace(' ', '-');
+    /** Returns the name of the repeat property in the scene file. */
+    private String repeatName() {
+        return attribute.kind() instanceof ValueKind.TextureKind t ? t.repeatName() : "repeat";
     }
 
-    /** Returns the name of the repeat attribute in the scene file. */
-    private String repeatTitle(String axis) {
-        return (attribute.kind() instanceof ValueKind.TextureKind t ? t.repeatName() : "repeat") + " " + axis;
+    /** Returns the name of another property of the placement in the scene file. */
+    private String name(String property) {
+        return repeatName().replace("repeat", property);
     }
 
     private String wrapName() {
-        return attribute.kind() instanceof ValueKind.TextureKind t ? t.wrapName() : "wrap";
+        return name("wrap");
     }
 
-    private interface RepeatEdit {
+    /** A number of the texture, and how a texture without it shows. */
+    private record NumberWidget(ArrowWidget widget, ToDoubleFunction<TextureMap> value, double initial) {}
+
+    private interface NumberEdit {
         TextureMap apply(TextureMap map, double v);
     }
 
-    private ArrowWidget repeatWidget(String id, String label, String title, RepeatEdit edit) {
-        var widget = new ArrowWidget(label, title,
-                NumberSetting.of(title, new StepRange(1, -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT),
-                        (v, gesture) -> editor.edit(scene -> MaterialEdits.edit(scene, editedMaterial().name(),
-                                m -> attribute.with(m, attribute.get(m).map(map -> edit.apply(map, v)))), gesture)));
-        widget.setId(id);
-        return widget;
+    private NumberWidget number(String id, String title, String label, StepRange range, ToDoubleFunction<TextureMap> value,
+            NumberEdit edit) {
+        var widget = new ArrowWidget(label, title, NumberSetting.of(title, range,
+                (v, gesture) -> editor.edit(scene -> MaterialEdits.edit(scene, editedMaterial().name(),
+                        m -> attribute.with(m, attribute.get(m).map(map -> edit.apply(map, v)))), gesture)));
+        boolean isRepeat = id.startsWith("repeat");
+        widget.setId(isRepeat ? title.replace('_', '-').replace(' ', '-') : attribute.id() + "-" + id);
+        return new NumberWidget(widget, value, isRepeat ? 1 : 0);
     }
 
     void show(Material material) {
@@ -131,28 +151,26 @@ final class TextureField extends VBox {
             revert();
         }
         Optional<String> reason = attribute.get(material).isEmpty() ? missingReason : Optional.empty();
-        repeatU.setDisabledReason(reason);
-        repeatV.setDisabledReason(reason);
+        numbers.forEach(number -> {
+            number.widget.setDisabledReason(reason);
+            number.widget.show(attribute.get(material).map(number.value::applyAsDouble).orElse(number.initial));
+        });
         wrap.setDisabledReason(reason);
         wrap.show(attribute.get(material).map(TextureMap::wrap).orElse(TextureWrap.REPEAT));
-        repeatU.show(attribute.get(material).map(TextureMap::repeatU).orElse(1.0));
-        repeatV.show(attribute.get(material).map(TextureMap::repeatV).orElse(1.0));
     }
 
     /** Clears the field. */
     void showNothing() {
         shownMaterial = null;
         revert();
-        repeatU.showNothing();
-        repeatV.showNothing();
+        numbers.forEach(number -> number.widget.showNothing());
         wrap.showNothing();
     }
 
     void setDisabledReason(Optional<String> reason) {
         disabledReason.set(reason);
         if (reason.isPresent()) {
-            repeatU.setDisabledReason(reason);
-            repeatV.setDisabledReason(reason);
+            numbers.forEach(number -> number.widget.setDisabledReason(reason));
             wrap.setDisabledReason(reason);
         }
     }

@@ -61,6 +61,22 @@ final class UsdImages {
         }
     }
 
+    /**
+     * Returns whether an image has an alpha channel.
+     *
+     * @throws UnusableFileException as {@link #read}
+     */
+    static boolean hasAlpha(Path file) throws IOException, UnusableFileException {
+        if (!isExr(file)) {
+            return TextureDecoder.hasAlpha(bytes(file));
+        }
+        try (var exr = new ExrReader(file)) {
+            return exr.header().channels().stream().anyMatch(channel -> channel.name().equals("A"));
+        } catch (IOException | RuntimeException e) {
+            throw new UnusableFileException(String.valueOf(e.getMessage()));
+        }
+    }
+
     private static byte[] bytes(Path file) throws IOException, UnusableFileException {
         if (Files.size(file) > JenLimits.TEXTURE_BYTES) {
             throw new UnusableFileException(file + " has more than 64 MiB");

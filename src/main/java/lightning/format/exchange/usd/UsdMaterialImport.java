@@ -20,7 +20,7 @@ import lightning.scene.value.SceneLimits;
 /** Converter from UsdPreviewSurface to principled materials. */
 record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
     /** Inputs whose textures the scene shows, besides the emission. */
-    private static final List<String> MAPPED = List.of("diffuseColor", "normal", "opacity");
+    private static final List<String> MAPPED = List.of("diffuseColor", "normal", "opacity", "roughness", "metallic");
     /** Inputs whose textures are left out. */
     private static final List<String> UNMAPPED = List.of("specularColor", "ior", "clearcoat", "clearcoatRoughness");
     private static final double HALF = 0.5;
@@ -34,10 +34,20 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
         JsonValue baseImage = images.get("diffuseColor");
         Optional<TextureMap> texture = textures.map(baseImage, TextureUsage.COLOR);
         Rgb base = texture.isPresent() ? factor(baseImage) : color(in.get("diffuseColor"), 1, "colors of materials");
-        Material material = PrincipledImport.material(base, value(in, "metallic", 0), value(in, "roughness", HALF)).withTexture(texture);
+        var surfaceMaps = new UsdSurfaceMaps(assembler, textures);
+        boolean isClear = mayTransmit(in);
+        Material material = PrincipledImport.material(base,
+                isClear ? surfaceMaps.mean(in, "metallic", 0) : UsdSurfaceMaps.number(in, "metallic", 0),
+                isClear ? surfaceMaps.mean(in, "roughness", HALF) : UsdSurfaceMaps.number(in, "roughness", HALF)).withTexture(texture);
         noteLosses(in);
         Material surface = withOpacity(withNormals(withHighlights(withGlow(material, in), in), images.get("normal")), in);
-        return withCoat(surface, in);
+        return withCoat(isClear ? surface : surfaceMaps.withMaps(surface, in), in);
+    }
+
+    /** Returns whether a material is transparent, unless it is metal. */
+    private static boolean mayTransmit(JsonValue in) throws MeshException {
+        return !in.get("textures").get("opacity").isPresent()
+                && (in.get("transmission").number(0) > 0 || in.get("opacityThreshold").number(0) <= 0 && in.get("opacity").number(1) < 1);
     }
 
     /** Returns the textures of a material that the scene shows. */
@@ -136,24 +146,6 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
 
     private Rgb emission(Rgb color) {
         return assembler.clampColor(color, SceneLimits.MAX_EMISSION, "emission of materials");
-    }
-
-    /** Returns a number, or the mean of its texture. */
-    private double value(JsonValue in, String name, double fallback) throws IOException, MeshException {
-        JsonValue image = in.get("textures").get(name);
-        if (!image.isPresent()) {
-            return UsdNumbers.tidy(in.get(name).number(fallback));
-        }
-        Optional<double[]> mean = textures.mean(image, TextureUsage.DATA);
-        if (mean.isEmpty()) {
-            assembler.notes.add(name + " textures of materials");
-            return fallback;
-        }
-        int channel = Math.max(0, "rgb".indexOf(image.get("channel").text().orElse("r")));
-        assembler.notes.add(name + " textures of materials, averaged");
-        double[] scale = image.get("scale").numbers(1, 1, 1, 1);
-        double[] bias = image.get("bias").numbers(0, 0, 0, 0);
-        return UsdNumbers.rounded(mean.get()[channel] * scale[channel] + bias[channel]);
     }
 
     /** Returns the factor of a color texture. */

@@ -2,11 +2,14 @@ package lightning.format.exchange.usd;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.LongToDoubleFunction;
+import lightning.base.math.Affine2;
+import lightning.format.exchange.assembly.PlacedTexture;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.assembly.TextureMeans;
 import lightning.format.gltf.JsonValue;
@@ -18,15 +21,12 @@ import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureUsage;
 import lightning.scene.asset.TextureWrap;
-import lightning.scene.value.SceneLimits;
 
 /**
  * Image files of a stage. PNG and JPEG files are copied; OpenEXR files, images that are too large and tiles of one texture (UDIM) are
  * written as PNG.
  */
 final class UsdTextures {
-    private static final double MIN_REPEAT = 1e-6;
-
     private final SceneAssembler assembler;
     private final Map<String, Optional<String>> names = new HashMap<>();
     private final Map<Path, Long> sizes = new HashMap<>();
@@ -73,20 +73,51 @@ final class UsdTextures {
 
     /** Returns a texture; empty if absent, missing or of another format. */
     Optional<TextureMap> map(JsonValue image, TextureUsage usage) throws IOException, MeshException {
+        return map(image, usage.toString(), (tiles, name) -> copied(tiles, name, usage));
+    }
+
+    /**
+     * Returns a gray texture of 16 bits that has the numbers of another one; empty as {@link #map}.
+     *
+     * @param input what the numbers are, part of the name of the new file
+     */
+    Optional<TextureMap> numbers(JsonValue image, TextureNumbers numbers, String input) throws IOException, MeshException {
+        return map(image, numbers.toString(),
+                (tiles, name) -> converted(tiles, withSuffix(name, "-" + input), TextureUsage.DATA, numbers::read, true));
+    }
+
+    private static String withSuffix(String name, String suffix) {
+        return name.replaceFirst("(\\.[^.]*)?$", suffix + ".png");
+    }
+
+    /** Writer of the image of a texture: returns its name in the scene. */
+    @FunctionalInterface
+    private interface TileWriter {
+        String write(UsdTiles tiles, String name) throws IOException, UnusableFileException;
+    }
+
+    private Optional<TextureMap> map(JsonValue image, String kind, TileWriter writer) throws IOException, MeshException {
         Optional<UsdTiles> tiles = tiles(image);
         assembler.notes.add("textures that are missing", image.isPresent() && tiles.isEmpty() ? 1 : 0);
         if (tiles.isEmpty()) {
             return Optional.empty();
         }
         UsdTiles all = tiles.get();
-        String key = usage + " " + all.key();
+        String key = kind + " " + all.key();
         if (!names.containsKey(key)) {
-            names.put(key, name(image, all, usage));
+            names.put(key, write(all, image.get("name").text().orElse("texture"), writer));
         }
-        double[] repeat = image.get("repeat").numbers(1, 1);
         TextureWrap wrap = all.isSingle() ? wrap(image.get("wrap")) : TextureWrap.REPEAT;
-        return names.get(key).map(file -> new TextureMap(file, repeat(repeat[0] / all.columns()), repeat(repeat[1] / all.rows()),
-                new Texture(1, 1, new float[3]), wrap));
+        double[] p = Arrays.stream(image.get("placement").numbers(1, 0, 0, 0, 1, 0)).map(UsdNumbers::tidy).toArray();
+        var map = new Affine2(1.0 / all.columns(), 0, 0, 0, 1.0 / all.rows(), 0).times(new Affine2(p[0], p[1], p[2], p[3], p[4], p[5]));
+        return names.get(key).map(file -> placed(new TextureMap(file, 1.0 / all.columns(), 1.0 / all.rows(),
+                new Texture(1, 1, new float[3]), wrap), map));
+    }
+
+    private TextureMap placed(TextureMap texture, Affine2 map) {
+        Optional<TextureMap> placed = PlacedTexture.of(texture, map);
+        assembler.notes.add("textures that are sheared, or scaled to nothing, imported without their placement", placed.isEmpty() ? 1 : 0);
+        return placed.orElse(texture);
     }
 
     /** Returns what follows the edges of a texture; those of several tiles repeat together. */
@@ -102,33 +133,36 @@ final class UsdTextures {
         };
     }
 
-    private static double repeat(double v) {
-        double limited = Math.clamp(UsdNumbers.tidy(v), -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT);
-        return Math.abs(limited) < MIN_REPEAT ? 1 : limited;
-    }
-
-    private Optional<String> name(JsonValue image, UsdTiles tiles, TextureUsage usage) throws IOException, MeshException {
+    private Optional<String> write(UsdTiles tiles, String name, TileWriter writer) throws IOException {
         if (names.values().stream().filter(Optional::isPresent).count() >= JenLimits.TEXTURES) {
             assembler.notes.add("textures after the first " + JenLimits.TEXTURES);
             return Optional.empty();
         }
-        String name = image.get("name").text().orElse("texture");
-        Path first = tiles.tiles().getFirst().place();
         try {
-            UsdImages.pixels(first);
-            if (tiles.isSingle() && !UsdImages.isExr(first) && size(first) <= maxPixels) {
-                return Optional.of(assembler.addFile(first, name));
-            }
-            return Optional.of(assembler.addFile(name.replaceFirst("\\.[^.]*$", "").replace("<UDIM>", "tiles") + ".png",
-                    converted(tiles, usage)));
+            UsdImages.pixels(tiles.tiles().getFirst().place());
+            return Optional.of(writer.write(tiles, name));
         } catch (UnusableFileException e) {
             assembler.notes.add("textures that are not PNG, JPEG or OpenEXR without B44 and DWA, or have more than 64 MiB");
             return Optional.empty();
         }
     }
 
-    private byte[] converted(UsdTiles tiles, TextureUsage usage) throws IOException, UnusableFileException {
-        Texture first = UsdImages.read(tiles.tiles().getFirst().place(), usage);
+    private String copied(UsdTiles tiles, String name, TextureUsage usage) throws IOException, UnusableFileException {
+        Path first = tiles.tiles().getFirst().place();
+        return tiles.isSingle() && !UsdImages.isExr(first) && size(first) <= maxPixels ? assembler.addFile(first, name)
+                : converted(tiles, name, usage, tile -> UsdImages.read(tile.place(), usage), UsdImages.isExr(first));
+    }
+
+    /** Reader of the image of a tile. */
+    @FunctionalInterface
+    private interface TileReader {
+        Texture read(UsdTiles.Tile tile) throws IOException, UnusableFileException;
+    }
+
+    /** Writes tiles as one PNG file and returns its name; one of 16 bits that is too large has 8. */
+    private String converted(UsdTiles tiles, String name, TextureUsage usage, TileReader reader, boolean isDeep)
+            throws IOException, UnusableFileException {
+        Texture first = reader.read(tiles.tiles().getFirst());
         int step = TextureDecoder.step(first.width(), first.height(), Math.max(1, maxPixels / ((long) tiles.columns() * tiles.rows())));
         while (Math.max(Math.ceilDiv(first.width(), step) * tiles.columns(),
                 Math.ceilDiv(first.height(), step) * tiles.rows()) > JenLimits.TEXTURE_SIDE) {
@@ -136,18 +170,18 @@ final class UsdTextures {
         }
         assembler.notes.add("textures reduced to fit into a scene",
                 step > 1 || sizes.getOrDefault(tiles.tiles().getFirst().place(), 0L) > maxPixels ? 1 : 0);
-        boolean isExr = UsdImages.isExr(tiles.tiles().getFirst().place());
-        byte[] png = atlas(tiles, usage, first, step, isExr);
-        return png.length > JenLimits.TEXTURE_BYTES && isExr ? atlas(tiles, usage, first, step, false) : png;
+        byte[] png = atlas(tiles, usage, first, reader, step, isDeep);
+        return assembler.addFile(name.replaceFirst("\\.[^.]*$", "").replace("<UDIM>", "tiles") + ".png",
+                png.length > JenLimits.TEXTURE_BYTES && isDeep ? atlas(tiles, usage, first, reader, step, false) : png);
     }
 
-    private byte[] atlas(UsdTiles tiles, TextureUsage usage, Texture first, int step, boolean isDeep)
+    private byte[] atlas(UsdTiles tiles, TextureUsage usage, Texture first, TileReader reader, int step, boolean isDeep)
             throws IOException, UnusableFileException {
         var atlas = new TextureAtlas(tiles.columns(), tiles.rows(), Math.ceilDiv(first.width(), step), Math.ceilDiv(first.height(), step),
                 usage, isDeep);
         for (UsdTiles.Tile tile : tiles.tiles()) {
             boolean isFirst = tile == tiles.tiles().getFirst();
-            atlas.draw(isFirst ? first : UsdImages.read(tile.place(), usage), tile.column(), tile.row());
+            atlas.draw(isFirst ? first : reader.read(tile), tile.column(), tile.row());
         }
         assembler.notes.add("values of OpenEXR textures above 1, limited to 1", atlas.isClamped() ? 1 : 0);
         return atlas.png();
@@ -160,6 +194,15 @@ final class UsdTextures {
 
     /** Returns the mean of each channel of a texture, in linear light; empty if it is missing or of another format. */
     Optional<double[]> mean(JsonValue image, TextureUsage usage) throws IOException, MeshException {
+        return mean(image, tile -> UsdImages.read(tile.place(), usage));
+    }
+
+    /** Returns the mean of numbers of a texture; empty as above. */
+    Optional<Double> mean(JsonValue image, TextureNumbers numbers) throws IOException, MeshException {
+        return mean(image, numbers::read).map(mean -> mean[0]);
+    }
+
+    private Optional<double[]> mean(JsonValue image, TileReader reader) throws IOException, MeshException {
         Optional<UsdTiles> tiles = tiles(image);
         if (tiles.isEmpty()) {
             return Optional.empty();
@@ -167,7 +210,7 @@ final class UsdTextures {
         double[] sums = new double[3];
         try {
             for (UsdTiles.Tile tile : tiles.get().tiles()) {
-                Texture texture = UsdImages.read(tile.place(), usage);
+                Texture texture = reader.read(tile);
                 for (int c = 0; c < 3; c++) {
                     sums[c] += TextureMeans.mean(texture, c) / tiles.get().tiles().size();
                 }

@@ -3,6 +3,7 @@ package lightning.render.trace.primitive;
 import lightning.base.Initializer;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TexturePlacement;
 import lightning.scene.asset.TextureWrap.Edge;
 
 /**
@@ -25,8 +26,13 @@ final class BilinearLookup {
     private Edge wrapV;
     private int signU;
     private int signV;
+    private TexturePlacement placement = TexturePlacement.NONE;
+    /** Placement whose cosine and sine are known. */
+    private TexturePlacement turned = TexturePlacement.NONE;
+    private double cosine = 1;
+    private double sine;
 
-    /** Sets texture coordinates, which are multiplied by the map's repeat counts. */
+    /** Sets texture coordinates, which are multiplied by the map's repeat counts, and then placed. */
     @Initializer
     void setCoordinates(TextureMap map, double u, double v) {
         image = map.image();
@@ -35,6 +41,13 @@ final class BilinearLookup {
         // Negative counts mirror the image at its own place.
         double scaledU = u * map.repeatU() + (wrapU != Edge.REPEAT && map.repeatU() < 0 ? 1 : 0);
         double scaledV = v * map.repeatV() + (wrapV != Edge.REPEAT && map.repeatV() < 0 ? 1 : 0);
+        placement = map.placement();
+        if (placement != TexturePlacement.NONE) {
+            turn(placement);
+            double turnedU = cosine * scaledU - sine * scaledV + placement.offsetU();
+            scaledV = sine * scaledU + cosine * scaledV + placement.offsetV();
+            scaledU = turnedU;
+        }
         signU = sign(scaledU, wrapU);
         signV = sign(scaledV, wrapV);
         double column = fold(scaledU, wrapU) * image.width() - 0.5;
@@ -47,6 +60,14 @@ final class BilinearLookup {
         x1 = wrap(left + 1, image.width(), wrapU);
         y0 = wrap(top, image.height(), wrapV);
         y1 = wrap(top + 1, image.height(), wrapV);
+    }
+
+    private void turn(TexturePlacement next) {
+        if (next != turned) {
+            turned = next;
+            cosine = next.cosine();
+            sine = next.sine();
+        }
     }
 
     /** Returns the place in the image, 0…1, that a surface shows at a coordinate. */
@@ -78,6 +99,16 @@ final class BilinearLookup {
     /** Returns the first channel. */
     float red() {
         return image.interpolate(x0, y0, x1, y1, fractionX, fractionY, 0);
+    }
+
+    /** Returns the part of a direction in the image along the surface's u, for one of {@code x} to the right and {@code y} up. */
+    double alongU(double x, double y) {
+        return placement == TexturePlacement.NONE ? x : cosine * x + sine * y;
+    }
+
+    /** Returns the part of a direction in the image along the surface's v, as {@link #alongU}. */
+    double alongV(double x, double y) {
+        return placement == TexturePlacement.NONE ? y : cosine * y - sine * x;
     }
 
     /**

@@ -55,14 +55,18 @@ final class BumpNormal {
         double heightSlopeV = 0;
         if (bumpMapping.hasBumpMap()) {
             lookup.setCoordinates(bumpMapping.bump().get(), uv[0], uv[1]);
-            heightSlopeU = bumpMapping.height() * bumpMapping.bump().get().repeatU() * lookup.slopeU();
-            heightSlopeV = bumpMapping.height() * bumpMapping.bump().get().repeatV() * lookup.slopeV();
+            double slopeU = lookup.slopeU();
+            double slopeV = lookup.slopeV();
+            heightSlopeU = bumpMapping.height() * bumpMapping.bump().get().repeatU() * lookup.alongU(slopeU, slopeV);
+            heightSlopeV = bumpMapping.height() * bumpMapping.bump().get().repeatV() * lookup.alongV(slopeU, slopeV);
         }
         if (bumpMapping.hasNormalMap()) {
             lookup.setCoordinates(bumpMapping.normalMap().get(), uv[0], uv[1]);
             lookup.readColor(rgb);
-            tx = sign(bumpMapping.normalMap().get().repeatU()) * bumpMapping.strength() * (2.0 * rgb[0] - 1);
-            ty = sign(bumpMapping.normalMap().get().repeatV()) * bumpMapping.strength() * (2.0 * rgb[1] - 1);
+            double right = 2.0 * rgb[0] - 1;
+            double up = 2.0 * rgb[1] - 1;
+            tx = sign(bumpMapping.normalMap().get().repeatU()) * bumpMapping.strength() * lookup.alongU(right, up);
+            ty = sign(bumpMapping.normalMap().get().repeatV()) * bumpMapping.strength() * lookup.alongV(right, up);
             tz = 2.0 * rgb[2] - 1;
         }
         if (heightSlopeU == 0 && heightSlopeV == 0 && tx == 0 && ty == 0 && tz > 0) {

@@ -25,6 +25,7 @@ import lightning.editor.document.Command;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.TextTyping;
 import lightning.scene.Scene;
+import lightning.scene.asset.TexturePlacement;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import org.junit.jupiter.api.Test;
@@ -219,7 +220,7 @@ class MaterialPaneTest extends EditorFixture {
     }
 
     @Test
-    void texture_isLoadedRepeatedAndRemoved() throws IOException {
+    void texture_isLoadedPlacedAndRemoved() throws IOException {
         picture("dots.png");
         robot.interact(() -> {
             model().materials().choose("matt");
@@ -230,6 +231,9 @@ class MaterialPaneTest extends EditorFixture {
         waitFor("the file is read", () -> material("matt").texture().isPresent());
         type("repeat-u .number-field", "3");
         assertThat(material("matt").texture().orElseThrow().repeatU()).isEqualTo(3);
+        type("texture-offset-v .number-field", "0.25");
+        type("texture-rotation .number-field", "30");
+        assertThat(material("matt").texture().orElseThrow().placement()).isEqualTo(new TexturePlacement(0, 0.25, 30));
         click("go");
         waitForPicture();
         type("texture", " ");

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.TexturePlacement;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.asset.TextureWrap.Edge;
 import net.jqwik.api.ForAll;
@@ -68,6 +69,43 @@ class BilinearLookupTest {
         assertThat(read(Edge.REPEAT, 1, u + n)).isEqualTo(read(Edge.REPEAT, 1, u), within(1e-6f));
         assertThat(read(Edge.MIRROR, 1, u + 2 * n)).isEqualTo(read(Edge.MIRROR, 1, u), within(1e-6f));
         assertThat(read(Edge.MIRROR, 1, -u)).isEqualTo(read(Edge.MIRROR, 1, u), within(1e-6f));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.25, 0, 0, 0.375, 0, 0.5", "0, 0, 90, 0.3, -0.625, 0.5", "0.125, 0, 180, -0.25, 0.1, 0.25",
+        "0, 7, -90, 0.3, 0.375, 0.25"})
+    void placement_turnsThenMoves(double offsetU, double offsetV, double rotation, double u, double v, float expected) {
+        lookup.setCoordinates(placed(1, 1, TextureWrap.REPEAT, new TexturePlacement(offsetU, offsetV, rotation)), u, v);
+        assertThat(lookup.red()).isEqualTo(expected, within(1e-6f));
+    }
+
+    private static TextureMap placed(double repeatU, double repeatV, TextureWrap wrap, TexturePlacement placement) {
+        return new TextureMap("a.png", repeatU, repeatV, IMAGE, wrap, placement);
+    }
+
+    @Test
+    void repeats_comeBeforeTheRotation() {
+        // (0.1 · 2, −0.1 · 3.75) turned by 90° is (0.375, 0.2).
+        lookup.setCoordinates(placed(2, 3.75, TextureWrap.REPEAT, new TexturePlacement(0, 0, 90)), 0.1, -0.1);
+        assertThat(lookup.red()).isEqualTo(0.25f, within(1e-6f));
+    }
+
+    @Test
+    void lookupWithoutPlacement_isThatOfItsOwnMap() {
+        lookup.setCoordinates(placed(1, 1, TextureWrap.REPEAT, new TexturePlacement(0.5, 0, 45)), 0.375, 0);
+        lookup.setCoordinates(placed(1, 1, TextureWrap.REPEAT, TexturePlacement.NONE), 0.375, 0);
+        assertThat(lookup.red()).isEqualTo(0.25f);
+        assertThat(lookup.alongU(3, 4)).isEqualTo(3);
+        assertThat(lookup.alongV(3, 4)).isEqualTo(4);
+    }
+
+    /** The directions along u and v are those in which the image was turned. */
+    @Test
+    void directions_turnBack() {
+        lookup.setCoordinates(placed(1, 1, TextureWrap.REPEAT, new TexturePlacement(0, 0, 90)), 0.1, 0.1);
+        // u grows where the image's v does, and v where its u falls.
+        assertThat(lookup.alongU(0, 1)).isEqualTo(1, within(1e-12));
+        assertThat(lookup.alongV(1, 0)).isEqualTo(-1, within(1e-12));
     }
 
     @Test

@@ -1,0 +1,196 @@
+package lightning.format.exchange;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.data.Offset.offset;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import javax.imageio.ImageIO;
+import lightning.base.math.SrgbCurve;
+import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ImportedScene;
+import lightning.format.exchange.assembly.LightUnits;
+import lightning.format.image.ImageFile;
+import lightning.format.jen.JenReader;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
+import lightning.sample.PythonPrograms;
+import lightning.scene.asset.TextureChannel;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.Material;
+import lightning.scene.material.SurfaceMaps;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Textures of roughness and metalness of stages, through usd-core. */
+class UsdSurfaceMapsTest {
+    private static final String STAGE = """
+            #usda 1.0
+            def Mesh "square" ( prepend apiSchemas = ["MaterialBindingAPI"] )
+            {
+                uniform token subdivisionScheme = "none"
+                int[] faceVertexCounts = [4]
+                int[] faceVertexIndices = [0, 1, 2, 3]
+                point3f[] points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+                texCoord2f[] primvars:st = [(0, 0), (2, 0), (2, 2), (0, 2)] ( interpolation = "vertex" )
+                rel material:binding = </look>
+            }
+            def Material "look"
+            {
+                token outputs:surface.connect = </look/surface.outputs:surface>
+                def Shader "surface"
+                {
+                    uniform token info:id = "UsdPreviewSurface"
+                    %s
+                    token outputs:surface
+                }
+                def Shader "image"
+                {
+                    uniform token info:id = "UsdUVTexture"
+                    asset inputs:file = @%s@
+                    %s
+                    float outputs:r
+                    float outputs:g
+                    float outputs:b
+                    float outputs:a
+                }
+            }
+            """;
+    private static final String ROUGH = "float inputs:roughness.connect = </look/image.outputs:%s>";
+    /** The left pixel has red 51, green 102, blue 153 and alpha 204; the right one has none of them. */
+    private static final int LEFT = 0xCC336699;
+    @TempDir
+    private Path folder;
+    private ImportedScene imported;
+
+    @BeforeEach
+    void requireUsd() throws Exception {
+        PythonPrograms.require("pxr");
+        writeImage(BufferedImage.TYPE_INT_ARGB);
+    }
+
+    private void writeImage(int type) throws Exception {
+        var image = new BufferedImage(2, 1, type);
+        image.setRGB(0, 0, LEFT);
+        image.setRGB(1, 0, 0);
+        ImageIO.write(image, "png", folder.resolve("a.png").toFile());
+    }
+
+    private Material material(String surface, String image) throws Exception {
+        return material(surface, image, "a.png");
+    }
+
+    private Material material(String surface, String image, String file) throws Exception {
+        Path stage = Files.writeString(folder.resolve("a.usda"), String.format(Locale.ROOT, STAGE, surface, file, image));
+        Path scene = Files.createDirectories(folder.resolve("scene")).resolve("a.jen");
+        imported = SceneImporter.read(stage, scene, LightUnits.CANDELA, Progress.NONE);
+        imported.write();
+        return JenReader.read(scene).scene().material("look").orElseThrow();
+    }
+
+    private Material rough(String output, String image) throws Exception {
+        return material(String.format(Locale.ROOT, ROUGH, output), image);
+    }
+
+    private Material rough(String output, String image, String file) throws Exception {
+        return material(String.format(Locale.ROOT, ROUGH, output), image, file);
+    }
+
+    /** Returns the roughness that a pixel of a map gives. */
+    private static double roughness(Material material, int x) {
+        SurfaceMaps maps = material.surfaceMaps();
+        return material.mappedRoughness(maps.roughness().orElseThrow().image().channel(x, 0, maps.roughnessChannel().ordinal()));
+    }
+
+    @Test
+    void channels_becomeThoseOfTheMaps() throws Exception {
+        Material material = material(String.format(Locale.ROOT, ROUGH, "g") + "\nfloat inputs:metallic.connect = </look/image.outputs:b>",
+                "token inputs:wrapS = \"clamp\"");
+        SurfaceMaps maps = material.surfaceMaps();
+        assertThat(maps.roughnessChannel()).isEqualTo(TextureChannel.GREEN);
+        assertThat(maps.metalnessChannel()).isEqualTo(TextureChannel.BLUE);
+        assertThat(maps.roughness().map(TextureMap::file)).contains("a.png").isEqualTo(maps.metalness().map(TextureMap::file));
+        assertThat(maps.roughness().orElseThrow().wrap().word()).isEqualTo("clamp_repeat");
+        assertThat(material.metalness()).isEqualTo(1);
+        assertThat(roughness(material, 0)).isCloseTo(102 / 255.0, offset(1e-6));
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("textures"));
+    }
+
+    @Test
+    void redChannel_isRead() throws Exception {
+        assertThat(roughness(rough("r", ""), 0)).isCloseTo(51 / 255.0, offset(1e-6));
+    }
+
+    @Test
+    void scale_becomesTheFactor() throws Exception {
+        Material material = rough("g", "float4 inputs:scale = (1, 0.5, 1, 1)");
+        assertThat(material.roughness()).isEqualTo(0.5);
+        assertThat(material.surfaceMaps().roughness().map(TextureMap::file)).contains("a.png");
+    }
+
+    @Test
+    void scaleAndBias_areWrittenToAnImage() throws Exception {
+        Material material = rough("g", "float4 inputs:scale = (1, -0.5, 1, 1)\nfloat4 inputs:bias = (0, 0.75, 0, 0)");
+        assertThat(roughness(material, 0)).isCloseTo(0.75 - 0.5 * 102 / 255, offset(1.0 / 65535));
+        assertThat(roughness(material, 1)).isCloseTo(0.75, offset(1.0 / 65535));
+        assertThat(material.surfaceMaps().roughness().map(TextureMap::file)).contains("a-roughness.png");
+    }
+
+    @Test
+    void scaleAboveOne_isLimitedPointByPoint() throws Exception {
+        Material material = rough("b", "float4 inputs:scale = (1, 1, 4, 1)\nfloat4 inputs:bias = (0, 0, 0.25, 0)");
+        assertThat(roughness(material, 0)).isEqualTo(1);
+        assertThat(roughness(material, 1)).isCloseTo(0.25, offset(1.0 / 65535));
+    }
+
+    @Test
+    void alpha_isReadAsNumbers() throws Exception {
+        assertThat(roughness(rough("a", ""), 0)).isCloseTo(204 / 255.0, offset(1.0 / 65535));
+    }
+
+    @Test
+    void imageWithoutAlpha_isOpaque() throws Exception {
+        writeImage(BufferedImage.TYPE_INT_RGB);
+        assertThat(roughness(rough("a", "float4 inputs:scale = (1, 1, 1, 0.5)"), 1)).isCloseTo(0.5, offset(1.0 / 65535));
+    }
+
+    @Test
+    void numbersInSrgb_areConverted() throws Exception {
+        assertThat(roughness(rough("g", "token inputs:sourceColorSpace = \"sRGB\""), 0))
+                .isCloseTo(SrgbCurve.toLinear(102 / 255.0), offset(1.0 / 65535));
+    }
+
+    @Test
+    void valuesOfExrAboveOne_areLimitedAfterScaleAndBias() throws Exception {
+        ImageFile.write(folder.resolve("n.exr"), Film.ofScanlines(2, 1, new float[] {2, 0, 0, 0.5f, 0, 0}), ViewTransform.DEFAULT);
+        Material material = rough("r", "float4 inputs:scale = (0.25, 1, 1, 1)\nfloat4 inputs:bias = (0.125, 0, 0, 0)", "n.exr");
+        assertThat(roughness(material, 0)).isCloseTo(0.625, offset(1.0 / 65535));
+        assertThat(roughness(material, 1)).isCloseTo(0.25, offset(1.0 / 65535));
+    }
+
+    @Test
+    void specularWorkflow_hasNoMetalness() throws Exception {
+        Material material = material("float inputs:metallic.connect = </look/image.outputs:b>\nint inputs:useSpecularWorkflow = 1", "");
+        assertThat(material.metalness()).isZero();
+        assertThat(material.surfaceMaps().metalness()).isEmpty();
+    }
+
+    /** The mean of the left pixel and 0. */
+    @Test
+    void transparentMaterial_hasTheMean() throws Exception {
+        Material veil = material(String.format(Locale.ROOT, ROUGH, "g") + "\nfloat inputs:opacity = 0.5", "");
+        assertThat(veil.transmission().isTransparent()).isTrue();
+        assertThat(veil.roughness()).isCloseTo(51 / 255.0, offset(1e-6));
+        assertThat(imported.notes()).containsEntry("roughness textures of transparent materials, averaged: 'a.png'", 1);
+    }
+
+    @Test
+    void missingImage_isNoted() throws Exception {
+        Files.delete(folder.resolve("a.png"));
+        assertThat(rough("g", "").roughness()).isEqualTo(0.5);
+        assertThat(imported.notes()).containsEntry("roughness textures of materials", 1).containsEntry("textures that are missing", 1);
+    }
+}
