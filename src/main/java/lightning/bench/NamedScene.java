@@ -3,7 +3,10 @@ package lightning.bench;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
+import lightning.scene.AntialiasMode;
 import lightning.scene.IndirectSettings;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 
@@ -29,8 +32,17 @@ public record NamedScene(String name, Scene scene, @Nullable Path file, List<Str
      * results from before stay comparable.
      */
     NamedScene withoutIndirect() {
-        return scene.picture().indirect().isEmpty() ? this : new NamedScene(name, withIndirect(Optional.empty()), file,
-                List.of("--no-indirect"));
+        return scene.picture().indirect().isEmpty() ? this : with(withIndirect(Optional.empty()), "--no-indirect");
+    }
+
+    /** Returns the scene with one sample per pixel. */
+    public NamedScene withoutAntialiasing() {
+        return scene.picture().sampling().antialias() == AntialiasMode.OFF ? this
+                : with(scene.withPicture(scene.picture().withSampling(SamplingSettings.DEFAULT)), "--antialias", "off");
+    }
+
+    private NamedScene with(Scene changed, String... added) {
+        return new NamedScene(name, changed, file, Stream.concat(options.stream(), Stream.of(added)).toList());
     }
 
     /** Returns the scene with other indirect light, or without. */

@@ -11,6 +11,7 @@ import lightning.base.file.ParentFolder;
 import lightning.base.text.Quote;
 import lightning.bench.BenchSettings;
 import lightning.bench.Harness;
+import lightning.bench.NamedScene;
 import lightning.bench.PaperFigures;
 import lightning.bench.PictureSize;
 import lightning.bench.ResultsReporter;
@@ -112,6 +113,9 @@ final class BenchCommand implements Callable<Integer> {
     @Option(names = "--size", paramLabel = "WxH", converter = PictureDimensions.Converter.class,
             description = "Image size in pixels; repeat for several sizes (default: 300x300 and 1920x1080).")
     private List<PictureDimensions> sizes = List.of();
+    @Option(names = "--antialiased", paramLabel = "NAME",
+            description = "Keep the anti-aliasing of this scene; repeat for several (default: leave out anti-aliasing).")
+    private List<String> antialiased = List.of();
     @Option(names = "--baseline", paramLabel = "OLD.json",
             description = "Compare with earlier results: print what is slower (disjoint quartiles and more than 10 %%, also relative to "
                     + "the full trace) or less accurate.")
@@ -178,14 +182,24 @@ final class BenchCommand implements Callable<Integer> {
         if (benchScenes.scenes().isEmpty()) {
             throw new BadInputException("no scene to measure");
         }
+        requireMeasured(antialiased, benchScenes);
         Files.createDirectories(folder);
-        BenchResults results = measure(benchScenes, folder);
+        BenchResults results = measure(benchScenes.withoutAntialiasing(antialiased), folder);
         console.print("%s: report.html, results.json, results.csv and images", folder);
         int exit = exitCode(results, baselineResults, !benchScenes.problems().isEmpty());
         console.report().setResult(new BenchReport(folder.toString(), folder.resolve(HtmlReport.FILE).toString(),
                 folder.resolve(BenchOutput.RESULTS).toString(), benchScenes.scenes().size(),
                 results.problems().stream().map(MeasurementFailure::what).toList(), worse));
         return exit;
+    }
+
+    /** Rejects names of scenes that are not measured. */
+    private void requireMeasured(List<String> names, BenchScenes benchScenes) {
+        List<String> measured = benchScenes.scenes().stream().map(NamedScene::name).toList();
+        names.stream().filter(name -> !measured.contains(name)).findFirst().ifPresent(name -> {
+            throw new ParameterException(command.commandLine(),
+                    "--antialiased must be the name of a measured scene (" + String.join(", ", measured) + "), was " + Quote.of(name));
+        });
     }
 
     /** Writes the report of stored results again. */

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -43,6 +44,16 @@ record BenchScenes(List<NamedScene> scenes, List<MeasurementFailure> problems) {
             }
         }
         return new BenchScenes(scenes, problems);
+    }
+
+    /**
+     * Returns the scenes with one sample per pixel, except some that keep their anti-aliasing.
+     *
+     * @param kept names of scenes
+     */
+    BenchScenes withoutAntialiasing(Collection<String> kept) {
+        return new BenchScenes(scenes.stream().map(scene -> kept.contains(scene.name()) ? scene : scene.withoutAntialiasing()).toList(),
+                problems);
     }
 
     private static MeasurementFailure unreadable(Path file, String message) {

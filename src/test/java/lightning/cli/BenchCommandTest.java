@@ -131,6 +131,7 @@ class BenchCommandTest {
                 "--figure must be a figure with measured edits (6 to 11, 13 to 26, B1 to B4 or B for Appendix B), was '12'");
         bench(scene, "--repetitions", 0).assertRejected("repetitions");
         bench(scene, "--size", "0x5").assertRejected("width and height must be from 1");
+        bench(scene, "--antialiased", "b").assertRejected("--antialiased must be the name of a measured scene (a), was 'b'");
         bench(scene, "--baseline", folder.resolve("no.json")).assertRejected("no.json: file not found");
         bench(scene, "--baseline", scene).assertRejected("expected a results file of 'lightning bench'");
         bench(folder.resolve("no.jen")).assertRejected("no.jen: file not found", "no scene to measure");

@@ -12,7 +12,7 @@ final class LandscapeScene {
             # A mountain lake at dawn: land of %,d triangles and %d firs of one file, %,d triangles in all.
             # Mesh and scene are made by the program lightning.meshes.MeshGenerator.
 
-            picture { size 480 300  depth 2 }
+            picture { size 480 300  depth 2  antialias edges  samples 3 }
             camera  { from 1.5 2.6 17.5  to -0.7 0.85 0  fov 40 }
             world   { ambience 1  background 0.46 0.45 0.55 }
 

@@ -4,7 +4,7 @@ import lightning.base.math.Vec3;
 import lightning.meshes.ParametricSurface.SurfaceFunction;
 
 /**
- * Profile curve of a lathe: a Catmull-Rom spline (1974) in the half plane of radius and height.
+ * Profile curve of a lathe: a {@link Spline} in the half plane of radius and height.
  *
  * @param points radius, height, radius, height …; at least two points
  */
@@ -30,19 +30,7 @@ record LatheProfile(double... points) {
     }
 
     private double interpolate(double v, int coordinate) {
-        int spans = points.length / 2 - 1;
-        double along = Math.clamp(v, 0, 1) * spans;
-        int span = Math.min((int) along, spans - 1);
-        double t = along - span;
-        double a = point(span - 1, coordinate);
-        double b = point(span, coordinate);
-        double c = point(span + 1, coordinate);
-        double d = point(span + 2, coordinate);
-        double value = b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
+        double value = new Spline(false, points).at(v, coordinate);
         return coordinate == 0 ? Math.max(0, value) : value;
-    }
-
-    private double point(int i, int coordinate) {
-        return points[2 * Math.clamp(i, 0, points.length / 2 - 1) + coordinate];
     }
 }

@@ -22,6 +22,7 @@ final class SampleSolids {
         all.put("goblet", new ParametricSurface(96, 120, true, goblet().revolve()));
         all.put("decanter", new ParametricSurface(96, 120, true, decanter().revolve()));
         all.put("cognac", new ParametricSurface(96, 60, true, cognac().revolve()));
+        all.putAll(StageProps.all());
         all.put("land", new ParametricSurface(150, 150, false, Terrain::at));
         return all;
     }

@@ -49,7 +49,11 @@ public final class TextureGenerator {
         NIGHT_SKY(NaturePatterns::nightSky),
         METAL_PLATES(new MetalPlatePattern()),
         GOBO_WINDOW(GoboPatterns::window),
-        GOBO_LEAVES(GoboPatterns::leaves);
+        GOBO_LEAVES(GoboPatterns::leaves),
+        PIANO_KEYS(StagePatterns::keys),
+        MUSIC(StagePatterns::music),
+        MOON(StagePatterns::moon),
+        LENS(StagePatterns::lens);
 
         final TexturePattern pattern;
 

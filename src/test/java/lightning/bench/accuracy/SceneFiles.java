@@ -27,9 +27,9 @@ public final class SceneFiles {
         }
     }
 
-    /** Returns a scene without indirect light, as all benchmark parts but that of indirect light measure it. */
+    /** Returns a scene without indirect light and anti-aliasing, as most parts of the benchmark measure it. */
     public static Scene read(String name) {
-        return IndirectScenes.without(readAll(name));
+        return IndirectScenes.withoutEdges(IndirectScenes.without(readAll(name)));
     }
 
     /** Returns a scene as its file describes it. */

@@ -240,7 +240,7 @@ class SceneEffectsTest {
                 RenderEffect.TINTED_SHADOWS, RenderEffect.BARN_DOORS, RenderEffect.GOBOS,
                 RenderEffect.PROFILES, RenderEffect.LIGHT_TEXTURES, RenderEffect.LIGHT_LINKS,
                 RenderEffect.SHADOW_LINKS, RenderEffect.LIGHT_GAINS,
-                RenderEffect.LIGHT_GROUPS, RenderEffect.VISIBLE_LIGHTS, RenderEffect.SOFT_SHADOWS, RenderEffect.ANTIALIASING,
+                RenderEffect.LIGHT_GROUPS, RenderEffect.VISIBLE_LIGHTS, RenderEffect.SOFT_SHADOWS,
                 RenderEffect.ENVIRONMENT,
                 RenderEffect.INDIRECT,
                 RenderEffect.of("rect-lights"),

@@ -13,7 +13,7 @@ final class SmallNightScene {
 
     private static Scene read() {
         try {
-            Scene scene = IndirectScenes.without(JenReader.read(Path.of("scenes/night.jen")).scene());
+            Scene scene = IndirectScenes.withoutEdges(IndirectScenes.without(JenReader.read(Path.of("scenes/night.jen")).scene()));
             return scene.withPicture(scene.picture().withSize(70, 50));
         } catch (Exception e) {
             throw new IllegalStateException(e);
