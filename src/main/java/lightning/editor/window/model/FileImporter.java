@@ -51,7 +51,13 @@ public final class FileImporter {
         filePrompt.apply(title, kind).ifPresent(file -> importFile(kind, file, onImported, onRefused));
     }
 
-    private void importFile(FileKind kind, Path file, Consumer<String> onImported, Consumer<String> onRefused) {
+    /**
+     * Imports a file: copies it to the scene's folder if it is not there.
+     *
+     * @param onImported  receives the name by which the scene finds the file
+     * @param onRefused  receives the reason for a failed import
+     */
+    public void importFile(FileKind kind, Path file, Consumer<String> onImported, Consumer<String> onRefused) {
         if (editor.document().isUntitled()) {
             onRefused.accept(Messages.tr("Save the scene first: the file is copied to its folder"));
             return;

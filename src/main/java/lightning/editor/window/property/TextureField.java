@@ -2,15 +2,18 @@ package lightning.editor.window.property;
 
 import static java.util.Objects.requireNonNull;
 
+import java.io.File;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.ToDoubleFunction;
 import javafx.css.PseudoClass;
 import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
+import javafx.scene.input.TransferMode;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
@@ -36,7 +39,7 @@ import lightning.scene.material.MaterialAttribute;
 import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
 
-/** Field for a texture of a material: file name, menu of the files next to the scene, place on the surface, and what follows the edges. Reads files in the background. */
+/** Field for a texture of a material: file name, menu of the files next to the scene, also by drop, place on the surface, and what follows the edges. Reads files in the background. */
 final class TextureField extends VBox {
     private static final StepRange OFFSETS = new StepRange(0.1, -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT);
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
@@ -108,6 +111,18 @@ final class TextureField extends VBox {
                 v -> editor.edit(scene -> MaterialEdits.edit(scene, editedMaterial().name(),
                         m -> attribute.with(m, attribute.get(m).map(map -> map.withWrap(v)))), null));
         getChildren().addAll(row, refusal);
+        setOnDragOver(e -> {
+            if (image(e.getDragboard().getFiles()).isPresent()) {
+                e.acceptTransferModes(TransferMode.COPY);
+                e.consume();
+            }
+        });
+        setOnDragDropped(e -> {
+            if (drop(e.getDragboard().getFiles())) {
+                e.setDropCompleted(true);
+                e.consume();
+            }
+        });
         numbers.forEach(number -> getChildren().add(number.widget));
         getChildren().add(MaterialPane.labeled(Messages.tr("Wrap"), wrap));
     }
@@ -213,12 +228,29 @@ final class TextureField extends VBox {
     }
 
     private void browse() {
+        files.promptAndImport(Command.CHOOSE_TEXTURE.plainTitle(), FileKind.TEXTURE, setForThisMaterial(), this::showRefusal);
+    }
+
+    /** Returns an action that sets the file, unless another material is shown by then. */
+    private Consumer<String> setForThisMaterial() {
         String material = editedMaterial().name();
-        files.promptAndImport(Command.CHOOSE_TEXTURE.plainTitle(), FileKind.TEXTURE, name -> {
+        return name -> {
             if (editedMaterial().name().equals(material)) {
                 set(name);
             }
-        }, this::showRefusal);
+        };
+    }
+
+    /** Returns the first image among dropped files; none without a material. */
+    private Optional<Path> image(List<File> dropped) {
+        return shownMaterial == null ? Optional.empty() : dropped.stream().map(File::toPath).filter(FileKind.TEXTURE::isNamed).findFirst();
+    }
+
+    /** Uses the first image among dropped files. Returns whether there is one. */
+    boolean drop(List<File> dropped) {
+        Optional<Path> image = image(dropped);
+        image.ifPresent(file -> files.importFile(FileKind.TEXTURE, file, setForThisMaterial(), this::showRefusal));
+        return image.isPresent();
     }
 
     private void applyLoaded(String material, EditOutcome loaded) {

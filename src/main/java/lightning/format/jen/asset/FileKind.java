@@ -95,6 +95,11 @@ public enum FileKind {
         return new AssetSearchPath(scene, noun, TextureFolder.NAME);
     }
 
+    /** Returns whether a file has a name of this kind. */
+    public boolean isNamed(Path file) {
+        return pattern.matcher(file.getFileName().toString()).matches();
+    }
+
     /**
      * Checks that a scene could use a file if it were next to it.
      *
@@ -104,7 +109,7 @@ public enum FileKind {
         String name = file.getFileName().toString();
         FileName.check(noun, name, TextureFolder.NAME);
         String article = noun.startsWith("e") ? "an " : "a ";
-        if (!pattern.matcher(name).matches()) {
+        if (!isNamed(file)) {
             throw new IllegalArgumentException(article + noun + " must be " + description + ", was " + Quote.of(name));
         }
         if (!Files.isRegularFile(file) || Files.size(file) > maxBytes) {

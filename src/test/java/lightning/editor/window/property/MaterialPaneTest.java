@@ -6,6 +6,8 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 import javafx.geometry.Bounds;
 import javafx.scene.Node;
@@ -139,6 +141,25 @@ class MaterialPaneTest extends EditorFixture {
         waitFor("the file is overwritten", () -> text("texture-refusal").isEmpty());
         assertThat(copy).hasSameBinaryContentAs(answer);
         assertGoShowsTheScene();
+    }
+
+    @Test
+    void droppedPicture_isCopiedToTexturesAndShown() throws IOException {
+        robot.interact(() -> model().materials().choose("matt"));
+        robot.interact(() -> model().editor().materialShownProperty().set(true));
+        Files.createDirectories(folder.resolve("textures"));
+        Path picture = pictureInOtherFolder(0xff8000);
+        waitFor("the texture field is there", () -> robot.lookup("#texture").tryQuery().isPresent());
+        TextureField field = Stream.iterate((Node) robot.lookup("#texture").query(), Node::getParent)
+                .filter(TextureField.class::isInstance).map(TextureField.class::cast).findFirst().orElseThrow();
+        var taken = new AtomicBoolean(true);
+        robot.interact(() -> taken.set(field.drop(List.of(folder.resolve("a.txt").toFile()))));
+        assertThat(taken).isFalse();
+        robot.interact(() -> taken.set(field.drop(List.of(folder.resolve("a.txt").toFile(), picture.toFile()))));
+        assertThat(taken).isTrue();
+        waitFor("the texture is loaded", () -> material("matt").texture().isPresent());
+        assertThat(material("matt").texture().orElseThrow().file()).isEqualTo("tiles.png");
+        assertThat(folder.resolve("textures/tiles.png")).hasSameBinaryContentAs(picture);
     }
 
     @Test
