@@ -127,7 +127,7 @@ class RowOrderTest {
                 assertThat(new float[] {actual.px[a], actual.py[a], actual.pz[a], actual.nx[a], actual.ny[a], actual.nz[a],
                     actual.vx[a], actual.vy[a], actual.vz[a]}).containsExactly(expected.px[i], expected.py[i], expected.pz[i],
                             expected.nx[i], expected.ny[i], expected.nz[i], expected.vx[i], expected.vy[i], expected.vz[i]);
-                if (materials.isTransparent(expected.runMaterial[r])) {
+                if (materials.isClear(expected.runMaterial[r])) {
                     assertThat(new float[] {actual.backX[a], actual.backY[a], actual.backZ[a], actual.insideDistance[a]})
                             .containsExactly(expected.backX[i], expected.backY[i], expected.backZ[i], expected.insideDistance[i]);
                 }
