@@ -88,7 +88,7 @@ class ServeCommandTest {
                     var answers = new BufferedReader(new InputStreamReader(Channels.newInputStream(channel), StandardCharsets.UTF_8))) {
                 channel.write(ByteBuffer.wrap("""
                         {"id":1,"method":"open","file":"scenes/balls.jen"}
-                        {"id":2,"method":"set","scene":1,"edits":"picture.size=20 20"}
+                        {"id":2,"method":"set","scene":1,"edits":["picture.size=20 20","picture.antialias=off"]}
                         {"id":3,"method":"render","scene":1,"memory":true}
                         {"id":4,"method":"set","scene":1,"edits":"picture.size=1500 1000"}
                         {"id":5,"method":"render","scene":1,"progress":true}

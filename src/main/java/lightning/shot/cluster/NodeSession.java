@@ -231,7 +231,7 @@ final class NodeSession implements AutoCloseable {
         host.drop(frame);
     }
 
-    /** Cancels running work and drops all frames, without blocking the caller. */
+    /** Cancels running work and drops all frames, without blocking the caller. A second call has no effect. */
     @Override
     public void close() {
         contentRequests.close();
@@ -239,7 +239,7 @@ final class NodeSession implements AutoCloseable {
             runningCalls.values().forEach(cancelled -> cancelled.set(true));
         }
         filmExecutor.shutdownNow();
-        callExecutor.execute(() -> awaitCalls());
+        execute(callExecutor, this::awaitCalls);
         callExecutor.shutdown();
     }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import lightning.scene.IndirectSettings;
+import lightning.scene.PictureSettings;
 
 /** Generator of scene texts from the grammar, about half of them with an error. */
 final class RandomJenText {
@@ -129,6 +130,10 @@ final class RandomJenText {
     private String number(Property<?> p, int index) {
         if (p.name().equals("rays") && !mistake()) {
             return Integer.toString(IndirectSettings.RAY_COUNTS.get(random.nextInt(IndirectSettings.RAY_COUNTS.size())));
+        }
+        if (p.name().equals("reflection_rays") && !mistake()) {
+            return Integer.toString(
+                    PictureSettings.REFLECTION_RAY_COUNTS.get(random.nextInt(PictureSettings.REFLECTION_RAY_COUNTS.size())));
         }
         if (p.isInteger()) {
             return Integer.toString(random.nextInt((int) p.min(), (int) p.max() + 1));
