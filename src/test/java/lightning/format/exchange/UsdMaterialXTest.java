@@ -26,18 +26,6 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** MaterialX networks in stages and in files of their own, through usd-core. */
 class UsdMaterialXTest {
-    private static final String SQUARE = """
-            #usda 1.0
-            def Mesh "square" ( prepend apiSchemas = ["MaterialBindingAPI"] )
-            {
-                uniform token subdivisionScheme = "none"
-                int[] faceVertexCounts = [4]
-                int[] faceVertexIndices = [0, 1, 2, 3]
-                point3f[] points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
-                texCoord2f[] primvars:st = [(0, 0), (1, 0), (1, 1), (0, 1)] ( interpolation = "vertex" )
-                rel material:binding = <%s>
-            }
-            """;
     private static final String NETWORK = """
             def Material "look"
             {
@@ -139,7 +127,7 @@ class UsdMaterialXTest {
     }
 
     private Material network(String surface, String inputs) throws Exception {
-        return imported(String.format(Locale.ROOT, SQUARE, "/look")
+        return imported(SquareStage.text("/look", 1)
                 + String.format(Locale.ROOT, NETWORK, "ND_" + surface + "_surfaceshader", inputs));
     }
 
@@ -177,7 +165,7 @@ class UsdMaterialXTest {
                         float2 inputs:offset = (0.125, 0.25)
                         float2 inputs:pivot = (0.25, 0.375)
                         """);
-        TextureMap map = imported(String.format(Locale.ROOT, SQUARE, "/look") + nodes).texture().orElseThrow();
+        TextureMap map = imported(SquareStage.text("/look", 1) + nodes).texture().orElseThrow();
         TexturePlacement placement = map.placement();
         double u = 0.5 * map.repeatU();
         double v = 0.5 * map.repeatV();
@@ -240,7 +228,7 @@ class UsdMaterialXTest {
 
     @Test
     void previewSurface_hasCoatOfItsIndex() throws Exception {
-        Material lacquer = imported(String.format(Locale.ROOT, SQUARE, "/look") + """
+        Material lacquer = imported(SquareStage.text("/look", 1) + """
                 def Material "look"
                 {
                     token outputs:surface.connect = </look/s.outputs:surface>
@@ -295,7 +283,7 @@ class UsdMaterialXTest {
     void otherNetworks_areNoted() throws Exception {
         network("standard_surface", "color3f inputs:base_color.connect = </look/place.outputs:out>");
         assertThat(imported.notes()).containsEntry("shading networks other than a texture", 1);
-        imported(String.format(Locale.ROOT, SQUARE, "/look") + String.format(Locale.ROOT, NETWORK, "ND_lama_surface", ""));
+        imported(SquareStage.text("/look", 1) + String.format(Locale.ROOT, NETWORK, "ND_lama_surface", ""));
         assertThat(imported.notes().keySet()).anyMatch(note -> note.startsWith("materials without a UsdPreviewSurface"));
     }
 
@@ -323,7 +311,7 @@ class UsdMaterialXTest {
                   </surfacematerial>
                 </materialx>
                 """);
-        String stage = String.format(Locale.ROOT, SQUARE, "/looks/gold")
+        String stage = SquareStage.text("/looks/gold", 1)
                 + "def \"looks\" ( references = @./look.mtlx@</MaterialX/Materials> )\n{\n}\n";
         Material gold = imported(stage);
         assertThat(gold.name()).isEqualTo("gold");
@@ -335,7 +323,7 @@ class UsdMaterialXTest {
 
     @Test
     void damagedMaterialFiles_areNoted() throws Exception {
-        String stage = String.format(Locale.ROOT, SQUARE, "/looks/gold")
+        String stage = SquareStage.text("/looks/gold", 1)
                 + "def \"looks\" ( references = @./look.mtlx@</MaterialX/Materials> )\n{\n}\n";
         for (String text : new String[] {"", "<materialx>", "<a/>", """
                 <materialx><surfacematerial name="gold"><input name="surfaceshader" nodename="a"/></surfacematerial>

@@ -27,17 +27,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Textures of roughness and metalness of stages, through usd-core. */
 class UsdSurfaceMapsTest {
-    private static final String STAGE = """
-            #usda 1.0
-            def Mesh "square" ( prepend apiSchemas = ["MaterialBindingAPI"] )
-            {
-                uniform token subdivisionScheme = "none"
-                int[] faceVertexCounts = [4]
-                int[] faceVertexIndices = [0, 1, 2, 3]
-                point3f[] points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
-                texCoord2f[] primvars:st = [(0, 0), (2, 0), (2, 2), (0, 2)] ( interpolation = "vertex" )
-                rel material:binding = </look>
-            }
+    private static final String STAGE = SquareStage.text("/look", 2) + """
             def Material "look"
             {
                 token outputs:surface.connect = </look/surface.outputs:surface>
