@@ -11,6 +11,7 @@ import lightning.bench.result.IndirectGrowth;
 import lightning.bench.result.IndirectResults;
 import lightning.bench.result.ReflectionAccuracy;
 import lightning.bench.result.SoftShadowAccuracy;
+import lightning.bench.result.TimeSamples;
 import lightning.render.measure.ParetoFront;
 
 /** Charts of indirect light: error against time with the Pareto front, missing light against time, and growth. */
@@ -79,20 +80,23 @@ public final class IndirectCharts {
 
     /** Returns the chart of a scene's blurred reflections: mean error against the milliseconds of the first pass; the default is filled. */
     static String svg(ReflectionAccuracy scene) {
-        List<ParetoChart.Point> points = scene.points().stream().map(point -> new ParetoChart.Point(Integer.toString(point.rays()),
-                PlotColor.OURS, PlotStyle.shape(0), point.usesDefault(), point.time().lowerQuartile(),
-                point.time().median(), point.time().upperQuartile(), point.mean())).toList();
+        List<ParetoChart.Point> points =
+                scene.points().stream().map(point -> point(point.rays(), point.usesDefault(), point.time(), point.mean())).toList();
         return ParetoChart.svg("Mean error of blurred reflections against time (ms), " + scene.scene(), points, WIDTH, HEIGHT,
                 IndirectCharts::percent);
     }
 
     /** Returns the chart of a scene's area lights: mean error against the milliseconds of the first pass; the default is filled. */
     static String svg(SoftShadowAccuracy scene) {
-        List<ParetoChart.Point> points = scene.points().stream().map(point -> new ParetoChart.Point(Integer.toString(point.samples()),
-                PlotColor.OURS, PlotStyle.shape(0), point.usesDefault(), point.time().lowerQuartile(),
-                point.time().median(), point.time().upperQuartile(), point.mean())).toList();
+        List<ParetoChart.Point> points =
+                scene.points().stream().map(point -> point(point.samples(), point.usesDefault(), point.time(), point.mean())).toList();
         return ParetoChart.svg("Mean error of area lights against time (ms), " + scene.scene(), points, WIDTH, HEIGHT,
                 IndirectCharts::percent);
+    }
+
+    private static ParetoChart.Point point(int label, boolean isFilled, TimeSamples time, double error) {
+        return new ParetoChart.Point(Integer.toString(label), PlotColor.OURS, PlotStyle.shape(0), isFilled, time.lowerQuartile(),
+                time.median(), time.upperQuartile(), error);
     }
 
     /** Returns the chart of the missing share of light against the added milliseconds; a line per scene. */

@@ -9,11 +9,6 @@ import lightning.render.engine.Engine;
 import lightning.render.engine.choice.Engines;
 import lightning.render.gather.DirectionTable;
 import lightning.render.shading.BackgroundLight;
-import lightning.render.shading.WeightedLight;
-import lightning.render.shading.composition.SurfelShader;
-import lightning.render.shading.layer.LightKernel;
-import lightning.render.shading.layer.LightLayer;
-import lightning.render.shading.layer.ScratchColumns;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
@@ -22,7 +17,6 @@ import lightning.render.trace.RayBatch;
 import lightning.render.trace.Tracer;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
-import lightning.scene.effects.ViewEffects;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -41,27 +35,18 @@ final class BruteForceGather {
     /** Reference bounces: those of any setting. */
     static final int BOUNCES = IndirectSettings.MAX_BOUNCES;
     /** Luminance of red, green and blue (ITU-R BT.709). */
-    private static final int[] RAYS_BY_INDEX = IntStream.range(0, RayBatch.MAX_RAYS).toArray();
-    /** Reflections are not computed. */
-    private static final float[][] NOT_SEEN = new float[3][0];
     private static final double[] LUMINANCE = {0.2126, 0.7152, 0.0722};
     private static final int HITS_PER_BATCH = RayBatch.MAX_RAYS / HIT_RAYS;
 
     private final Geometry geometry;
     private final boolean glows;
     private final RayBatch batch;
-    private final LightKernel kernel;
-    private final SurfelShader shader;
-    private final WeightedLight[] lights;
+    private final HitShader shader;
     /** Light of rays that leave the scene. */
     private final BackgroundLight background;
-    private final ScratchColumns columns = new ScratchColumns();
     private final DirectionTable pointDirections = new DirectionTable((int) Math.sqrt(BATCH_RAYS));
     private final DirectionTable hitDirections = new DirectionTable((int) Math.sqrt(HIT_RAYS));
     private final DirectionTable pathDirections = new DirectionTable(1);
-    private final float[][] direct = new float[3][RayBatch.MAX_RAYS];
-    private final float[][] albedo = new float[3][RayBatch.MAX_RAYS];
-    private final float[][] glow = new float[3][RayBatch.MAX_RAYS];
     private final GatherPaths point = new GatherPaths(1);
     private GatherPaths from = new GatherPaths(BATCH_RAYS);
     private GatherPaths to = new GatherPaths(BATCH_RAYS);
@@ -78,9 +63,7 @@ final class BruteForceGather {
         Engine engine = Engines.FASTEST.forTile(0);
         Tracer tracer = engine.tracer(geometry);
         batch = new RayBatch(geometry, scene, tracer);
-        kernel = new LightKernel(geometry, tracer, engine.terms(), ViewEffects.ALL);
-        shader = new SurfelShader(geometry.materials(), engine.sums());
-        lights = WeightedLight.ofScene(scene);
+        shader = new HitShader(scene, geometry, engine, tracer);
         background = BackgroundLight.of(scene);
         hasEnvironment = scene.world().environment().isPresent();
     }
@@ -165,8 +148,8 @@ final class BruteForceGather {
             chosen[p - first] = at + random.nextInt(rays);
         }
         batch.trace(count);
-        HitRows rows = rows();
-        shade(rows);
+        HitRows rows = HitShader.rows(batch);
+        shader.shade(rows);
         double sum = 0;
         for (int row = 0; row < rows.count; row++) {
             int ray = rows.parent[row];
@@ -174,9 +157,9 @@ final class BruteForceGather {
             float[] share = new float[3];
             for (int c = 0; c < 3; c++) {
                 share[c] = paths.share[c][first + path] * tint(c, ray);
-                float met = albedo[c][ray] * direct[c][ray] + (paths == point ? 0 : glow[c][ray]);
+                float met = shader.albedo[c][ray] * shader.direct[c][ray] + (paths == point ? 0 : shader.glow[c][ray]);
                 sum += LUMINANCE[c] * share[c] * met;
-                share[c] *= albedo[c][ray];
+                share[c] *= shader.albedo[c][ray];
             }
             if (!one || chosen[path] == ray) {
                 Vec3 normal = batch.hasShadingNormals(batch.primitive(ray)) ? batch.geometricNormal(ray) : null;
@@ -204,20 +187,16 @@ final class BruteForceGather {
         for (int i = 0; glows && i < GLOW_BATCHES; i++) {
             aim(point, 0, pointDirections, 0);
             batch.trace(BATCH_RAYS);
-            HitRows rows = rows();
-            shader.writeReflection(rows, RAYS_BY_INDEX, albedo, glow, NOT_SEEN, 0);
+            HitRows rows = HitShader.rows(batch);
+            shader.shadeUnlit(rows);
             for (int row = 0; row < rows.count; row++) {
                 int ray = rows.parent[row];
                 for (int c = 0; c < 3; c++) {
-                    sum += LUMINANCE[c] * tint(c, ray) * glow[c][ray];
+                    sum += LUMINANCE[c] * tint(c, ray) * shader.glow[c][ray];
                 }
             }
         }
         return sum / GLOW_BATCHES;
-    }
-
-    private HitRows rows() {
-        return batch.rows((hits, texels, transparent) -> new HitRows(hits, texels, transparent, false, true));
     }
 
     private float tint(int channel, int ray) {
@@ -235,16 +214,6 @@ final class BruteForceGather {
             }
         }
         return sum;
-    }
-
-    private void shade(HitRows rows) {
-        columns.reset();
-        LightLayer[] layers = new LightLayer[lights.length];
-        for (int l = 0; l < lights.length; l++) {
-            layers[l] = lights[l].isDark() ? null : kernel.recompute(rows, lights[l].source(), columns);
-        }
-        shader.writeDirectLight(rows, lights, layers, RAYS_BY_INDEX, direct);
-        shader.writeReflection(rows, RAYS_BY_INDEX, albedo, glow, NOT_SEEN, 0);
     }
 
     /** Returns the luminance of a color. */

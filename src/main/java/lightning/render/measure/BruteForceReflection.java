@@ -2,7 +2,6 @@ package lightning.render.measure;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
-import java.util.stream.IntStream;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.engine.Engine;
@@ -11,11 +10,6 @@ import lightning.render.gather.DirectionTable;
 import lightning.render.lobe.ReflectionLobe;
 import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.PrincipledMaterial;
-import lightning.render.shading.WeightedLight;
-import lightning.render.shading.composition.SurfelShader;
-import lightning.render.shading.layer.LightKernel;
-import lightning.render.shading.layer.LightLayer;
-import lightning.render.shading.layer.ScratchColumns;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.NormalSteps;
@@ -23,7 +17,6 @@ import lightning.render.trace.RayBatch;
 import lightning.render.trace.SurfacePoint;
 import lightning.render.trace.Tracer;
 import lightning.scene.Scene;
-import lightning.scene.effects.ViewEffects;
 import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
@@ -35,7 +28,6 @@ import org.jspecify.annotations.Nullable;
 final class BruteForceReflection {
     static final int RAYS = 16384;
     private static final int SIDE = 128;
-    private static final int[] RAYS_BY_INDEX = IntStream.range(0, RayBatch.MAX_RAYS).toArray();
 
     private final Scene scene;
     private final Geometry geometry;
@@ -43,15 +35,8 @@ final class BruteForceReflection {
     /** Rays by which what others meet collects the light of the environment. */
     private final RayBatch gathering;
     private final DirectionTable directions = new DirectionTable(1);
-    private final LightKernel kernel;
-    private final SurfelShader shader;
-    private final WeightedLight[] lights;
+    private final HitShader shader;
     private final BackgroundLight background;
-    private final ScratchColumns columns = new ScratchColumns();
-    private final float[][] direct = new float[3][RayBatch.MAX_RAYS];
-    private final float[][] albedo = new float[3][RayBatch.MAX_RAYS];
-    private final float[][] glow = new float[3][RayBatch.MAX_RAYS];
-    private final float[][] seen = new float[3][RayBatch.MAX_RAYS];
     private final ReflectionLobe lobe = new ReflectionLobe();
     private final double[] colorWeight = new double[RayBatch.MAX_RAYS];
     private final double[] whiteWeight = new double[RayBatch.MAX_RAYS];
@@ -64,9 +49,7 @@ final class BruteForceReflection {
         Tracer tracer = engine.tracer(geometry);
         batch = new RayBatch(geometry, scene, tracer, true);
         gathering = new RayBatch(geometry, scene, tracer);
-        kernel = new LightKernel(geometry, tracer, engine.terms(), ViewEffects.ALL);
-        shader = new SurfelShader(geometry.materials(), engine.sums());
-        lights = WeightedLight.ofScene(scene);
+        shader = new HitShader(scene, geometry, engine, tracer);
         background = BackgroundLight.of(scene);
     }
 
@@ -130,20 +113,14 @@ final class BruteForceReflection {
     /** Traces the rays of the batch and adds their weighted light, then the weights. */
     private void add(double[] sum, SplittableRandom random) {
         batch.trace(RayBatch.MAX_RAYS);
-        HitRows rows = batch.rows((hits, texels, transparent) -> new HitRows(hits, texels, transparent, false, true));
-        columns.reset();
-        LightLayer[] layers = new LightLayer[lights.length];
-        for (int l = 0; l < lights.length; l++) {
-            layers[l] = lights[l].isDark() ? null : kernel.recompute(rows, lights[l].source(), columns);
-        }
-        shader.writeDirectLight(rows, lights, layers, RAYS_BY_INDEX, direct);
-        shader.writeReflection(rows, RAYS_BY_INDEX, albedo, glow, seen, (float) scene.world().ambience());
+        HitRows rows = HitShader.rows(batch);
+        shader.shade(rows);
         gatherSky(rows, random);
         for (int ray = 0; ray < RayBatch.MAX_RAYS; ray++) {
             float[] sky = batch.primitive(ray) >= 0 ? null : sky(ray);
             for (int c = 0; c < 3; c++) {
                 double tint = batch.isTinted() ? batch.tint[c][ray] : 1;
-                double light = tint * (sky != null ? sky[c] : albedo[c][ray] * direct[c][ray] + seen[c][ray]);
+                double light = tint * (sky != null ? sky[c] : shader.albedo[c][ray] * shader.direct[c][ray] + shader.seen[c][ray]);
                 sum[c] += colorWeight[ray] * light;
                 sum[3 + c] += whiteWeight[ray] * light;
             }
@@ -169,7 +146,7 @@ final class BruteForceReflection {
             if (gathering.primitive(row) < 0) {
                 float[] light = background.from(gathering.directionX[row], gathering.directionY[row], gathering.directionZ[row]);
                 for (int c = 0; c < 3; c++) {
-                    direct[c][rows.parent[row]] += light[c] * (gathering.isTinted() ? gathering.tint[c][row] : 1);
+                    shader.direct[c][rows.parent[row]] += light[c] * (gathering.isTinted() ? gathering.tint[c][row] : 1);
                 }
             }
         }

@@ -5,7 +5,6 @@ import static java.util.Objects.requireNonNull;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
@@ -16,12 +15,10 @@ import lightning.render.gather.GatherStructure;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.trace.HitRows;
 import lightning.render.trace.PixelRays;
 import lightning.scene.IndirectSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Meter of the error of indirect light: renders a scene with any settings and compares random pixels with brute force by the same tracer
@@ -33,15 +30,19 @@ public final class IndirectErrorMeter implements AutoCloseable {
     /** Rays of the reference from each pixel, and from each hit. */
     public static final int RAYS = BruteForceGather.RAYS;
     public static final int HIT_RAYS = BruteForceGather.HIT_RAYS;
-    private static final int CHUNK = 32;
     private static final long SEED = 5;
 
     private final Scene scene;
     private final Renderer renderer;
     private final WorkerPool workers;
-    /** Sampled pixels that show a surface, and their reference for one bounce, two, … */
-    private final List<Integer> pixels = new ArrayList<>();
-    private final List<double[]> references = new ArrayList<>();
+    private List<Sample> samples = List.of();
+
+    /**
+     * Sampled pixel that shows a surface.
+     *
+     * @param references luminance by brute force for one bounce, two, …
+     */
+    private record Sample(int pixel, double[] references) {}
 
     /**
      * @param scene   scene at the size to measure; anti-aliasing is switched off
@@ -75,35 +76,16 @@ public final class IndirectErrorMeter implements AutoCloseable {
         renderer.clear();
         renderer.render(withIndirect(Optional.empty()), progress.cancellationOnly());
         PixelCache cache = renderer.cache();
-        SplittableRandom random = new SplittableRandom(SEED);
         List<BruteForceGather> gathers = new ArrayList<>();
         for (int i = 0; i < workers.count(); i++) {
             gathers.add(new BruteForceGather(scene, cache.geometry()));
         }
         PixelRays rays = new PixelRays(scene);
-        pixels.clear();
-        references.clear();
-        long start = System.nanoTime();
-        for (int done = 0; done < maxPixels && (done == 0 || (System.nanoTime() - start) / 1e6 < maxMs); done += CHUNK) {
-            int[] chunk = random.ints(Math.min(CHUNK, maxPixels - done), 0, scene.picture().width() * scene.picture().height()).toArray();
-            double[][] light = new double[chunk.length][];
-            workers.run(chunk.length, (worker, i) -> light[i] = reference(gathers.get(worker), rays, chunk[i]),
-                    progress.cancellationOnly());
-            for (int i = 0; i < chunk.length; i++) {
-                if (light[i] != null) {
-                    pixels.add(chunk[i]);
-                    references.add(light[i]);
-                }
-            }
-            progress.report(done, maxPixels);
-        }
-        return pixels.size();
-    }
-
-    /** Returns the reference of a pixel for each number of bounces; null if it shows the background. */
-    private double @Nullable [] reference(BruteForceGather gather, PixelRays rays, int pixel) {
         int width = scene.picture().width();
-        return gather.luminances(rays.ray(pixel % width, pixel / width), pixel);
+        samples = SampledPixels.compute(scene.picture(), SEED, workers, maxPixels, maxMs, progress,
+                (worker, pixel) -> Optional.ofNullable(gathers.get(worker).luminances(rays.ray(pixel % width, pixel / width), pixel))
+                        .map(light -> new Sample(pixel, light)));
+        return samples.size();
     }
 
     /**
@@ -126,13 +108,13 @@ public final class IndirectErrorMeter implements AutoCloseable {
     public Measured measure(IndirectSettings settings, int repetitions, Progress progress) {
         Timing time = Timing.ofFirstPass(renderer, withIndirect(Optional.of(settings)), repetitions, progress);
         PixelCache cache = renderer.cache();
-        double[] light = new double[pixels.size()];
+        double[] light = new double[samples.size()];
         double[] exact = new double[light.length];
         double[] complete = new double[light.length];
         for (int i = 0; i < light.length; i++) {
-            light[i] = luminance(cache, pixels.get(i));
-            exact[i] = references.get(i)[settings.bounces() - 1];
-            complete[i] = references.get(i)[BruteForceGather.BOUNCES - 1];
+            light[i] = luminance(cache, samples.get(i).pixel);
+            exact[i] = samples.get(i).references[settings.bounces() - 1];
+            complete[i] = samples.get(i).references[BruteForceGather.BOUNCES - 1];
         }
         GatherStructure paths = requireNonNull(cache.indirect()).structure();
         return new Measured(IndirectError.of(light, exact, complete), time, paths.pointCount(), paths.surfelCount());
@@ -142,28 +124,12 @@ public final class IndirectErrorMeter implements AutoCloseable {
         return scene.withPicture(scene.picture().withIndirect(settings));
     }
 
-    private double luminance(PixelCache cache, int pixel) {
-        TileLevel level = level(cache, pixel);
+    private static double luminance(PixelCache cache, int pixel) {
+        TileLevel level = SampledPixels.level(cache, pixel);
         float[][] light = new float[3][Film.TILE_SIZE * Film.TILE_SIZE];
         requireNonNull(level.weights()).interpolate(requireNonNull(cache.indirect()).light().light(), light);
-        int width = scene.picture().width();
-        int row = row(level.rows(), pixel / width % Film.TILE_SIZE * Film.TILE_SIZE + pixel % width % Film.TILE_SIZE);
+        int row = SampledPixels.row(cache, level.rows(), pixel);
         return BruteForceGather.luminance(light[0][row], light[1][row], light[2][row]);
-    }
-
-    private TileLevel level(PixelCache cache, int pixel) {
-        int width = scene.picture().width();
-        return cache.tile(pixel / width / Film.TILE_SIZE * Film.tilesAlong(width) + pixel % width / Film.TILE_SIZE).levels[0];
-    }
-
-    /** Returns the row of a pixel of a tile; −1 if it has none. */
-    static int row(HitRows rows, int parent) {
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.parent[row] == parent) {
-                return row;
-            }
-        }
-        return -1;
     }
 
     @Override

@@ -5,7 +5,6 @@ import static java.util.Objects.requireNonNull;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.SplittableRandom;
 import java.util.concurrent.CancellationException;
 import lightning.base.math.Ray;
 import lightning.base.work.Progress;
@@ -13,7 +12,6 @@ import lightning.base.work.WorkerPool;
 import lightning.render.cache.PixelCache;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.choice.Engines;
-import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.PrincipledMaterial;
@@ -33,12 +31,11 @@ import lightning.scene.Scene;
  */
 public final class ReflectionErrorMeter implements AutoCloseable {
     private static final long SEED = 7;
-    private static final int CHUNK = 32;
 
     private final Scene scene;
     private final Renderer renderer;
     private final WorkerPool workers;
-    private final List<Pixel> pixels = new ArrayList<>();
+    private List<Sample> samples = List.of();
 
     /**
      * Sampled pixel.
@@ -47,7 +44,7 @@ public final class ReflectionErrorMeter implements AutoCloseable {
      *                multiplies
      * @param reference luminance by brute force
      */
-    private record Pixel(int x, int y, double[] factors, double reference) {}
+    private record Sample(int pixel, double[] factors, double reference) {}
 
     /**
      * Result of one number of rays.
@@ -81,34 +78,20 @@ public final class ReflectionErrorMeter implements AutoCloseable {
     public int traceReference(int maxPixels, double maxMs, Progress progress) {
         renderer.render(scene, progress.cancellationOnly());
         Geometry geometry = renderer.cache().geometry();
-        SplittableRandom random = new SplittableRandom(SEED);
         List<BruteForceReflection> tracers = new ArrayList<>();
         for (int i = 0; i < workers.count(); i++) {
             tracers.add(new BruteForceReflection(scene, geometry));
         }
         PixelRays rays = new PixelRays(scene);
-        pixels.clear();
         int width = scene.picture().width();
-        long start = System.nanoTime();
-        for (int done = 0; done < maxPixels && (done == 0 || (System.nanoTime() - start) / 1e6 < maxMs); done += CHUNK) {
-            int[] chunk = random.ints(Math.min(CHUNK, maxPixels - done), 0, width * scene.picture().height()).toArray();
-            Pixel[] found = new Pixel[chunk.length];
-            workers.run(chunk.length, (worker, i) -> {
-                Ray ray = rays.ray(chunk[i] % width, chunk[i] / width);
-                double[] means = tracers.get(worker).means(ray, chunk[i]);
-                if (means != null) {
-                    double[] factors = factors(geometry, ray);
-                    found[i] = new Pixel(chunk[i] % width, chunk[i] / width, factors, luminance(factors, means));
-                }
-            }, progress.cancellationOnly());
-            for (Pixel pixel : found) {
-                if (pixel != null) {
-                    pixels.add(pixel);
-                }
-            }
-            progress.report(done, maxPixels);
-        }
-        return pixels.size();
+        samples = SampledPixels.compute(scene.picture(), SEED, workers, maxPixels, maxMs, progress, (worker, pixel) -> {
+            Ray ray = rays.ray(pixel % width, pixel / width);
+            return Optional.ofNullable(tracers.get(worker).means(ray, pixel)).map(means -> {
+                double[] factors = factors(geometry, ray);
+                return new Sample(pixel, factors, luminance(factors, means));
+            });
+        });
+        return samples.size();
     }
 
     private static double[] factors(Geometry geometry, Ray ray) {
@@ -144,8 +127,8 @@ public final class ReflectionErrorMeter implements AutoCloseable {
     public Measured measure(int rays, int repetitions, Progress progress) {
         Timing time = Timing.ofFirstPass(renderer, scene.withPicture(scene.picture().withReflectionRays(rays)), repetitions, progress);
         PixelCache cache = renderer.cache();
-        double[] light = pixels.stream().mapToDouble(pixel -> luminance(cache, pixel)).toArray();
-        double[] exact = pixels.stream().mapToDouble(Pixel::reference).toArray();
+        double[] light = samples.stream().mapToDouble(sample -> luminance(cache, sample)).toArray();
+        double[] exact = samples.stream().mapToDouble(Sample::reference).toArray();
         RelativeErrors errors = RelativeErrors.of(light, exact);
         double total = 0;
         double bias = 0;
@@ -157,18 +140,16 @@ public final class ReflectionErrorMeter implements AutoCloseable {
                 requireNonNull(requireNonNull(cache.indirect()).structure().reflections()).count());
     }
 
-    private static double luminance(PixelCache cache, Pixel pixel) {
-        TileLevel level = cache.tile(pixel.y / Film.TILE_SIZE * Film.tilesAlong(cache.scene().picture().width())
-                + pixel.x / Film.TILE_SIZE).levels[0];
+    private static double luminance(PixelCache cache, Sample sample) {
+        TileLevel level = SampledPixels.level(cache, sample.pixel);
         float[] light = new float[9];
-        int parent = pixel.y % Film.TILE_SIZE * Film.TILE_SIZE + pixel.x % Film.TILE_SIZE;
         requireNonNull(level.weights()).interpolate(requireNonNull(cache.indirect()).light().light(),
-                IndirectErrorMeter.row(level.rows(), parent), light);
+                SampledPixels.row(cache, level.rows(), sample.pixel), light);
         double[] means = new double[6];
         for (int i = 0; i < means.length; i++) {
             means[i] = light[3 + i];
         }
-        return luminance(pixel.factors, means);
+        return luminance(sample.factors, means);
     }
 
     @Override

@@ -10,7 +10,7 @@ import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What an opaque or frosted principled material needs beside {@link ShadingMaterial}.
+ * Properties of an opaque or frosted principled material in addition to {@link ShadingMaterial}.
  *
  * @param material    the material
  * @param roughness   of the surface below the coat, 0…1, before its map

@@ -63,7 +63,7 @@ public final class RayBatch {
     private final boolean hasPassableSurfaces;
     /** Share that each material reflects in the mirrored direction; null if rays end there, as at all materials initially. */
     private final @Nullable Rgb[] mirrors;
-    /** Whether a material bends rays; false for all materials initially. */
+    /** True for materials that bend rays; none unless the batch follows rays. */
     private final boolean[] bends;
     private final boolean[] isMirrored = new boolean[MAX_RAYS];
     private final double[] direction = new double[3];
