@@ -29,8 +29,8 @@ public final class Await {
     }
 
     /**
-     * Waits until the processes ended. Such a process has no command line, even if its parent ended before and nobody asks for its exit
-     * code.
+     * Waits until the processes ended. Such a process has no command line, even if its parent ended before and its exit code is never
+     * read.
      */
     public static void untilEnded(List<ProcessHandle> processes) throws Exception {
         until("the processes ended", () -> processes.stream().noneMatch(p -> p.info().commandLine().isPresent()));
