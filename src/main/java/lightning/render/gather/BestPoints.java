@@ -1,6 +1,9 @@
 package lightning.render.gather;
 
 import java.util.Arrays;
+import lightning.render.gather.cell.SurfaceColumns;
+import lightning.render.gather.point.LinearWeights;
+import lightning.render.gather.point.WeightedPoints;
 import org.jspecify.annotations.Nullable;
 
 /**

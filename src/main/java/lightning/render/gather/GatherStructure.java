@@ -5,6 +5,18 @@ import java.util.Arrays;
 import java.util.List;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
+import lightning.render.gather.cell.CellKeys;
+import lightning.render.gather.cell.SurfaceColumns;
+import lightning.render.gather.glow.GlowAim;
+import lightning.render.gather.glow.GlowPaths;
+import lightning.render.gather.glow.GlowShapes;
+import lightning.render.gather.point.GatherPoints;
+import lightning.render.gather.ray.RayLinks;
+import lightning.render.gather.ray.RaySources;
+import lightning.render.gather.ray.TiltedNormals;
+import lightning.render.gather.reflection.ReflectionLinks;
+import lightning.render.gather.reflection.ReflectionPaths;
+import lightning.render.gather.rim.RimLinks;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
@@ -37,7 +49,7 @@ public final class GatherStructure {
      * @param reflections paths of blurred reflections; null for none
      * @param isIndirect  whether surfels send light to gather points
      */
-    GatherStructure(GatherPoints points, RayLinks pointLinks, RimLinks rims, RayLinks surfelLinks, SurfelRows surfels,
+    public GatherStructure(GatherPoints points, RayLinks pointLinks, RimLinks rims, RayLinks surfelLinks, SurfelRows surfels,
             TiltedNormals surfelNormals,
             GlowPaths glow, int @Nullable [] kept, @Nullable ReflectionPaths reflections, boolean isIndirect, int bounces, long rays) {
         this.reflections = reflections;
@@ -121,7 +133,7 @@ public final class GatherStructure {
         return kept;
     }
 
-    GatherPoints points() {
+    public GatherPoints points() {
         return points;
     }
 
@@ -159,14 +171,14 @@ public final class GatherStructure {
     }
 
     /** Returns the points that the surfels are, with their places given. */
-    RaySources surfelSources(CellKeys keys, SurfaceColumns places) {
+    public RaySources surfelSources(CellKeys keys, SurfaceColumns places) {
         RaySources sources = new RaySources(keys, places, true);
         sources.setNormals(surfelNormals);
         return sources;
     }
 
     /** Returns whether the cell of a surfel is small. */
-    boolean isNear(int surfel) {
+    public boolean isNear(int surfel) {
         return surfels.near().get(surfel);
     }
 

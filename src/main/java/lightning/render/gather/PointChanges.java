@@ -1,6 +1,10 @@
 package lightning.render.gather;
 
 import java.util.Arrays;
+import lightning.render.gather.cell.SurfaceColumns;
+import lightning.render.gather.point.GatherPoints;
+import lightning.render.gather.point.PointGroups;
+import lightning.render.gather.ray.KnownRays;
 import lightning.render.trace.HitRows;
 import org.jspecify.annotations.Nullable;
 
@@ -25,7 +29,7 @@ public final class PointChanges {
         this.added = added;
     }
 
-    static PointChanges between(GatherStructure before, GatherStructure after, KnownRays known) {
+    public static PointChanges between(GatherStructure before, GatherStructure after, KnownRays known) {
         GatherPoints old = before.points();
         GatherPoints now = after.points();
         int[] newNumber = new int[old.count()];

@@ -1,6 +1,12 @@
 package lightning.render.gather;
 
 import java.util.Arrays;
+import lightning.render.gather.point.Barriers;
+import lightning.render.gather.point.NearPoints;
+import lightning.render.gather.reflection.ReflectionGroup;
+import lightning.render.gather.reflection.ReflectionPaths;
+import lightning.render.gather.reflection.ReflectionPoints;
+import lightning.render.gather.reflection.ReflectionWeight;
 import lightning.render.trace.HitRows;
 import org.jspecify.annotations.Nullable;
 

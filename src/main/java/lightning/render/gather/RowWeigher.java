@@ -2,6 +2,11 @@ package lightning.render.gather;
 
 import static java.util.Objects.requireNonNull;
 
+import lightning.render.gather.cell.SurfaceColumns;
+import lightning.render.gather.point.Barriers;
+import lightning.render.gather.point.NearPoints;
+import lightning.render.gather.point.PointGroups;
+import lightning.render.gather.point.PointWeight;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.SurfacePoint;

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
+import lightning.render.gather.point.WeightedPoints;
 import org.jspecify.annotations.Nullable;
 
 /** Weights of the gather points near each row of a level: at most eight for each, fixed like the rows. Immutable. */

@@ -15,7 +15,7 @@ import lightning.render.trace.HitRows;
  * @param near    surfels whose cells are small
  * @param count   number of surfels
  */
-record SurfelRows(HitRows[] blocks, int[][] numbers, BitSet near, int count) {
+public record SurfelRows(HitRows[] blocks, int[][] numbers, BitSet near, int count) {
     // Arrays in a record: written once by their creator, never after.
 
     void writeTo(ColumnWriter out) throws IOException {

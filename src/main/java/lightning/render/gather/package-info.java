@@ -1,6 +1,7 @@
 /**
- * Diffuse indirect light, its geometric part: where light is gathered, and from where it comes. It depends on shapes and the camera
- * alone, so an edit of lights keeps it. Entry point: {@link lightning.render.gather.GatherBuilder}.
+ * Paths of gathered light and of blurred reflections: where light is gathered, from where it comes, and the weights of these points in rows.
+ * They depend on shapes and the camera alone, so an edit of lights keeps them. Entry points: {@link lightning.render.gather.GatherStructure}
+ * and {@link lightning.render.gather.RowWeigher}.
  */
 @NullMarked
 package lightning.render.gather;

@@ -6,7 +6,7 @@ import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.engine.Engine;
 import lightning.render.engine.choice.Engines;
-import lightning.render.gather.DirectionTable;
+import lightning.render.gather.cell.DirectionTable;
 import lightning.render.lobe.ReflectionLobe;
 import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.PrincipledMaterial;

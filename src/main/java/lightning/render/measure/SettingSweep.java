@@ -5,7 +5,7 @@ import java.util.List;
 import lightning.base.work.Progress;
 import lightning.base.work.ProgressPart;
 import lightning.render.cache.PixelCache;
-import lightning.render.gather.PathsTooLargeException;
+import lightning.render.gather.ray.PathsTooLargeException;
 import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;

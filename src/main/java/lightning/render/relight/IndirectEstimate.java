@@ -2,12 +2,12 @@ package lightning.render.relight;
 
 import java.util.Optional;
 import lightning.render.cache.IndirectCache;
-import lightning.render.gather.GatherBuilder;
 import lightning.render.gather.GatherStructure;
-import lightning.render.gather.GlowLinks;
-import lightning.render.gather.RayLinks;
-import lightning.render.gather.ReflectionLinks;
-import lightning.render.gather.RimLinks;
+import lightning.render.gather.build.GatherBuilder;
+import lightning.render.gather.glow.GlowLinks;
+import lightning.render.gather.ray.RayLinks;
+import lightning.render.gather.reflection.ReflectionLinks;
+import lightning.render.gather.rim.RimLinks;
 import lightning.render.image.Film;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.scene.GatherSettings;

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.render.cache.PixelCache;
-import lightning.render.gather.PathsTooLargeException;
+import lightning.render.gather.ray.PathsTooLargeException;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.MeshMemory;
 import lightning.scene.PictureSettings;

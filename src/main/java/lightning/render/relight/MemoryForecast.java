@@ -1,7 +1,7 @@
 package lightning.render.relight;
 
 import lightning.render.cache.PixelCache;
-import lightning.render.gather.PathsTooLargeException;
+import lightning.render.gather.ray.PathsTooLargeException;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.SampleCells;
 import lightning.scene.AntialiasMode;

@@ -3,7 +3,7 @@ package lightning.render.relight;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
-import lightning.render.gather.PathsTooLargeException;
+import lightning.render.gather.ray.PathsTooLargeException;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;

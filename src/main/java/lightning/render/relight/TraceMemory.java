@@ -3,7 +3,7 @@ package lightning.render.relight;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToLongFunction;
-import lightning.render.gather.PathsTooLargeException;
+import lightning.render.gather.ray.PathsTooLargeException;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.MeshMemory;
 import lightning.scene.GatherSettings;

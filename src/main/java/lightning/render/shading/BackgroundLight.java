@@ -2,8 +2,8 @@ package lightning.render.shading;
 
 import java.util.Optional;
 import lightning.base.math.Rgb;
-import lightning.render.gather.DirectionCells;
-import lightning.render.gather.SkyCells;
+import lightning.render.gather.cell.DirectionCells;
+import lightning.render.gather.cell.SkyCells;
 import lightning.scene.GatherSettings;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;

@@ -1,7 +1,7 @@
 package lightning.render.shading;
 
 import lightning.base.math.Transform;
-import lightning.render.gather.DirectionCells;
+import lightning.render.gather.cell.DirectionCells;
 import lightning.scene.asset.SmoothGrid;
 
 /** Means of an environment's light over {@link DirectionCells}. */

@@ -4,12 +4,12 @@ import java.util.Arrays;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.gather.GatherStructure;
-import lightning.render.gather.GlowPaths;
-import lightning.render.gather.GlowShapes;
-import lightning.render.gather.RayLinks;
-import lightning.render.gather.ReflectionPaths;
-import lightning.render.gather.RimLinks;
-import lightning.render.gather.SkyCells;
+import lightning.render.gather.cell.SkyCells;
+import lightning.render.gather.glow.GlowPaths;
+import lightning.render.gather.glow.GlowShapes;
+import lightning.render.gather.ray.RayLinks;
+import lightning.render.gather.reflection.ReflectionPaths;
+import lightning.render.gather.rim.RimLinks;
 
 /**
  * Computes the light at gather points from the direct light of surfels, by look-ups along the paths of a {@link GatherStructure}.

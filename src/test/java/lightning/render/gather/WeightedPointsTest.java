@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.Random;
+import lightning.render.gather.point.PointFilter;
 import org.junit.jupiter.api.Test;
 
 /** Tests weighted means over more points than a table holds. */

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
-import lightning.render.gather.CellKeys;
-import lightning.render.gather.GlowAim;
-import lightning.render.gather.GlowShapes;
+import lightning.render.gather.cell.CellKeys;
+import lightning.render.gather.glow.GlowAim;
+import lightning.render.gather.glow.GlowShapes;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.SurfacePoint;
 

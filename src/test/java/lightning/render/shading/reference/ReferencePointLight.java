@@ -5,11 +5,11 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
 import lightning.base.math.Vec3;
-import lightning.render.gather.BarrierFinder;
-import lightning.render.gather.Barriers;
-import lightning.render.gather.LinearWeights;
-import lightning.render.gather.PointWeight;
-import lightning.render.gather.SurfaceColumns;
+import lightning.render.gather.cell.SurfaceColumns;
+import lightning.render.gather.point.BarrierFinder;
+import lightning.render.gather.point.Barriers;
+import lightning.render.gather.point.LinearWeights;
+import lightning.render.gather.point.PointWeight;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.SurfacePoint;
 

@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import lightning.render.gather.CellKeys;
-import lightning.render.gather.DirectionTable;
-import lightning.render.gather.GlowShapes;
-import lightning.render.gather.RimAim;
+import lightning.render.gather.cell.CellKeys;
+import lightning.render.gather.cell.DirectionTable;
+import lightning.render.gather.glow.GlowShapes;
+import lightning.render.gather.rim.RimAim;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.SurfacePoint;
 

@@ -1,0 +1,186 @@
+package lightning.render.gather.build;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.Arrays;
+import lightning.render.gather.GatherStructure;
+import lightning.render.gather.cell.CellKeys;
+import lightning.render.gather.cell.SurfaceColumns;
+import lightning.render.gather.ray.KnownRays;
+import lightning.render.gather.ray.RayLinks;
+import lightning.render.gather.ray.RaySources;
+import lightning.render.gather.rim.RimLinks;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
+import lightning.render.trace.ShapeChange;
+import lightning.render.trace.tree.BoxRay;
+import lightning.render.trace.tree.BoxSet;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Paths of indirect light before an edit of objects or materials. A ray that meets no changed object, before or after, hits what it hit,
+ * so a repetition takes its surfel from here. Immutable.
+ *
+ * <p>Rays that may pass a transparent object or the face of a light are cast again: their segments do not lie exactly on one line.
+ */
+public final class PathMemo {
+    /** With more boxes their tests cost as much as rays. */
+    private static final int MAX_BOXES = 256;
+
+    private final Geometry geometry;
+    private final BoxSet changes;
+    private final KnownRays points;
+    private final KnownRays surfels;
+    private final RimLinks rims;
+    private final long[] inverseLengths;
+    /** Surfels by number; primitives have their new numbers, −1 for changed ones. */
+    private final SurfaceColumns places;
+    private final long[] keys;
+    /** For each surfel its first ray among those of gather points, or {@code ~ray} among those of surfels. */
+    private final int[] firstRay;
+
+    private PathMemo(GatherStructure before, HitRows[] rows, Geometry geometry, ShapeChange shapes, CellKeys cells, BoxSet changes) {
+        this.geometry = geometry;
+        this.changes = changes;
+        rims = before.rims();
+        inverseLengths = before.points().inverseLengths();
+        int count = before.surfelCount();
+        places = new SurfaceColumns(count);
+        places.count = count;
+        keys = new long[count];
+        for (int block = 0; block < rows.length; block++) {
+            addPlaces(rows[block], before.numbers(block), before, shapes, cells);
+        }
+        points = new KnownRays(before.points().sources(), before.pointLinks());
+        surfels = new KnownRays(before.surfelSources(cells, places), before.surfelLinks());
+        firstRay = new int[count];
+        Arrays.fill(firstRay, Integer.MAX_VALUE);
+        int found = setFirstRays(before.points().sources(), before.pointLinks(), 0, before.pointCount(), 0, 0);
+        RaySources surfelSources = before.surfelSources(cells, places);
+        for (int from = 0, to = found; from < before.surfelLinks().points();) {
+            found = setFirstRays(surfelSources, before.surfelLinks(), from, to, to, -1);
+            from = to;
+            to = found;
+        }
+    }
+
+    /**
+     * Finds the first ray of each surfel that the rays of some points found.
+     *
+     * @param first  first of these surfels; the others were found before or after
+     * @param flip   −1 for the rays of surfels, 0 for those of gather points
+     * @return number of surfels found so far
+     */
+    private int setFirstRays(RaySources sources, RayLinks links, int from, int to, int first, int flip) {
+        int found = first;
+        int[] lowest = new int[firstRay.length - first];
+        for (int p = from; p < to; p++) {
+            long seed = sources.seed(p);
+            for (int k = 0; k < links.raysPerPoint(); k++) {
+                int ray = p * links.raysPerPoint() + k;
+                int surfel = links.surfel(ray);
+                if (surfel >= first) {
+                    int rank = sources.rank(p, seed, k);
+                    if (firstRay[surfel] == Integer.MAX_VALUE || rank < lowest[surfel - first]) {
+                        firstRay[surfel] = ray ^ flip;
+                        lowest[surfel - first] = rank;
+                    }
+                    found = Math.max(found, surfel + 1);
+                }
+            }
+        }
+        return found;
+    }
+
+    private void addPlaces(HitRows rows, int[] numbers, GatherStructure before, ShapeChange shapes, CellKeys cells) {
+        int[] primitives = shapes.mapIndices(requireNonNull(rows.owner));
+        for (int row = 0; row < rows.count; row++) {
+            int surfel = numbers[rows.parent[row]];
+            places.set(surfel, rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], primitives[row]);
+            keys[surfel] = cells.surfelKey(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row],
+                    primitives[row], before.isNear(surfel));
+        }
+    }
+
+    /**
+     * Returns the paths of a picture with the same camera and the same settings; null if too many objects changed.
+     *
+     * @param rows     rows of the surfels, in the blocks of the structure
+     * @param geometry geometry before the edit
+     * @param shapes   edit of the shapes
+     * @param after    geometry after the edit
+     */
+    public static @Nullable PathMemo of(GatherStructure before, HitRows[] rows, Geometry geometry, ShapeChange shapes, Geometry after,
+            CellKeys cells) {
+        BoxSet changes =
+                shapes.visibleChanges().union(changedMaterials(geometry, geometry, after)).union(changedMaterials(after, geometry, after));
+        return changes.count() > MAX_BOXES ? null : new PathMemo(before, rows, geometry, shapes, cells, changes);
+    }
+
+    /** Returns the boxes of the primitives of a geometry that rays pass, or whose materials changed in what rays and surfels read. */
+    private static BoxSet changedMaterials(Geometry of, Geometry geometry, Geometry after) {
+        MaterialTable old = geometry.materials();
+        MaterialTable now = after.materials();
+        boolean[] changed = new boolean[now.count()];
+        for (int m = 0; m < changed.length; m++) {
+            changed[m] = now.isTransparent(m) || m < old.count() && !old.hasSamePaths(m, now);
+        }
+        int[] primitives = new int[of.primitiveCount()];
+        int count = 0;
+        for (int p = 0; p < primitives.length && count <= MAX_BOXES; p++) {
+            if (changed[of.materialIndex(p)] || of.isLightFace(p)) {
+                primitives[count++] = p;
+            }
+        }
+        return BoxSet.of(of.bvh(), primitives, count);
+    }
+
+    /** Returns the geometry before the edit. */
+    public Geometry geometry() {
+        return geometry;
+    }
+
+    KnownRays points() {
+        return points;
+    }
+
+    KnownRays surfels() {
+        return surfels;
+    }
+
+    /** Returns the additional rays of the points. */
+    RimLinks rims() {
+        return rims;
+    }
+
+    /** Returns the sum of {@link lightning.render.gather.ray.InverseLengths} of a gather point. */
+    long inverseLengths(int point) {
+        return inverseLengths[point];
+    }
+
+    /** Returns whether a ray may hit another surface than before, or pass a transparent one. */
+    boolean mayChange(BoxRay ray) {
+        return changes.intersects(ray, Double.POSITIVE_INFINITY);
+    }
+
+    /** Returns the places of the surfels, by number. */
+    SurfaceColumns places() {
+        return places;
+    }
+
+    /** Returns the key of a surfel's cell after the edit. */
+    long key(int surfel) {
+        return keys[surfel];
+    }
+
+    /** Returns whether a surfel is the hit of a ray of a gather point. */
+    boolean isFirstOfPoints(int surfel, int ray) {
+        return firstRay[surfel] == ray;
+    }
+
+    /** Returns whether a surfel is the hit of a ray of a surfel. */
+    boolean isFirstOfSurfels(int surfel, int ray) {
+        return firstRay[surfel] == ~ray;
+    }
+}

@@ -1,0 +1,96 @@
+package lightning.render.gather.point;
+
+import java.io.IOException;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
+
+/**
+ * Weighted means over neighboring gather points, which remove the noise of their rays. The weights are fixed, so the mean is linear in
+ * the light. They are whole numbers up to 255, relative to the largest of each point.
+ *
+ * @param start first entry of each point, and the number of all entries
+ */
+public record PointFilter(int[] start, WeightedPoints neighbors) {
+    /**
+     * Creates a filter.
+     *
+     * @param point  neighbors of each point, ascending, each point itself included
+     * @param weight their weights
+     */
+    public static PointFilter of(int[][] point, float[][] weight) {
+        int entries = 0;
+        for (int[] neighbors : point) {
+            entries = Math.addExact(entries, neighbors.length);
+        }
+        WeightedPoints.Builder builder = new WeightedPoints.Builder(point.length, entries);
+        int[] start = new int[point.length + 1];
+        for (int p = 0; p < point.length; p++) {
+            float largest = 0;
+            for (float w : weight[p]) {
+                largest = Math.max(largest, w);
+            }
+            float scale = WeightedPoints.MAX_WEIGHT / largest;
+            for (int i = 0; i < point[p].length; i++) {
+                int w = WeightedPoints.whole(weight[p][i], scale);
+                if (w > 0) {
+                    builder.add(point[p][i], point[p][i], w);
+                }
+            }
+            start[p + 1] = builder.entries();
+        }
+        return new PointFilter(start, builder.build());
+    }
+
+    /**
+     * Writes the means of points {@code first … end − 1}.
+     *
+     * @param from red, green, blue of each point and one unused value
+     * @param to   receives red, green and blue
+     */
+    public void apply(float[] from, float[][] to, int first, int end) {
+        int table = neighbors.tableOf(start[first]);
+        int tableEnd = neighbors.endEntry(table);
+        int tablePoint = neighbors.firstPoint(table);
+        int[] points = neighbors.points();
+        byte[] index = neighbors.index;
+        byte[] weight = neighbors.weight;
+        for (int p = first; p < end; p++) {
+            float red = 0;
+            float green = 0;
+            float blue = 0;
+            int total = 0;
+            for (int i = start[p]; i < start[p + 1];) {
+                while (i >= tableEnd) {
+                    tableEnd = neighbors.endEntry(++table);
+                    tablePoint = neighbors.firstPoint(table);
+                }
+                for (int stop = Math.min(tableEnd, start[p + 1]); i < stop; i++) {
+                    int whole = weight[i] & 0xFF;
+                    float w = whole * WeightedPoints.SCALE;
+                    int at = 4 * points[tablePoint + (index[i] & 0xFF)];
+                    red += w * from[at];
+                    green += w * from[at + 1];
+                    blue += w * from[at + 2];
+                    total += whole;
+                }
+            }
+            float scale = 1 / (total * WeightedPoints.SCALE);
+            to[0][p] = red * scale;
+            to[1][p] = green * scale;
+            to[2][p] = blue * scale;
+        }
+    }
+
+    public void writeTo(ColumnWriter out) throws IOException {
+        out.writeArray(start);
+        neighbors.writeTo(out);
+    }
+
+    public static PointFilter readFrom(ColumnReader in) throws IOException {
+        return new PointFilter(in.readInts(), WeightedPoints.readFrom(in));
+    }
+
+    public long bytes() {
+        return 4L * start.length + neighbors.bytes();
+    }
+}

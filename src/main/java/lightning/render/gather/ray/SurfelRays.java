@@ -1,0 +1,28 @@
+package lightning.render.gather.ray;
+
+import lightning.render.trace.HitRows;
+
+/** Rays that find surfels: each point casts the same number. */
+public interface SurfelRays {
+    int points();
+
+    int raysPerPoint();
+
+    /** Returns whether a ray meets a surfel. */
+    boolean isHit(int ray);
+
+    /** Returns the key of the cell that a ray hit. */
+    long key(int ray);
+
+    /** Returns the seed of a point, for {@link #rank}. */
+    long seed(int p);
+
+    /** Returns the rank of ray {@code k} of a point, as {@link lightning.render.gather.cell.CellKeys#rank}. */
+    int rank(int p, long seed, int k);
+
+    /** Returns the surfel of the paths before an edit that a ray hits; {@link RayLinks#MISS} for none. */
+    int knownSurfel(int worker, int ray);
+
+    /** Casts some rays again and returns what they hit, as {@link lightning.render.gather.build.GatherCaster#hits}. */
+    HitRows hits(int worker, int[] selected, int from, int to);
+}

@@ -1,0 +1,211 @@
+package lightning.render.gather.reflection;
+
+import static java.util.Objects.requireNonNull;
+
+import java.io.IOException;
+import java.util.Arrays;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
+import lightning.render.gather.cell.CellTable;
+import lightning.render.gather.ray.PathMemory;
+import lightning.render.gather.ray.RayLinks;
+import lightning.render.gather.ray.RayTints;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What the rays of reflection points meet, by ray: a surfel, or a cell of the sky. First the surfels are known by the keys of their cells.
+ * A ray has a weight that the reflectance at normal incidence multiplies, and one that no color multiplies; only their ratios count.
+ */
+public final class ReflectionLinks {
+    /** Bytes of a ray while links are built: two keys, a flag, two weights and a number, half as many in reserve. */
+    public static final int BUILD_BYTES = 38;
+    /** Step of weights: they are below 2. */
+    private static final float STEP = 0x1p-15f;
+    private static final byte MISS = 0;
+    private static final byte SURFEL = 1;
+
+    private final int raysPerPoint;
+    private final @Nullable PathMemory memory;
+    private int rays;
+    private long[] keys = {};
+    private long[] detailKeys = {};
+    private byte[] hit = {};
+    /** Surfel of each ray; then come the cells of the sky. */
+    private int[] number = {};
+    /** Weights in steps, unsigned: that of the color in the higher half. */
+    private int[] weights = {};
+    private float @Nullable [][] tint;
+    private @Nullable RayTints tints;
+
+    ReflectionLinks(int raysPerPoint, @Nullable PathMemory memory) {
+        this.raysPerPoint = raysPerPoint;
+        this.memory = memory;
+    }
+
+    /**
+     * Makes room for the rays of {@code points} points.
+     *
+     * @throws lightning.render.gather.ray.PathsTooLargeException if there are too many
+     */
+    void setPoints(int points) {
+        long count = (long) points * raysPerPoint;
+        requireNonNull(memory).reserve(count - rays, count > Integer.MAX_VALUE / 2 ? Integer.MAX_VALUE : BUILD_BYTES);
+        rays = (int) count;
+        if (rays > keys.length) {
+            int length = Math.max(rays, keys.length / 2 * 3);
+            keys = Arrays.copyOf(keys, length);
+            detailKeys = Arrays.copyOf(detailKeys, length);
+            hit = Arrays.copyOf(hit, length);
+            weights = Arrays.copyOf(weights, length);
+            for (int c = 0; tint != null && c < 3; c++) {
+                int known = tint[c].length;
+                tint[c] = Arrays.copyOf(tint[c], length);
+                Arrays.fill(tint[c], known, length, 1);
+            }
+        }
+    }
+
+    void clear(int from, int to) {
+        Arrays.fill(hit, from, to, MISS);
+    }
+
+    void setKeys(int ray, long key, long detailKey) {
+        keys[ray] = key;
+        detailKeys[ray] = detailKey;
+        hit[ray] = SURFEL;
+    }
+
+    void setMiss(int ray, int cell) {
+        keys[ray] = cell;
+    }
+
+    void setWeights(int ray, double color, double white) {
+        weights[ray] = steps(color) << 16 | steps(white);
+    }
+
+    private static int steps(double weight) {
+        return Math.min(0xFFFF, (int) (weight / STEP + 0.5));
+    }
+
+    /** Sets the tints of rays {@code from … from + count − 1}. */
+    void setTints(int from, int count, float[][] tints) {
+        float[][] all = allocateTints();
+        for (int c = 0; c < 3; c++) {
+            System.arraycopy(tints[c], 0, all[c], from, count);
+        }
+    }
+
+    private synchronized float[][] allocateTints() {
+        if (tint == null) {
+            requireNonNull(memory).reserve(rays, RayLinks.TINT_BUILD_BYTES);
+            float[][] all = new float[3][keys.length];
+            for (float[] channel : all) {
+                Arrays.fill(channel, 1);
+            }
+            tint = all;
+        }
+        return tint;
+    }
+
+    /** Returns whether a ray meets a surfel and counts. */
+    boolean isHit(int ray) {
+        return hit[ray] == SURFEL && weights[ray] != 0;
+    }
+
+    public long key(int ray) {
+        return keys[ray];
+    }
+
+    /** Returns the key of the part of the surfel's cell that the ray meets; that of the cell if it is not divided. */
+    long detailKey(int ray) {
+        return detailKeys[ray];
+    }
+
+    int points() {
+        return raysPerPoint == 0 ? 0 : rays / raysPerPoint;
+    }
+
+    int raysPerPoint() {
+        return raysPerPoint;
+    }
+
+    public int rayCount() {
+        return rays;
+    }
+
+    /**
+     * Replaces keys by numbers and drops what only building needs.
+     *
+     * @param cells   numbers of surfels
+     * @param details numbers of parts of surfels
+     * @param surfels number of all of them
+     */
+    public void finish(CellTable cells, CellTable details, int surfels) {
+        number = new int[rays];
+        weights = Arrays.copyOf(weights, rays);
+        for (int ray = 0; ray < rays; ray++) {
+            number[ray] = hit[ray] == MISS ? surfels + (int) keys[ray] : weights[ray] == 0 ? 0
+                    : (keys[ray] == detailKeys[ray] ? cells : details).number(detailKeys[ray]);
+        }
+        keys = new long[0];
+        detailKeys = new long[0];
+        hit = new byte[0];
+        tints = tint == null ? null : RayTints.of(tint, rays);
+        tint = null;
+    }
+
+    /**
+     * Computes the mean light that a point reflects, in the order of its rays.
+     *
+     * @param light red, green and blue light of each surfel and of each cell of the sky, and one unused value each
+     * @param color receives red, green and blue of the mean with the weights that the reflectance multiplies, as {@code white} with those
+     *              that no color multiplies; 0 if all weights are 0
+     */
+    public void mean(int point, float[] light, float[] color, float[] white) {
+        Arrays.fill(color, 0);
+        Arrays.fill(white, 0);
+        int from = point * raysPerPoint;
+        int next = tints == null ? 0 : tints.firstFrom(from);
+        int colorSum = 0;
+        int whiteSum = 0;
+        for (int ray = from; ray < from + raysPerPoint; ray++) {
+            colorSum += weights[ray] >>> 16;
+            whiteSum += weights[ray] & 0xFFFF;
+        }
+        float colorScale = colorSum == 0 ? 0 : 1f / colorSum;
+        float whiteScale = whiteSum == 0 ? 0 : 1f / whiteSum;
+        for (int ray = from; ray < from + raysPerPoint; ray++) {
+            boolean isTinted = tints != null && next < tints.count() && tints.ray()[next] == ray;
+            float a = (weights[ray] >>> 16) * colorScale;
+            float b = (weights[ray] & 0xFFFF) * whiteScale;
+            int at = 4 * number[ray];
+            for (int c = 0; c < 3; c++) {
+                float its = isTinted ? light[at + c] * requireNonNull(tints).tint()[c][next] : light[at + c];
+                color[c] += a * its;
+                white[c] += b * its;
+            }
+            next += isTinted ? 1 : 0;
+        }
+    }
+
+    void writeTo(ColumnWriter out) throws IOException {
+        out.writeInt(raysPerPoint);
+        out.writeInt(rays);
+        out.writeArray(number);
+        out.writeArray(weights);
+        RayTints.write(tints, out);
+    }
+
+    static ReflectionLinks readFrom(ColumnReader in) throws IOException {
+        var links = new ReflectionLinks(in.readInt(), null);
+        links.rays = in.readInt();
+        links.number = in.readInts();
+        links.weights = in.readInts();
+        links.tints = RayTints.read(in);
+        return links;
+    }
+
+    long bytes() {
+        return 8L * rays + (tints == null ? 0 : tints.bytes());
+    }
+}

@@ -1,0 +1,114 @@
+package lightning.render.gather.reflection;
+
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
+import lightning.render.gather.cell.CellKeys;
+import lightning.render.gather.glow.GlowShapes;
+import lightning.render.gather.point.PointFilter;
+import lightning.scene.material.Material;
+import org.jspecify.annotations.Nullable;
+
+/** Paths of blurred reflections: from surfels and the sky to reflection points to rows. Immutable. */
+public final class ReflectionPaths {
+    private final ReflectionPoints points;
+    private final ReflectionLinks links;
+    private final ReflectionGroup[] groups;
+    private final PointFilter filter;
+    private final float[] steps;
+    /** For each part of a surfel the surfel that it belongs to. */
+    private final int[] surfelOfDetail;
+    private final PointFilter surfelFilter;
+    /** Objects that were shown glowing. */
+    private final GlowShapes glows;
+
+    /** @param steps width of the cells of directions by material; 0 for materials that do not blur reflections */
+    public ReflectionPaths(ReflectionPoints points, ReflectionLinks links, ReflectionGroup[] groups, PointFilter filter, float[] steps,
+            GlowShapes glows, int[] surfelOfDetail, PointFilter surfelFilter) {
+        this.surfelFilter = surfelFilter;
+        this.glows = glows;
+        this.points = points;
+        this.links = links;
+        this.groups = groups;
+        this.filter = filter;
+        this.steps = steps;
+        this.surfelOfDetail = surfelOfDetail;
+    }
+
+    public void writeTo(ColumnWriter out) throws IOException {
+        points.writeTo(out);
+        links.writeTo(out);
+        filter.writeTo(out);
+        out.writeArray(steps);
+        out.writeArray(surfelOfDetail);
+        surfelFilter.writeTo(out);
+    }
+
+    /**
+     * @param glows     objects that were shown glowing
+     * @param materials all materials
+     */
+    public static ReflectionPaths readFrom(ColumnReader in, CellKeys keys, GlowShapes glows, List<Material> materials)
+            throws IOException {
+        ReflectionPoints points = ReflectionPoints.readFrom(in, keys);
+        ReflectionLinks links = ReflectionLinks.readFrom(in);
+        PointFilter filter = PointFilter.readFrom(in);
+        float[] steps = in.readFloats();
+        return new ReflectionPaths(points, links, ReflectionGroup.of(points, steps, materials), filter, steps, glows, in.readInts(),
+                PointFilter.readFrom(in));
+    }
+
+    /** Returns the materials of the groups. */
+    public List<Material> materials() {
+        return Arrays.stream(groups).map(group -> group.material).toList();
+    }
+
+    /** Returns the objects that were shown glowing when the paths were built. */
+    public GlowShapes glows() {
+        return glows;
+    }
+
+    /** Returns the number of reflection points. */
+    public int count() {
+        return points.count();
+    }
+
+    /** Returns what the rays meet. */
+    public ReflectionLinks links() {
+        return links;
+    }
+
+    /** Returns for each part of a surfel, which are the last surfels, the surfel that it belongs to. Callers must not modify it. */
+    public int[] surfelOfDetail() {
+        return surfelOfDetail;
+    }
+
+    /** Returns the points of a material; null if it does not blur reflections. */
+    @Nullable
+    public ReflectionGroup group(int material) {
+        return material < steps.length && steps[material] > 0 ? groups[material] : null;
+    }
+
+    /**
+     * Writes the means over the neighbors of points {@code first … end − 1}; parameters as {@link lightning.render.gather.GatherStructure#filter}.
+     */
+    public void filter(float[] from, float[][] to, int first, int end) {
+        filter.apply(from, to, first, end);
+    }
+
+    /** Returns the number of surfels that gather light, which come first. */
+    public int gatheringSurfels() {
+        return surfelFilter.start().length - 1;
+    }
+
+    /** Writes the means over neighboring surfels {@code first … end − 1} of those that gather light; parameters as above. */
+    public void filterSurfels(float[] from, float[][] to, int first, int end) {
+        surfelFilter.apply(from, to, first, end);
+    }
+
+    public long bytes() {
+        return surfelFilter.bytes() + points.bytes() + links.bytes() + filter.bytes() + 68L * points.count() + 4L * surfelOfDetail.length;
+    }
+}

@@ -1,0 +1,158 @@
+package lightning.render.gather.reflection;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.Arrays;
+import java.util.List;
+import lightning.base.work.ProgressPart;
+import lightning.base.work.WorkerPool;
+import lightning.render.gather.cell.CellKeys;
+import lightning.render.gather.cell.CellTable;
+import lightning.render.gather.cell.SeenSurfaces;
+import lightning.render.gather.cell.SurfaceColumns;
+import lightning.render.gather.ray.InverseLengths;
+import lightning.render.gather.ray.PathMemory;
+import lightning.render.lobe.RoughLobes;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Chooses the points whose reflections are computed among surfaces that are seen, as {@link lightning.render.gather.build.PointPlacer} does: one in each cell of position
+ * and mirrored view. The narrower the lobe and the nearer what it reflects, the smaller are the cells.
+ */
+public final class ReflectionPlacer {
+    private static final int LEVELS = 4;
+    private static final int BATCH = 4096;
+    private static final int NONE = -1;
+    /** Radius of a point in sides of its cell. */
+    private static final float RADIUS = 1.2f;
+    /** Largest radius of a matt surface relative to the harmonic mean distance of what it reflects; less for narrower lobes. */
+    private static final float ACCURACY = 0.2f;
+    /** Width α at which a lobe counts as narrow. */
+    private static final double NARROW = 0.4;
+
+    private final WorkerPool workers;
+    private final ProgressPart progress;
+    private final CellKeys keys;
+    private final ReflectionCaster[] casters;
+    private final @Nullable RoughLobes[] lobes;
+    private final int[] materialOf;
+    private final int lobeRays;
+    public final ReflectionPoints points;
+    public final ReflectionLinks links;
+    private long[] inverseLengths = {};
+
+    /**
+     * @param casters    one for each thread
+     * @param lobes      by material
+     * @param materialOf material of each primitive
+     * @param lobeRays   how many of the rays are those of lobes
+     */
+    public ReflectionPlacer(WorkerPool workers, ProgressPart progress, CellKeys keys, ReflectionCaster[] casters,
+            @Nullable RoughLobes[] lobes, int[] materialOf, int raysPerPoint, int lobeRays, PathMemory memory) {
+        this.workers = workers;
+        this.progress = progress;
+        this.keys = keys;
+        this.casters = casters;
+        this.lobes = lobes;
+        this.materialOf = materialOf;
+        points = new ReflectionPoints(keys);
+        this.lobeRays = lobeRays;
+        links = new ReflectionLinks(raysPerPoint, memory);
+    }
+
+    /** Returns the width of the cells of directions for a lobe of width α, about radians. */
+    public static double step(double alpha) {
+        return Math.clamp(alpha, 0.02, 0.4);
+    }
+
+    /** @param levels surfaces that the picture shows, in order */
+    public void place(List<SeenSurfaces> levels) {
+        SeenSurfaces candidates = rough(levels);
+        int[] active = new int[candidates.count()];
+        Arrays.setAll(active, i -> i);
+        long[] cell = new long[active.length];
+        int[] point = new int[active.length];
+        Arrays.fill(point, NONE);
+        for (int level = 0; level < LEVELS && active.length > 0; level++) {
+            CellTable cells = new CellTable();
+            int[] chosen = choose(candidates, active, cell, level, cells);
+            addPoints(candidates, chosen, point, level);
+            for (int candidate : chosen) {
+                cells.setNumber(cell[candidate], divide(point[candidate], level) ? 1 : 0);
+            }
+            int kept = 0;
+            for (int candidate : active) {
+                if (cells.number(cell[candidate]) == 1) {
+                    active[kept++] = candidate;
+                }
+            }
+            active = Arrays.copyOf(active, kept);
+        }
+    }
+
+    /** Returns the surfaces that blur their reflections. */
+    private SeenSurfaces rough(List<SeenSurfaces> levels) {
+        SeenSurfaces all = new SeenSurfaces(1024);
+        for (SeenSurfaces level : levels) {
+            for (int i = 0; i < level.count(); i++) {
+                if (lobes[materialOf[level.surfaces.primitive[i]]] != null) {
+                    all.add(level, i);
+                }
+            }
+        }
+        return all;
+    }
+
+    private long key(SeenSurfaces c, int i, int primitive, int level) {
+        SurfaceColumns s = c.surfaces;
+        float[] mirrored = new float[3];
+        ReflectionPoints.mirror(s.nx[i], s.ny[i], s.nz[i], c.vx[i], c.vy[i], c.vz[i], mirrored);
+        double step = step(requireNonNull(lobes[materialOf[s.primitive[i]]]).narrowest());
+        return keys.reflectionKey(s.px[i], s.py[i], s.pz[i], mirrored[0], mirrored[1], mirrored[2], step, primitive, level);
+    }
+
+    private int[] choose(SeenSurfaces c, int[] active, long[] cell, int level, CellTable cells) {
+        workers.run(Math.ceilDiv(active.length, BATCH), (_, job) -> {
+            for (int i = job * BATCH; i < Math.min(active.length, job * BATCH + BATCH); i++) {
+                int k = active[i];
+                cell[k] = key(c, k, c.surfaces.primitive[k], level);
+                cells.add(cell[k], k);
+            }
+        }, progress.cancellationOnly());
+        return cells.firsts();
+    }
+
+    private void addPoints(SeenSurfaces candidates, int[] chosen, int[] point, int level) {
+        int first = points.count();
+        for (int candidate : chosen) {
+            if (point[candidate] == NONE) {
+                point[candidate] = points.count();
+                points.add(candidates, candidate, materialOf[candidates.surfaces.primitive[candidate]],
+                        key(candidates, candidate, NONE, level));
+            }
+        }
+        int count = points.count();
+        inverseLengths = Arrays.copyOf(inverseLengths, count);
+        links.setPoints(count);
+        points.sources.reserveNormals(count);
+        int batch = casters[0].pointsPerBatch();
+        workers.run(Math.ceilDiv(count - first, batch), (worker, job) -> {
+            int from = first + job * batch;
+            casters[worker].cast(points, from, Math.min(count, from + batch), links, inverseLengths);
+        }, progress.section(level, LEVELS));
+    }
+
+    /** Sets the radius of a cell's point; returns whether the cell must be divided. */
+    private boolean divide(int p, int level) {
+        SurfaceColumns s = points.surface();
+        points.radius[p] = RADIUS * (float) keys.side(s.px[p], s.py[p], s.pz[p], level);
+        double spread = Math.min(1, requireNonNull(lobes[points.material[p]]).narrowest() / NARROW);
+        float harmonic = InverseLengths.harmonicMean(inverseLengths[p], lobeRays, keys.side(s, p));
+        return ACCURACY * spread * harmonic < points.radius[p] && level + 1 < LEVELS;
+    }
+
+    /** Returns the number of rays cast. */
+    public long rayCount() {
+        return links.rayCount();
+    }
+}

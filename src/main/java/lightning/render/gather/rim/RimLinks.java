@@ -1,0 +1,102 @@
+package lightning.render.gather.rim;
+
+import java.io.IOException;
+import java.util.Arrays;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
+import lightning.render.gather.ray.RayLinks;
+
+/** Links of the additional rays of gather points, through cells of directions that contain the rim of an opening. Immutable. */
+public final class RimLinks {
+    /** Maximum bytes of an additional ray: its number while it is found and afterwards, its tint twice, its cell, and a substitution. */
+    public static final int BUILD_BYTES = 4 + 4 + 12 + 16 + 2 + 4;
+    static final int NONE = -1;
+
+    /** First cell and first ray of each point, and the numbers of all; empty if there are none. */
+    private final int[] firstCell;
+    private final int[] firstRay;
+    /** Cells in the grid of directions, ascending for each point. */
+    private final char[] cell;
+    private final RayLinks rays;
+    /** Rays that hit a cell without a surfel, so that they have the number of another ray; ascending. */
+    private final int[] substituted;
+
+    public RimLinks(int[] firstCell, int[] firstRay, char[] cell, RayLinks rays, int[] substituted) {
+        this.substituted = substituted;
+        this.firstCell = firstCell;
+        this.firstRay = firstRay;
+        this.cell = cell;
+        this.rays = rays;
+    }
+
+    /** Returns links without rays. */
+    public static RimLinks none() {
+        return new RimLinks(new int[0], new int[0], new char[0], new RayLinks(1, 1, null), new int[0]);
+    }
+
+    public void writeTo(ColumnWriter out) throws IOException {
+        out.writeArray(firstCell);
+        out.writeArray(firstRay);
+        out.writeArray(cell);
+        rays.writeTo(out);
+        out.writeArray(substituted);
+    }
+
+    public static RimLinks readFrom(ColumnReader in) throws IOException {
+        return new RimLinks(in.readInts(), in.readInts(), in.readChars(), RayLinks.readFrom(in), in.readInts());
+    }
+
+    /**
+     * Returns an additional ray of a point; {@link #NONE} if there is no such ray, or if it hit a cell without a surfel.
+     *
+     * @param itsCell cell of the grid of directions
+     * @param turn    number of the ray in the cell, 1 or more
+     */
+    public int find(int point, char itsCell, int turn) {
+        int at = firstCell.length == 0 ? NONE : Arrays.binarySearch(cell, firstCell[point], firstCell[point + 1], itsCell);
+        int added = at < 0 ? 0 : added(point);
+        if (turn > added) {
+            return NONE;
+        }
+        int ray = firstRay[point] + (at - firstCell[point]) * added + turn - 1;
+        return Arrays.binarySearch(substituted, ray) < 0 ? ray : NONE;
+    }
+
+    /** Returns the surfel that an additional ray hit; {@link RayLinks#MISS} for none. */
+    public int surfel(int ray) {
+        return rays.surfel(ray);
+    }
+
+    /** Returns the number of additional rays in each cell of a point that has such cells. */
+    private int added(int point) {
+        return (firstRay[point + 1] - firstRay[point]) / (firstCell[point + 1] - firstCell[point]);
+    }
+
+    /**
+     * Replaces the light that a point's ray meets in each cell with a rim by the mean of all rays there.
+     *
+     * @param links the points' own rays
+     * @param light as in {@link RayLinks#sum(int, float[], float[])}
+     * @param to    sum over the point's own rays: red, green and blue
+     */
+    public void add(int point, RayLinks links, float[] light, float[] to) {
+        if (firstCell.length == 0 || firstCell[point] == firstCell[point + 1]) {
+            return;
+        }
+        int added = added(point);
+        float[] own = new float[3];
+        float[] others = new float[3];
+        for (int i = firstCell[point], ray = firstRay[point]; i < firstCell[point + 1]; i++, ray += added) {
+            links.sum(point * links.raysPerPoint() + cell[i], 1, light, own);
+            rays.sum(ray, added, light, others);
+            for (int c = 0; c < 3; c++) {
+                to[c] += (others[c] - added * own[c]) / (added + 1);
+            }
+        }
+    }
+
+    /** Returns the bytes of the links. */
+    public long bytes() {
+        return 4L * firstCell.length + 4L * firstRay.length + 2L * cell.length + 4L * substituted.length + rays.bytes();
+    }
+}
