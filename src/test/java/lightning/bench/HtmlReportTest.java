@@ -27,6 +27,7 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.measure.AccuracySetting;
 import lightning.render.measure.PictureError;
+import lightning.sample.TryFolder;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
@@ -44,12 +45,8 @@ class HtmlReportTest {
 
     @Property(tries = 15)
     void anyResults_giveSelfContainedPage(@ForAll long seed) throws Exception {
-        Path place = Files.createTempDirectory("report");
-        try {
-            assertWellFormed(write(ResultsArbitraries.of(seed), place));
-        } finally {
-            Files.deleteIfExists(place.resolve(HtmlReport.FILE));
-            Files.delete(place);
+        try (TryFolder files = new TryFolder()) {
+            assertWellFormed(write(ResultsArbitraries.of(seed), files.path()));
         }
     }
 

@@ -2,18 +2,17 @@ package lightning.serve;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.stream.Stream;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
 import lightning.format.jen.PropertyQuery;
 import lightning.sample.EditSession;
 import lightning.sample.SessionExporter;
+import lightning.sample.TryFolder;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
@@ -115,8 +114,9 @@ class ServedPictureTest {
     @Property(edgeCases = EdgeCasesMode.NONE)
     @StatisticsReport(onFailureOnly = true)
     void editsOfRandomScenes_equalFullTraces(@ForAll("sessions") EditSession session) throws Exception {
-        Path folder = Files.createTempDirectory("lightning-serve");
-        try (Server server = new Server(new ServerOptions(1, 500_000_000)); TestClient client = new TestClient(server)) {
+        try (TryFolder files = new TryFolder(); Server server = new Server(new ServerOptions(1, 500_000_000));
+                TestClient client = new TestClient(server)) {
+            Path folder = files.path();
             int count = session.scenes().size();
             SessionExporter.write(folder, session.scenes());
             client.request("open", "'file':'" + file(folder, 0) + "'");
@@ -141,13 +141,6 @@ class ServedPictureTest {
                 Statistics.label("edits").collect(edited.isPresent() ? "applied" : "refused");
                 assertThat(client.picture(1, "")).isEqualTo(ServerTest.trace(current).toScanlines());
             }
-        } finally {
-            try (Stream<Path> files = Files.list(folder)) {
-                for (Path file : files.toList()) {
-                    Files.delete(file);
-                }
-            }
-            Files.delete(folder);
         }
     }
 

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import lightning.render.measure.AccuracySetting;
+import lightning.sample.TryFolder;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.lifecycle.AfterContainer;
@@ -18,26 +19,25 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class ResultsFileTest {
-    private static Path shared;
+    private static TryFolder shared;
 
     @TempDir
     Path folder;
 
     @BeforeContainer
     static void makeFolder() throws IOException {
-        shared = Files.createTempDirectory("results");
+        shared = new TryFolder();
     }
 
     @AfterContainer
     static void removeFolder() throws IOException {
-        Files.deleteIfExists(shared.resolve("results.json"));
-        Files.delete(shared);
+        shared.close();
     }
 
     @Property(tries = 100)
     void json_readsBackAsWritten(@ForAll long seed) throws IOException {
         BenchResults results = ResultsArbitraries.of(seed);
-        Path file = shared.resolve("results.json");
+        Path file = shared.file("results.json");
         ResultsFile.writeJson(file, results);
         assertThat(ResultsFile.readJson(file)).isEqualTo(results);
     }

@@ -19,6 +19,7 @@ import lightning.format.ies.IesReader;
 import lightning.format.jen.JenReader;
 import lightning.format.mesh.MeshException;
 import lightning.sample.AttributeArbitraries;
+import lightning.sample.TryFolder;
 import lightning.scene.Scene;
 import lightning.scene.asset.Gobo;
 import lightning.scene.asset.IesProfile;
@@ -58,25 +59,20 @@ class LightSettingsTest {
             .withDoors(new BarnDoors(10, 20, 30, 40)).withFeather(5).withIlluminates(ShapeLinks.only("floor"))
             .withShadowedBy(ShapeLinks.except("floor"))
             .withContribution(new Contribution(false, 0.5, 2, ShapeGains.of("floor", 0.25)));
-    private Path folder;
+    private TryFolder files;
     private Path gltf;
     private Scene scene;
 
     @BeforeProperty
     void setUp() throws Exception {
-        folder = Files.createTempDirectory("lights");
-        gltf = Files.write(folder.resolve("a.gltf"), GltfFixtures.text(GltfFixtures.SQUARE_JSON, GltfFixtures.SQUARE));
+        files = new TryFolder();
+        gltf = Files.write(files.file("a.gltf"), GltfFixtures.text(GltfFixtures.SQUARE_JSON, GltfFixtures.SQUARE));
         scene = imported(gltf).scene();
     }
 
     @AfterProperty
     void tearDown() throws IOException {
-        try (var files = Files.list(folder)) {
-            for (Path file : files.toList()) {
-                Files.delete(file);
-            }
-        }
-        Files.delete(folder);
+        files.close();
     }
 
     /** Lights without files, alone or in a bank; {@link #existingFiles_areRestored} covers files. */
@@ -172,17 +168,17 @@ class LightSettingsTest {
 
     @Example
     void existingFiles_areRestored() throws Exception {
-        Files.copy(Path.of("textures/gobo_window.png"), folder.resolve("window.png"));
-        Files.copy(Path.of("textures/downlight.ies"), folder.resolve("lamp.ies"));
-        Files.copy(Path.of("textures/evening_sky.hdr"), folder.resolve("screen.hdr"));
+        Files.copy(Path.of("textures/gobo_window.png"), files.file("window.png"));
+        Files.copy(Path.of("textures/downlight.ies"), files.file("lamp.ies"));
+        Files.copy(Path.of("textures/evening_sky.hdr"), files.file("screen.hdr"));
         Light light = RICH.withGobo(Optional.of(new Gobo("window.png", new Texture(1, 1, new float[3]))))
                 .withProfile(Optional.of(new IesProfile("lamp.ies", IesReader.read(Path.of("textures/downlight.ies")))))
                 .withTexture(Optional.of(new LightTexture("screen.hdr", new Texture(1, 1, new float[3]))));
         ImportedScene imported =
-                SceneImporter.read(exported(LightRig.of(List.of(light)), LightUnits.CANDELA), folder.resolve("b.jen"), LightUnits.CANDELA,
+                SceneImporter.read(exported(LightRig.of(List.of(light)), LightUnits.CANDELA), files.file("b.jen"), LightUnits.CANDELA,
                         Progress.NONE);
         imported.write();
-        Light reimported = JenReader.read(folder.resolve("b.jen")).scene().lights().getFirst();
+        Light reimported = JenReader.read(files.file("b.jen")).scene().lights().getFirst();
         assertThat(reimported.gobo().orElseThrow().file()).isEqualTo("window.png");
         assertThat(reimported.profile()).isEqualTo(light.profile());
         assertThat(reimported.texture().orElseThrow().file()).isEqualTo("screen.hdr");
@@ -205,14 +201,14 @@ class LightSettingsTest {
     private Path changed(Path file, Consumer<JsonNode> edit) throws IOException {
         JsonNode root = JSON.readTree(Files.readAllBytes(file));
         edit.accept(root);
-        return Files.write(folder.resolve("changed.gltf"), JSON.writeValueAsBytes(root));
+        return Files.write(files.file("changed.gltf"), JSON.writeValueAsBytes(root));
     }
 
     private Path exported(LightRig rig, LightUnits units) throws Exception {
-        return Files.write(folder.resolve("back.gltf"), LightExport.toGltf(gltf, scene.withRig(rig), units, Progress.NONE).bytes());
+        return Files.write(files.file("back.gltf"), LightExport.toGltf(gltf, scene.withRig(rig), units, Progress.NONE).bytes());
     }
 
     private ImportedScene imported(Path file) throws IOException, MeshException {
-        return SceneImporter.read(file, folder.resolve("a.jen"), LightUnits.CANDELA, Progress.NONE);
+        return SceneImporter.read(file, files.file("a.jen"), LightUnits.CANDELA, Progress.NONE);
     }
 }

@@ -17,6 +17,7 @@ import lightning.format.jen.JenReader;
 import lightning.format.mesh.MeshException;
 import lightning.format.nff.SpdScenes;
 import lightning.format.nff.Teapot;
+import lightning.sample.TryFolder;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
@@ -68,12 +69,11 @@ class NffImportTest {
             @ForAll @DoubleRange(min = 0, max = 10) double s) throws Exception {
         Vec3 base = new Vec3(1, 2, 3);
         Vec3 apex = base.plus(new Vec3(x, y, z).maxAbs() < 0.1 ? Vec3.Y : new Vec3(x, y, z));
-        Path scene = Files.createTempDirectory("nff");
-        try {
-            Path file = Files.writeString(scene.resolve("a.nff"), String.format(Locale.ROOT, "c%n1 2 3 %.17g%n%.17g %.17g %.17g %.17g%n",
+        try (TryFolder files = new TryFolder()) {
+            Path file = Files.writeString(files.file("a.nff"), String.format(Locale.ROOT, "c%n1 2 3 %.17g%n%.17g %.17g %.17g %.17g%n",
                     r, apex.x(), apex.y(), apex.z(), s));
             PlacedShape cone =
-                    SceneImporter.read(file, scene.resolve("a.jen"), LightUnits.CANDELA, Progress.NONE).scene().placedShapes().getFirst();
+                    SceneImporter.read(file, files.file("a.jen"), LightUnits.CANDELA, Progress.NONE).scene().placedShapes().getFirst();
             Vec3 wideEnd = s > r ? apex : base;
             Vec3 narrowEnd = s > r ? base : apex;
             assertNear(cone.toWorld().transformPoint(Vec3.ZERO), wideEnd);
@@ -83,9 +83,6 @@ class NffImportTest {
             assertThat(Math.abs(outside.dot(narrowEnd.minus(wideEnd)))).isLessThan(1e-6);
             double top = cone.shape().solid() instanceof Solid.Frustum f ? f.top() : cone.shape().solid() instanceof Solid.Cone ? 0 : 1;
             assertThat(Math.abs(top * Math.max(r, s) - Math.min(r, s))).isLessThan(1e-7);
-        } finally {
-            Files.deleteIfExists(scene.resolve("a.nff"));
-            Files.delete(scene);
         }
     }
 

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import lightning.base.file.AtomicFile;
+import lightning.sample.TryFolder;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
@@ -39,8 +40,8 @@ class ExrTest {
     void values_areReadAsWritten(@ForAll @IntRange(min = 1, max = 40) int width, @ForAll @IntRange(min = 1, max = 40) int height,
             @ForAll long seed, @ForAll boolean noise) throws IOException {
         float[][] values = values(width * height, seed, noise);
-        Path file = Files.createTempFile("a", ".exr");
-        try {
+        try (TryFolder files = new TryFolder()) {
+            Path file = files.file("a.exr");
             write(file, width, height, values);
             float[][] result = new float[3][width * height];
             try (ExrReader reader = new ExrReader(file)) {
@@ -56,8 +57,6 @@ class ExrTest {
                 assertThat(result[1][i]).isEqualTo(values[1][i]);
                 assertThat(result[2][i]).isEqualTo(Float.float16ToFloat(Float.floatToFloat16(values[2][i])));
             }
-        } finally {
-            Files.delete(file);
         }
     }
 
@@ -135,8 +134,8 @@ class ExrTest {
     @Property(tries = 400)
     void damagedFile_isReadOrRejectedWithMessage(@ForAll long seed) throws IOException {
         Random random = new Random(seed);
-        Path file = Files.createTempFile("a", ".exr");
-        try {
+        try (TryFolder files = new TryFolder()) {
+            Path file = files.file("a.exr");
             write(file, 5, 20, values(100, seed, random.nextBoolean()));
             byte[] bytes = Files.readAllBytes(file);
             for (int n = random.nextInt(4); n >= 0; n--) {
@@ -150,8 +149,6 @@ class ExrTest {
             } catch (IOException e) {
                 assertThat(e.getMessage()).matches("(has|is) .*");
             }
-        } finally {
-            Files.delete(file);
         }
     }
 }

@@ -12,6 +12,7 @@ import java.util.Random;
 import lightning.base.work.Progress;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
+import lightning.sample.TryFolder;
 import lightning.scene.node.Mesh;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -90,13 +91,10 @@ class DracoPrimitiveTest {
         for (int i = 0; i <= random.nextInt(3); i++) {
             data[random.nextInt(data.length)] = (byte) random.nextInt();
         }
-        Path file = Files.createTempFile("draco", ".glb");
-        try {
-            read(file, file(java.util.Arrays.copyOf(data, data.length - random.nextInt(4)), 4, 5));
+        try (TryFolder files = new TryFolder()) {
+            read(files.file("draco.glb"), file(java.util.Arrays.copyOf(data, data.length - random.nextInt(4)), 4, 5));
         } catch (MeshException e) {
             assertThat(e.getMessage()).contains("must");
-        } finally {
-            Files.delete(file);
         }
     }
 }

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import lightning.format.mesh.MeshException;
+import lightning.sample.TryFolder;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.value.SceneLimits;
 import net.jqwik.api.ForAll;
@@ -136,17 +137,15 @@ class HdrReaderTest {
                 {2, 2, 0, 9, (byte) (128 + 9), 3, (byte) (128 + 8), 64, 1, 32, 9, 0, 0, 0, 0, 0, 0, 0, 0, 0, (byte) (128 + 9), (byte) 129};
         byte[] bytes = file(HEADER.replace("+X 2", "+X 9"), runs);
         bytes[index % bytes.length] = (byte) newByte;
-        Path file = Files.createTempFile("damaged", ".hdr");
-        try {
-            EnvironmentMap environment = HdrReader.read(Files.write(file, Arrays.copyOf(bytes, bytes.length - length)));
+        try (TryFolder files = new TryFolder()) {
+            EnvironmentMap environment =
+                    HdrReader.read(Files.write(files.file("damaged.hdr"), Arrays.copyOf(bytes, bytes.length - length)));
             for (int i = 0; i < 3 * environment.width() * environment.height(); i++) {
                 assertThat(environment.channel(i / 3 % environment.width(), i / 3 / environment.width(), i % 3)).isBetween(0f,
                         (float) SceneLimits.MAX_EMISSION);
             }
         } catch (MeshException e) {
             assertThat(e.getMessage()).doesNotContain("\n").contains(":");
-        } finally {
-            Files.delete(file);
         }
     }
 }

@@ -3,13 +3,13 @@ package lightning.format.hdr;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Random;
 import lightning.format.image.ImageFile;
 import lightning.format.mesh.MeshException;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.sample.TryFolder;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.value.SceneLimits;
 import net.jqwik.api.ForAll;
@@ -28,8 +28,8 @@ class RadianceHdrTest {
             rgb[i] = isFlat && random.nextInt(20) > 0 && i > 3 ? rgb[i - 3]
                     : (float) Math.min(random.nextFloat() * Math.scalb(1.0, random.nextInt(30) - 15), SceneLimits.MAX_EMISSION);
         }
-        Path file = Files.createTempFile("a", ".hdr");
-        try {
+        try (TryFolder files = new TryFolder()) {
+            Path file = files.file("a.hdr");
             ImageFile.write(file, Film.ofScanlines(width, 2, rgb), ViewTransform.DEFAULT);
             EnvironmentMap result = HdrReader.read(file);
             for (int i = 0; i < rgb.length; i++) {
@@ -38,8 +38,6 @@ class RadianceHdrTest {
                 double unit = max == 0 ? 0 : Math.scalb(1.0, Math.getExponent(max) + 1 - 7);
                 assertThat(Math.abs(result.channel(i / 3 % width, i / 3 / width, i % 3) - rgb[i])).isLessThanOrEqualTo((float) (unit / 2));
             }
-        } finally {
-            Files.delete(file);
         }
     }
 }

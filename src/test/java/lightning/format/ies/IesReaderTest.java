@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import lightning.format.mesh.MeshException;
+import lightning.sample.TryFolder;
 import lightning.scene.value.Photometry;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -139,9 +140,8 @@ class IesReaderTest {
             throws Exception {
         byte[] bytes = PLAIN.getBytes(StandardCharsets.ISO_8859_1);
         bytes[index % bytes.length] = (byte) newByte;
-        Path file = Files.createTempFile("damaged", ".ies");
-        try {
-            Files.write(file, java.util.Arrays.copyOf(bytes, bytes.length - length));
+        try (TryFolder files = new TryFolder()) {
+            Path file = Files.write(files.file("damaged.ies"), java.util.Arrays.copyOf(bytes, bytes.length - length));
             Photometry p = IesReader.read(file);
             for (int v = -180; v <= 180; v += 15) {
                 for (int h = 0; h <= 360; h += 15) {
@@ -150,8 +150,6 @@ class IesReaderTest {
             }
         } catch (MeshException e) {
             assertThat(e.getMessage()).doesNotContain("\n").contains(":");
-        } finally {
-            Files.delete(file);
         }
     }
 }

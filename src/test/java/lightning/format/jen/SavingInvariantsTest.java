@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -14,6 +13,7 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import lightning.format.jen.asset.TextureFolder;
+import lightning.sample.TryFolder;
 import lightning.scene.Scene;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureUsage;
@@ -25,20 +25,20 @@ import org.assertj.core.api.Assertions;
 
 /** Invariants of writing and saving, over random scenes and edits. */
 class SavingInvariantsTest {
-    private static Path folder;
+    private static TryFolder files;
     private static List<Texture> images;
     private static List<Texture> numbers;
     private static List<Texture> opacities;
 
     @BeforeContainer
     static void writeTextures() throws Exception {
-        folder = Files.createTempDirectory("lightning-jen");
+        files = new TryFolder();
         images = new ArrayList<>();
         numbers = new ArrayList<>();
         opacities = new ArrayList<>();
-        var loader = new TextureFolder(folder);
+        var loader = new TextureFolder(files.path());
         for (int i = 0; i < RandomScenes.TEXTURES.size(); i++) {
-            Path file = folder.resolve(RandomScenes.TEXTURES.get(i));
+            Path file = files.file(RandomScenes.TEXTURES.get(i));
             Files.createDirectories(file.getParent());
             var image = new BufferedImage(1 + i, 2, BufferedImage.TYPE_INT_RGB);
             image.setRGB(0, 1, 0x102030 * (i + 1));
@@ -51,15 +51,7 @@ class SavingInvariantsTest {
 
     @AfterContainer
     static void removeTextures() throws IOException {
-        try (var files = Files.walk(folder)) {
-            files.sorted(java.util.Comparator.reverseOrder()).forEach(f -> {
-                try {
-                    Files.delete(f);
-                } catch (IOException e) {
-                    throw new UncheckedIOException(e);
-                }
-            });
-        }
+        files.close();
     }
 
     @Property
@@ -73,7 +65,7 @@ class SavingInvariantsTest {
         var random = new Random(seed);
         var scenes = new RandomScenes(random, images, numbers, opacities);
         Scene scene = scenes.scene();
-        JenDocument document = JenReader.read(new TextReformatter(random).reformat(JenWriter.write(scene)), "s.jen", folder);
+        JenDocument document = JenReader.read(new TextReformatter(random).reformat(JenWriter.write(scene)), "s.jen", files.path());
         assertThat(document.scene()).isEqualTo(scene);
         for (int i = 0; i < 3; i++) {
             scene = scenes.edited(scene);
@@ -88,7 +80,7 @@ class SavingInvariantsTest {
         var random = new Random(seed);
         var scenes = new RandomScenes(random, images, numbers, opacities);
         Scene scene = scenes.scene();
-        JenDocument document = JenReader.read(new TextReformatter(random).reformat(JenWriter.write(scene)), "s.jen", folder);
+        JenDocument document = JenReader.read(new TextReformatter(random).reformat(JenWriter.write(scene)), "s.jen", files.path());
         List<lightning.scene.light.Light> lights = new ArrayList<>(scene.lights());
         java.util.Collections.shuffle(lights, random);
         lights.replaceAll(l -> l.withIntensity(l.intensity() + 1).withSolo(!l.solo()));
@@ -102,7 +94,7 @@ class SavingInvariantsTest {
         var random = new Random(seed);
         Scene scene = new RandomScenes(random, images, numbers, opacities).scene();
         scene = scene.withWorld(scene.world().withAmbience(0.25));
-        JenDocument document = JenReader.read(new TextReformatter(random).reformat(JenWriter.write(scene)), "s.jen", folder);
+        JenDocument document = JenReader.read(new TextReformatter(random).reformat(JenWriter.write(scene)), "s.jen", files.path());
         String before = document.text();
         String after = document.withScene(scene.withWorld(scene.world().withAmbience(123.75))).text();
         TokenList tokens = Lexer.tokens(before, new ProblemList());
@@ -111,7 +103,7 @@ class SavingInvariantsTest {
     }
 
     private static Scene read(String text) throws JenException {
-        return JenReader.read(text, "s.jen", folder).scene();
+        return JenReader.read(text, "s.jen", files.path()).scene();
     }
 
     private static List<String> comments(String text) {

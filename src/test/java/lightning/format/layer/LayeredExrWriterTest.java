@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -38,6 +37,7 @@ import lightning.sample.EditSession;
 import lightning.sample.IndirectScenes;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
+import lightning.sample.TryFolder;
 import lightning.scene.GatherSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
@@ -302,12 +302,10 @@ class LayeredExrWriterTest {
     }
 
     private static ExrValues writeFile(Renderer renderer, ExrType type) throws IOException {
-        Path file = Files.createTempFile("layers", ".exr");
-        try (WorkerPool workers = new WorkerPool(2)) {
+        try (TryFolder files = new TryFolder(); WorkerPool workers = new WorkerPool(2)) {
+            Path file = files.file("layers.exr");
             new LayeredExrWriter(renderer.cache(), renderer.options().engines(), type).write(file, Long.MAX_VALUE, workers, Progress.NONE);
             return new ExrValues(file);
-        } finally {
-            Files.delete(file);
         }
     }
 

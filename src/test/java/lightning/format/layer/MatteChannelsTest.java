@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -29,6 +28,7 @@ import lightning.render.trace.PixelRays;
 import lightning.sample.EditSession;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
+import lightning.sample.TryFolder;
 import lightning.scene.AntialiasMode;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
@@ -156,14 +156,12 @@ class MatteChannelsTest {
 
         Mattes(Renderer renderer, int levels) throws IOException {
             this.levels = levels;
-            Path file = Files.createTempFile("mattes", ".exr");
             LayeredExrWriter writer =
                     new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrContent.mattes(levels), Optional.empty());
-            try (WorkerPool workers = new WorkerPool(2)) {
+            try (TryFolder files = new TryFolder(); WorkerPool workers = new WorkerPool(2)) {
+                Path file = files.file("mattes.exr");
                 writer.write(file, Long.MAX_VALUE, workers, Progress.NONE);
                 read(file);
-            } finally {
-                Files.delete(file);
             }
             crowdedPixels = writer.crowdedPixels();
         }

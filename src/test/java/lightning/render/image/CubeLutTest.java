@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Random;
 import lightning.format.image.CubeLutReader;
+import lightning.sample.TryFolder;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
@@ -161,14 +162,10 @@ class CubeLutTest {
 
     @Property
     void anyBytes_areReadOrRejectedWithMessage(@ForAll byte[] bytes) throws IOException {
-        Path file = Files.createTempFile("any", ".cube");
-        try {
-            Files.write(file, bytes);
-            CubeLutReader.read(file);
+        try (TryFolder files = new TryFolder()) {
+            CubeLutReader.read(Files.write(files.file("any.cube"), bytes));
         } catch (IOException e) {
             assertThat(e.getMessage()).contains("expected").contains("found");
-        } finally {
-            Files.delete(file);
         }
     }
 
