@@ -46,7 +46,8 @@ final class ReflectionBench {
             // A scene may show only coated and frosted surfaces, which are not measured.
             for (int rays : pixels == 0 ? List.<Integer>of() : PictureSettings.REFLECTION_RAY_COUNTS) {
                 ReflectionErrorMeter.Measured result = meter.measure(rays, settings.repetitions(), silent);
-                points.add(new ReflectionAccuracy.Point(rays, result.points(), TimeSamples.of(result.time()), result.mean(), result.high(),
+                points.add(new ReflectionAccuracy.Point(rays, result.points(), TimeSamples.of(result.time()), result.mean(), result.shown(),
+                        result.high(),
                         result.bias()));
                 progress.report(points.size(), PictureSettings.REFLECTION_RAY_COUNTS.size());
             }

@@ -21,11 +21,12 @@ public record ReflectionAccuracy(String scene, int width, int height, int pixels
      *
      * @param points number of reflection points
      * @param time   time of the first pass
-     * @param mean   mean relative error
+     * @param mean   mean relative error of what is reflected
+     * @param shown  mean relative error of the colors of the same pixels
      * @param high   95th percentile of the errors
      * @param bias   difference of the sums of all pixels, relative to brute force
      */
-    public record Point(int rays, int points, TimeSamples time, double mean, double high, double bias) {
+    public record Point(int rays, int points, TimeSamples time, double mean, double shown, double high, double bias) {
         /** Returns whether it is the default. */
         public boolean usesDefault() {
             return rays == PictureSettings.REFLECTION_RAYS.initial();

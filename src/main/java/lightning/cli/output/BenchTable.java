@@ -171,8 +171,9 @@ public final class BenchTable {
     private void printReflections(ReflectionAccuracy scene) {
         console.print("%s at %d x %d, blurred reflections, %s: %s", scene.scene(), scene.width(), scene.height(),
                 Console.count(scene.pixels(), "pixel"), scene.points().stream().map(p -> Console.text(
-                        "%d rays: %.1f ms, mean error %.1f %%, bias %.1f %%", p.rays(), p.time().median(), 100 * p.mean(),
-                        100 * p.bias())).collect(Collectors.joining("; ")));
+                        "%d rays: %.1f ms, mean error %.1f %%, of the pixels' colors %.1f %%, bias %.1f %%", p.rays(), p.time().median(),
+                        100 * p.mean(),
+                        100 * p.shown(), 100 * p.bias())).collect(Collectors.joining("; ")));
     }
 
     private void printSoftShadows(SoftShadowAccuracy scene) {

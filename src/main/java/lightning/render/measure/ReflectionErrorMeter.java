@@ -49,13 +49,14 @@ public final class ReflectionErrorMeter implements AutoCloseable {
     /**
      * Result of one number of rays.
      *
-     * @param mean   mean error of the pixels ({@link RelativeErrors})
+     * @param mean   mean error of what the pixels reflect ({@link RelativeErrors})
+     * @param shown  mean error of their whole colors, which this causes
      * @param high   95th percentile of the errors
      * @param bias   difference of the sums of all pixels, relative to the reference; negative if too dark
      * @param time   milliseconds of the first pass
      * @param points number of reflection points
      */
-    public record Measured(double mean, double high, double bias, Timing time, int points) {}
+    public record Measured(double mean, double shown, double high, double bias, Timing time, int points) {}
 
     /**
      * @param scene   scene at the size to measure; anti-aliasing and indirect light are switched off
@@ -130,13 +131,18 @@ public final class ReflectionErrorMeter implements AutoCloseable {
         double[] light = samples.stream().mapToDouble(sample -> luminance(cache, sample)).toArray();
         double[] exact = samples.stream().mapToDouble(Sample::reference).toArray();
         RelativeErrors errors = RelativeErrors.of(light, exact);
+        double[] shown = RelativeErrors.luminances(renderer.film());
+        double[] pictured = samples.stream().mapToDouble(sample -> shown[sample.pixel]).toArray();
+        double[] right = new double[light.length];
         double total = 0;
         double bias = 0;
         for (int i = 0; i < light.length; i++) {
             total += exact[i];
             bias += light[i] - exact[i];
+            right[i] = pictured[i] - light[i] + exact[i];
         }
-        return new Measured(errors.mean(), errors.percentile(IndirectError.HIGH), total > 0 ? bias / total : 0, time,
+        return new Measured(errors.mean(), RelativeErrors.of(pictured, right).mean(), errors.percentile(IndirectError.HIGH),
+                total > 0 ? bias / total : 0, time,
                 requireNonNull(requireNonNull(cache.indirect()).structure().reflections()).count());
     }
 

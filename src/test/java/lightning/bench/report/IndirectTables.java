@@ -86,10 +86,12 @@ public final class IndirectTables {
 
     private String reflections() {
         return results.reflections().isEmpty() ? "" : MarkdownTables.table(
-                List.of("scene", "pixels", "rays", "reflection points", "first pass ms", "mean error", "95th percentile", "bias"),
+                List.of("scene", "pixels", "rays", "reflection points", "first pass ms", "mean error", "95th percentile", "bias",
+                        "mean error of colors"),
                 results.reflections().stream().flatMap(scene -> scene.points().stream().map(p -> List.of(scene.scene(),
                         Integer.toString(scene.pixels()), Integer.toString(p.rays()), Integer.toString(p.points()),
-                        MarkdownTables.median(p.time()), percent(p.mean()), percent(p.high()), percent(p.bias())))));
+                        MarkdownTables.median(p.time()), percent(p.mean()), percent(p.high()), percent(p.bias()),
+                        percent(p.shown())))));
     }
 
     private String softShadows() {

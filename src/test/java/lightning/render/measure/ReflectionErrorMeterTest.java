@@ -49,6 +49,8 @@ class ReflectionErrorMeterTest {
             ReflectionErrorMeter.Measured few = meter.measure(4, 1, Progress.NONE);
             ReflectionErrorMeter.Measured many = meter.measure(256, 1, Progress.NONE);
             assertThat(many.mean()).isLessThan(few.mean()).isBetween(0.0, 0.1);
+            // Colors also contain highlights.
+            assertThat(many.shown()).isBetween(0.0, many.mean() + 0.01);
             assertThat(Math.abs(many.bias())).isLessThan(0.05);
             assertThat(many.points()).isPositive();
         }
