@@ -6,6 +6,7 @@ import lightning.render.gather.GatherStructure;
 import lightning.render.gather.build.GatherBuilder;
 import lightning.render.gather.glow.GlowLinks;
 import lightning.render.gather.ray.RayLinks;
+import lightning.render.gather.reflection.ReflectionFilter;
 import lightning.render.gather.reflection.ReflectionLinks;
 import lightning.render.gather.rim.RimLinks;
 import lightning.render.image.Film;
@@ -126,7 +127,8 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
                         ? (linkBytes + glowBytes) * settings.surfelRaysPerSide() * settings.surfelRaysPerSide() : 0);
         double rowBytes = ColumnGroup.HIT.bytesPerRow() + texelBytes + ColumnGroup.OWNER.bytesPerRow();
         return (long) Math.min(Long.MAX_VALUE / 4.0,
-                candidates * (rowBytes + POINT_BYTES) + rays * (linkBytes + rimBytes + glowBytes + surfelBytes)
+                candidates * (rowBytes + POINT_BYTES + (settings.reflections() ? ReflectionFilter.ENOUGH * POINT_BYTES : 0))
+                        + rays * (linkBytes + rimBytes + glowBytes + surfelBytes)
                         + reflectedRays * (ReflectionLinks.BUILD_BYTES + surfelBytes));
     }
 }

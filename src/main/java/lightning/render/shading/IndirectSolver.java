@@ -121,10 +121,10 @@ public final class IndirectSolver {
             }
         });
         background.writeSky(shown, STRIDE * surfels, STRIDE);
-        int points = paths.count();
-        float[] color = new float[STRIDE * points];
-        float[] white = new float[STRIDE * points];
-        run(points, (from, to) -> {
+        int sources = paths.links().points();
+        float[] color = new float[STRIDE * sources];
+        float[] white = new float[STRIDE * sources];
+        run(sources, (from, to) -> {
             float[] one = new float[3];
             float[] other = new float[3];
             for (int p = from; p < to; p++) {
@@ -133,6 +133,7 @@ public final class IndirectSolver {
                 System.arraycopy(other, 0, white, STRIDE * p, 3);
             }
         });
+        int points = paths.count();
         for (int c = 3; c < light.length; c++) {
             light[c] = new float[points];
         }

@@ -25,7 +25,6 @@ import lightning.render.gather.ray.PathMemory;
 import lightning.render.gather.reflection.ReflectionCaster;
 import lightning.render.gather.reflection.ReflectionDirections;
 import lightning.render.gather.reflection.ReflectionFilter;
-import lightning.render.gather.reflection.ReflectionGroup;
 import lightning.render.gather.reflection.ReflectionPaths;
 import lightning.render.gather.reflection.ReflectionPlacer;
 import lightning.render.gather.rim.RimCells;
@@ -125,9 +124,10 @@ public final class GatherBuilder {
         return Math.max(1, (int) (settings.pixelSpacing(picture) / perCell));
     }
 
-    /** Returns the maximum number of rays of a reflection point. */
+    /** Returns the maximum number of rays of a reflection point with its copies. */
     public static int maxReflectedRays(GatherSettings settings) {
-        return settings.reflectionRaysPerSide() * settings.reflectionRaysPerSide() + ReflectionCaster.MAX_AIMED;
+        return ReflectionFilter.ENOUGH
+                * (settings.reflectionRaysPerSide() * settings.reflectionRaysPerSide() + ReflectionCaster.MAX_AIMED);
     }
 
     /** Returns the maximum bytes of a surfel without rays: its row, its cell, and what lights and solving need. */
@@ -194,20 +194,12 @@ public final class GatherBuilder {
                 lobes, geometry.primitives().material, ReflectionCaster.raysPerPoint(reflectionDirections, seenGlows),
                 reflectionDirections.rays,
                 memory);
-        reflecting.place(candidates);
+        reflecting.place(candidates, IntStream.range(0, lobes.length).mapToObj(geometry.materials()::material).toList());
         return reflecting;
     }
 
     private ReflectionPaths reflections(ReflectionPlacer reflecting, SurfelBuilder surfels) {
-        float[] steps = new float[lobes.length];
-        for (int m = 0; m < steps.length; m++) {
-            RoughLobes its = lobes[m];
-            steps[m] = its == null ? 0 : (float) ReflectionPlacer.step(its.narrowest());
-        }
-        ReflectionGroup[] groups = ReflectionGroup.of(reflecting.points, steps,
-                IntStream.range(0, steps.length).mapToObj(geometry.materials()::material).toList());
-        return new ReflectionPaths(reflecting.points, reflecting.links, groups,
-                ReflectionFilter.build(groups, reflecting.points.count(), workers, progress), steps, seenGlows, surfels.surfelOfDetail,
+        return reflecting.paths(seenGlows, surfels.surfelOfDetail,
                 SurfelFilter.build(surfels.surfels(), surfels.links.points(), keys, workers, progress));
     }
 

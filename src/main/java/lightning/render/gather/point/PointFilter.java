@@ -18,11 +18,20 @@ public record PointFilter(int[] start, WeightedPoints neighbors) {
      * @param weight their weights
      */
     public static PointFilter of(int[][] point, float[][] weight) {
+        return of(point, weight, point.length);
+    }
+
+    /**
+     * Creates a filter of the first of some points, as above.
+     *
+     * @param points number of all of them
+     */
+    public static PointFilter of(int[][] point, float[][] weight, int points) {
         int entries = 0;
         for (int[] neighbors : point) {
             entries = Math.addExact(entries, neighbors.length);
         }
-        WeightedPoints.Builder builder = new WeightedPoints.Builder(point.length, entries);
+        WeightedPoints.Builder builder = new WeightedPoints.Builder(points, entries);
         int[] start = new int[point.length + 1];
         for (int p = 0; p < point.length; p++) {
             float largest = 0;

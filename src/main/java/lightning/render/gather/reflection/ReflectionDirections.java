@@ -11,6 +11,8 @@ import lightning.render.gather.cell.Hash64;
 public final class ReflectionDirections {
     private static final int PARTS = 4;
     private static final int VARIANTS = 16;
+    /** Changes of a part's bits that spread the first parts evenly along both axes. */
+    private static final byte[] PART_CHANGES = {0, 10, 13, 7, 8, 2, 5, 15, 4, 14, 9, 3, 12, 6, 1, 11};
     private static final int PATTERNS = PARTS * PARTS * VARIANTS;
     private static final Map<Integer, ReflectionDirections> KNOWN = new ConcurrentHashMap<>();
 
@@ -48,6 +50,15 @@ public final class ReflectionDirections {
 
     private float coordinate(int cell, int part, long random) {
         return (float) ((cell + (part + random * 0x1p-24) / PARTS) / side);
+    }
+
+    /**
+     * Returns a seed whose places lie in other parts of the cells than those of another seed and of lower numbers.
+     *
+     * @param number 1…15
+     */
+    static long seed(long seed, int number) {
+        return seed ^ PART_CHANGES[number];
     }
 
     /** Returns the index of the first place of a point. */

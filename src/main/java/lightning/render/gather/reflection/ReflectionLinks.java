@@ -121,7 +121,8 @@ public final class ReflectionLinks {
         return detailKeys[ray];
     }
 
-    int points() {
+    /** Returns the number of points, with copies of their places. */
+    public int points() {
         return raysPerPoint == 0 ? 0 : rays / raysPerPoint;
     }
 

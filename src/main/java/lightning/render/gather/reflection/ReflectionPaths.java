@@ -70,7 +70,7 @@ public final class ReflectionPaths {
         return glows;
     }
 
-    /** Returns the number of reflection points. */
+    /** Returns the number of reflection points without copies. */
     public int count() {
         return points.count();
     }

@@ -4,15 +4,19 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
 import java.util.List;
+import lightning.base.work.Progress;
 import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.gather.cell.CellKeys;
 import lightning.render.gather.cell.CellTable;
 import lightning.render.gather.cell.SeenSurfaces;
 import lightning.render.gather.cell.SurfaceColumns;
+import lightning.render.gather.glow.GlowShapes;
+import lightning.render.gather.point.PointFilter;
 import lightning.render.gather.ray.InverseLengths;
 import lightning.render.gather.ray.PathMemory;
 import lightning.render.lobe.RoughLobes;
+import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -39,6 +43,11 @@ public final class ReflectionPlacer {
     private final int lobeRays;
     public final ReflectionPoints points;
     public final ReflectionLinks links;
+    private final float[] steps;
+    private ReflectionGroup[] groups = {};
+    private @Nullable PointFilter filter;
+    /** Number of points without their copies. */
+    private int placed;
     private long[] inverseLengths = {};
 
     /**
@@ -56,17 +65,53 @@ public final class ReflectionPlacer {
         this.lobes = lobes;
         this.materialOf = materialOf;
         points = new ReflectionPoints(keys);
+        steps = steps(lobes);
         this.lobeRays = lobeRays;
         links = new ReflectionLinks(raysPerPoint, memory);
     }
 
+    /** Returns the widths of the cells of directions by material; 0 for materials that do not blur reflections. */
+    private static float[] steps(@Nullable RoughLobes[] lobes) {
+        float[] steps = new float[lobes.length];
+        for (int m = 0; m < steps.length; m++) {
+            RoughLobes its = lobes[m];
+            steps[m] = its == null ? 0 : (float) step(its.narrowest());
+        }
+        return steps;
+    }
+
     /** Returns the width of the cells of directions for a lobe of width α, about radians. */
-    public static double step(double alpha) {
+    private static double step(double alpha) {
         return Math.clamp(alpha, 0.02, 0.4);
     }
 
-    /** @param levels surfaces that the picture shows, in order */
-    public void place(List<SeenSurfaces> levels) {
+    /**
+     * Chooses the points and casts their rays.
+     *
+     * @param levels    surfaces that the picture shows, in order
+     * @param materials all materials
+     */
+    public void place(List<SeenSurfaces> levels, List<Material> materials) {
+        place(levels);
+        groups = ReflectionGroup.of(points, steps, materials);
+        placed = points.count();
+        ReflectionFilter weights = ReflectionFilter.of(groups, placed, workers, progress);
+        int[] copies = weights.copies();
+        addCopies(copies);
+        filter = weights.build(copies);
+    }
+
+    /**
+     * Returns the paths of the points after {@link #place}, as {@link ReflectionPaths}. Call this once, after all surfels are found.
+     *
+     * @param surfelFilter of the surfels that gather light
+     */
+    public ReflectionPaths paths(GlowShapes glows, int[] surfelOfDetail, PointFilter surfelFilter) {
+        points.removeFrom(placed);
+        return new ReflectionPaths(points, links, groups, requireNonNull(filter), steps, glows, surfelOfDetail, surfelFilter);
+    }
+
+    private void place(List<SeenSurfaces> levels) {
         SeenSurfaces candidates = rough(levels);
         int[] active = new int[candidates.count()];
         Arrays.setAll(active, i -> i);
@@ -131,6 +176,26 @@ public final class ReflectionPlacer {
                         key(candidates, candidate, NONE, level));
             }
         }
+        cast(first, progress.section(level, LEVELS + 1));
+    }
+
+    /**
+     * Adds points with other rays at the places of those there are, after all of them.
+     *
+     * @param copies number for each point
+     */
+    private void addCopies(int[] copies) {
+        int first = points.count();
+        for (int p = 0; p < first; p++) {
+            for (int k = 1; k <= copies[p]; k++) {
+                points.addCopy(p, ReflectionDirections.seed(points.seed[p], k));
+            }
+        }
+        cast(first, progress.section(LEVELS, LEVELS + 1));
+    }
+
+    /** Casts the rays of the points from {@code first} on. */
+    private void cast(int first, Progress part) {
         int count = points.count();
         inverseLengths = Arrays.copyOf(inverseLengths, count);
         links.setPoints(count);
@@ -139,7 +204,7 @@ public final class ReflectionPlacer {
         workers.run(Math.ceilDiv(count - first, batch), (worker, job) -> {
             int from = first + job * batch;
             casters[worker].cast(points, from, Math.min(count, from + batch), links, inverseLengths);
-        }, progress.section(level, LEVELS));
+        }, part);
     }
 
     /** Sets the radius of a cell's point; returns whether the cell must be divided. */

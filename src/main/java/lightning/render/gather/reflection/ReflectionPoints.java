@@ -63,6 +63,16 @@ public final class ReflectionPoints {
         seed[p] = itsSeed;
     }
 
+    /** Appends a point at the place of another, with other directions. */
+    void addCopy(int p, long itsSeed) {
+        add(seen, p, material[p], itsSeed);
+    }
+
+    /** Forgets the places of all points but the first {@code count}. */
+    void removeFrom(int count) {
+        seen.surfaces.count = count;
+    }
+
     /** Writes the mirrored direction of a view that meets a normal: x, y, z. */
     public static void mirror(float nx, float ny, float nz, float vx, float vy, float vz, float[] to) {
         float twice = 2 * (nx * vx + ny * vy + nz * vz);
