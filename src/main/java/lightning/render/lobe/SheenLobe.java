@@ -6,7 +6,7 @@ import lightning.base.math.PowerFunction;
  * Lobe of upright fibers: a linearly transformed cosine, as in T. Zeltner, B. Burley and M. Chiang, Practical multiple-scattering sheen using
  * linearly transformed cosines, 2022. A direction w above the surface, whose normal is z and whose view lies in the plane of x and z, is mapped
  * to (A·x + B·z, A·y, z), which is distributed as a cosine. R is the albedo. A, B and R are polynomials that were fitted to pictures of planes
- * in Cycles (Blender 5.0), 14 roughnesses and 13 views; R differs by at most 0.011, and the values of the lobe by 2.3 % of its largest one on average.
+ * in Cycles (Blender 5.0), 12 roughnesses and 13 views; R differs by at most 0.011, and the values of the lobe by 2.3 % of its largest one on average.
  *
  * @param roughness 0…1; below {@value #MIN_ROUGHNESS} it counts as that, as nearly nothing is visible
  */

@@ -55,7 +55,10 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
     private static final double MIRROR_SHARE = 0.5;
     private static final double SATIN = 0.35;
 
-    /** Smallest reflectance below a sheen, and a bound of what is reflected in terms of the sum for it: 1 / (0.02·a) for an albedo a ≥ 1/4. */
+    /**
+     * Smallest reflectance below a sheen, and an upper bound of the ratio by which rows scale what is reflected there: 1 / (0.02·(a + b)), where the
+     * albedo a + b is at least 1/4 (ReflectionLobeTest).
+     */
     private static final double MIN_F0_UNDER_SHEEN = 0.02;
     private static final double MAX_UNDER_SHEEN = 200;
 

@@ -3,6 +3,7 @@ package lightning.render.lobe;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -43,6 +44,21 @@ class SheenLobeTest {
             }
         }
         assertThat(overHemisphere(cosine, (nl, vl) -> lobe.shape(cosine, nl, vl) * nl) / Math.PI).isCloseTo(mean, within(0.003));
+    }
+
+    @Test
+    void term_isAtMostEight() {
+        for (double roughness : new double[] {0, 0.2, 0.3, 0.5, 0.7, 1}) {
+            var lobe = new SheenLobe(roughness);
+            for (double nv = 0; nv <= 1; nv += 1 / 64.0) {
+                for (double nl = 1 / 512.0; nl <= 1; nl += 1 / 512.0) {
+                    double rest = Math.sqrt((1 - nv * nv) * (1 - nl * nl));
+                    for (double cos = -1; cos <= 1; cos += 1 / 16.0) {
+                        assertThat(lobe.term(nv, nl, nv * nl + rest * cos)).isBetween(0.0, 8.0);
+                    }
+                }
+            }
+        }
     }
 
     private interface Value {
