@@ -315,6 +315,17 @@ class GltfMaterialImportTest {
     }
 
     @Test
+    void textureOfSheen_isItsMean() throws Exception {
+        ImportedScene imported = importJson("{'extensions': {'KHR_materials_sheen': {'sheenColorFactor': [0, 0.5, 0.25],"
+                + " 'sheenColorTexture': {'index': 0}}}}");
+        Rgb color = imported.scene().materials().getFirst().sheen().color();
+        // The image has a green of 192 and a blue of 255, in sRGB.
+        assertThat(color.g()).isCloseTo(0.5 * Math.pow((192 / 255.0 + 0.055) / 1.055, 2.4), within(1e-3));
+        assertThat(color.b()).isEqualTo(0.25);
+        assertThat(imported.notes()).containsEntry("sheenColorTexture of materials, averaged", 1);
+    }
+
+    @Test
     void roughnessInExtrasOfSheen_isThatOfScenes() throws Exception {
         ImportedScene imported = importJson("{'extensions': {'KHR_materials_sheen': {'sheenColorFactor': [1, 1, 1],"
                 + " 'sheenRoughnessFactor': 0.5, 'extras': {'roughness': 0.25}}}}");
