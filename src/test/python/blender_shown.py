@@ -257,8 +257,13 @@ def shaders() -> None:
     material("boxed", grouped)
     material("wood", image)
     material("leaf", lambda tree: node(tree, "BsdfTranslucent", Color=(0.25, 0.5, 0.125, 1)))
+    material("velvet", lambda tree: joined(tree, "AddShader", diffuse(tree), node(tree, "BsdfSheen", Color=(1, 0.5, 0.25, 1), Roughness=0.375)))
     material("brush", lambda tree: node(tree, "BsdfAnisotropic", Anisotropy=0.5))
     cube("plain", (-3, 0, 0)).data.materials.append(bpy.data.materials.new("plain"))
+    silk = bpy.data.materials.new("silk")
+    for name, value in (("Sheen Weight", 0.5), ("Sheen Tint", (1, 0.5, 0.25, 1)), ("Sheen Roughness", 0.25)):
+        silk.node_tree.nodes["Principled BSDF"].inputs[name].default_value = value
+    cube("silk", (-12, 0, 0)).data.materials.append(silk)
     skin = bpy.data.materials.new("skin")
     skin.node_tree.nodes["Principled BSDF"].inputs["Subsurface Weight"].default_value = 0.5
     skin.node_tree.nodes["Principled BSDF"].inputs["Specular IOR Level"].default_value = 0.25

@@ -137,6 +137,11 @@ class _Reader:
         self._lose(f"{node.bl_label}, sent as diffuse")
         return self._diffuse(node, path)
 
+    def _sheen(self, node, path: tuple) -> Lobes:
+        if node.distribution != "MICROFIBER":
+            self._lose("distribution of a Sheen BSDF, sent as microfiber")
+        return self._linked(node, path, Lobes(sheen=self._color(node.inputs["Color"], path), sheen_roughness=self._share(node, "Roughness", path)), {})
+
     def _principled(self, node, path: tuple) -> Lobes:
         value = {socket.name: socket for socket in node.inputs}
         for name, title in shaders.MISSING.items():
@@ -150,7 +155,8 @@ class _Reader:
         result = Lobes(times(color, (1 - metallic) - through), times(color, metallic), times(color, through),
                        times(self._color(value["Emission Color"], path), 1.0 if glow is None else max(glow, 0.0)),
                        times(self._color(value["Specular Tint"], path), f0), self._share(node, "Alpha", path), self._share(node, "Roughness", path), index,
-                       self._share(node, "Coat Weight", path), self._share(node, "Coat Roughness", path), self._number(value["Coat IOR"], path) or 1.5)
+                       self._share(node, "Coat Weight", path), self._share(node, "Coat Roughness", path), self._number(value["Coat IOR"], path) or 1.5,
+                       times(self._color(value["Sheen Tint"], path), self._share(node, "Sheen Weight", path)), self._share(node, "Sheen Roughness", path))
         return self._linked(node, path, result, {name: name for name in ("Base Color", "Metallic", "Roughness", "Alpha", "Emission Color")})
 
     def _linked(self, node, path: tuple, lobes: Lobes, names: dict[str, str]) -> Lobes:
@@ -197,7 +203,7 @@ _READERS = {
     "ShaderNodeBsdfMetallic": _Reader._glossy, "ShaderNodeBsdfGlass": _Reader._glass, "ShaderNodeBsdfRefraction": _Reader._glass,
     "ShaderNodeBsdfTransparent": _Reader._transparent, "ShaderNodeEmission": _Reader._emission, "ShaderNodeBsdfPrincipled": _Reader._principled,
     "ShaderNodeBsdfTranslucent": _Reader._scattering, "ShaderNodeSubsurfaceScattering": _Reader._scattering,
-    "ShaderNodeBsdfSheen": _Reader._scattering, "ShaderNodeBsdfToon": _Reader._scattering,
+    "ShaderNodeBsdfSheen": _Reader._sheen, "ShaderNodeBsdfToon": _Reader._scattering,
 }
 
 
@@ -211,7 +217,7 @@ def _build(tree, output, lobes: Lobes) -> None:
     metallic = mean(lobes.metal) / mean(lobes.body()) if mean(lobes.body()) > 0 else 0.0
     nonmetal = mean(lobes.diffuse) + mean(lobes.transmitted)
     f0 = tuple(min(c / max(1 - metallic, 1e-3), 1.0) for c in f0) if metallic < 1 else BLACK
-    strength = max(1.0, *lobes.emitted)
+    strength, sheen = max(1.0, *lobes.emitted), min(1.0, max(lobes.sheen) / opacity)
     glass = ((lobes.index - 1) / (lobes.index + 1)) ** 2
     level = max(f0) / (2 * glass) if glass > 0 else 0.0
     values = {
@@ -220,6 +226,8 @@ def _build(tree, output, lobes: Lobes) -> None:
         # A level above 1 would be limited.
         "Specular IOR Level": min(level, 1.0), "Specular Tint": (*times(f0, max(level, 1.0) / max(f0)), 1) if max(f0) > 0 else (1, 1, 1, 1),
         "Coat Weight": lobes.coat, "Coat Roughness": lobes.coat_roughness, "Coat IOR": lobes.coat_index,
+        "Sheen Weight": sheen, "Sheen Tint": (*times(lobes.sheen, 1 / max(lobes.sheen)), 1) if sheen > 0 else (1, 1, 1, 1),
+        "Sheen Roughness": lobes.sheen_roughness,
         "Emission Color": (*times(lobes.emitted, 1 / strength), 1), "Emission Strength": strength if any(lobes.emitted) else 0.0,
     }
     for name, value in values.items():

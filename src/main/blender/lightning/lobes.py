@@ -24,6 +24,8 @@ class Lobes:
     coat: float = 0.0
     coat_roughness: float = 0.03
     coat_index: float = 1.5
+    sheen: tuple = BLACK
+    sheen_roughness: float = 0.5
     # Sockets that give a color, a roughness, … by its socket of a Principled BSDF, with the weight of the shader that has it.
     links: dict = field(default_factory=dict)
 
@@ -60,6 +62,7 @@ def add(a: Lobes, b: Lobes) -> Lobes:
     result = total(a, b, 1.0, 1.0)
     most = max(1.0, *(sum(parts) for parts in zip(result.diffuse, result.metal, result.transmitted)))
     result.diffuse, result.metal, result.transmitted = (times(color, 1 / most) for color in (result.diffuse, result.metal, result.transmitted))
+    result.sheen = tuple(min(c, 1.0) for c in result.sheen)
     result.opacity, result.coat = min(1.0, a.opacity + b.opacity - 1 if min(a.opacity, b.opacity) < 1 else 1.0), min(1.0, result.coat)
     return result
 
@@ -75,9 +78,11 @@ def total(a: Lobes, b: Lobes, first: float, second: float) -> Lobes:
 
     shines = first * a.shine(), second * b.shine()
     coats = first * a.coat, second * b.coat
+    sheens = first * mean(a.sheen), second * mean(b.sheen)
     result = Lobes(*(colors(name) for name in ("diffuse", "metal", "transmitted", "emitted", "f0")), roughness=average("roughness", *shines),
                    index=average("index", first * mean(a.transmitted), second * mean(b.transmitted)), coat=sum(coats),
-                   opacity=first * a.opacity + second * b.opacity, coat_roughness=average("coat_roughness", *coats), coat_index=average("coat_index", *coats))
+                   opacity=first * a.opacity + second * b.opacity, coat_roughness=average("coat_roughness", *coats), coat_index=average("coat_index", *coats),
+                   sheen=colors("sheen"), sheen_roughness=average("sheen_roughness", *sheens))
     for lobes, weight in ((a, first), (b, second)):
         for name, (socket, strength) in lobes.links.items():
             if weight * strength > result.links.get(name, (None, 0.0))[1]:

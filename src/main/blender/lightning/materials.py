@@ -43,13 +43,21 @@ def add_glass(root: dict, shapes: list, messages: list[str]) -> None:
 
 
 def add_reflections(entry: dict, material) -> None:
-    """Adds to an exported material what Blender's exporter writes otherwise: the index of its coat, and a level of its reflection."""
+    """Adds to an exported material what Blender's exporter writes otherwise: the index of its coat, its sheen, and a level
+    of its reflection."""
     extensions = entry.get("extensions", {})
     node = model.principled(material) if material is not None else None
     coat = extensions.get("KHR_materials_clearcoat")
     if coat is not None and node is not None and node.inputs["Coat IOR"].default_value != 1.5:
         # glTF has a single index for all coats.
         coat["extras"] = {"ior": node.inputs["Coat IOR"].default_value}
+    sheen = extensions.get("KHR_materials_sheen")
+    if sheen is not None and node is not None:
+        # Blender's exporter leaves the weight out, and glTF has another lobe.
+        if not node.inputs["Sheen Weight"].is_linked:
+            sheen["sheenColorFactor"] = [node.inputs["Sheen Weight"].default_value * c for c in sheen.get("sheenColorFactor", (0, 0, 0))]
+        if not node.inputs["Sheen Roughness"].is_linked:
+            sheen["extras"] = {"roughness": node.inputs["Sheen Roughness"].default_value}
     specular = extensions.get("KHR_materials_specular", {})
     if 0 < specular.get("specularFactor", 0) < 1:
         # A level below 1 leaves the reflection at grazing angles, but a factor of glTF does not.

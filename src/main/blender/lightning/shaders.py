@@ -9,8 +9,10 @@ from .left_out import listed
 # Shaders that are exported as they are if they are all of a surface.
 EXPORTED = {"ShaderNodeBsdfPrincipled", "ShaderNodeBsdfGlass", "ShaderNodeBsdfRefraction"}
 # Sockets of a Principled BSDF for what no material of Lightning has.
-MISSING = {"Sheen Weight": "sheen", "Anisotropic": "anisotropy", "Subsurface Weight": "subsurface scattering, sent as diffuse",
+MISSING = {"Anisotropic": "anisotropy", "Subsurface Weight": "subsurface scattering, sent as diffuse",
            "Thin Film Thickness": "thin films"}
+# Sockets whose textures are left out.
+SHEEN = ("Sheen Weight", "Sheen Tint", "Sheen Roughness")
 
 
 def is_exported(kinds: dict[str, str]) -> bool:
@@ -43,7 +45,8 @@ def _missing(material) -> list[str]:
     node = model.principled(material)
     if node is None:
         return []
-    return [title for name, title in MISSING.items() if node.inputs[name].is_linked or node.inputs[name].default_value != 0]
+    textures = ["textures of sheen"] if any(node.inputs[name].is_linked for name in SHEEN) else []
+    return [title for name, title in MISSING.items() if node.inputs[name].is_linked or node.inputs[name].default_value != 0] + textures
 
 
 def of_surface(material) -> dict[str, str]:

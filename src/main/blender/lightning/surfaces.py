@@ -7,7 +7,8 @@ from . import model
 
 # Sockets of a Principled BSDF for each attribute of Lightning's materials.
 SOCKETS = {"base": ("Base Color",), "metalness": ("Metallic",), "roughness": ("Roughness",), "glow": ("Emission Color", "Emission Strength"),
-           "ior": ("IOR",), "coat": ("Coat Weight",), "coat_roughness": ("Coat Roughness",), "coat_ior": ("Coat IOR",)}
+           "ior": ("IOR",), "coat": ("Coat Weight",), "coat_roughness": ("Coat Roughness",), "coat_ior": ("Coat IOR",),
+           "sheen": ("Sheen Weight", "Sheen Tint"), "sheen_roughness": ("Sheen Roughness",)}
 
 
 def send(remembered: dict) -> list[dict]:
@@ -78,6 +79,10 @@ def _show(material, key: str, value) -> bool:
         strength = max(1.0, *value)
         sockets[0].default_value = (*(v / strength for v in value), 1)
         sockets[1].default_value = strength
+    elif key == "sheen":
+        weight = max(value)
+        sockets[0].default_value = weight
+        sockets[1].default_value = (*(v / weight for v in value), 1) if weight > 0 else (1, 1, 1, 1)
     elif key == "base":
         sockets[0].default_value = (*value, sockets[0].default_value[3])
     else:

@@ -119,6 +119,7 @@ class Materials:
         result: dict[str, Any] = {"textures": {}}
         for target, (name, fallback) in names.items():
             self.resolve(shader, name, target, fallback, result)
+        result["isFuzz"] = int("fuzz_weight" in [name for name, _ in names.values()])
         return as_preview(result, self.out)
 
     def note_missing(self, material: UsdShade.Material, shader: UsdShade.Shader) -> None:

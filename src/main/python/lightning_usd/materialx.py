@@ -14,7 +14,8 @@ STANDARD = {
     "subsurface": ("subsurface", 0.0), "subsurfaceColor": ("subsurface_color", WHITE), "clearcoat": ("coat", 0.0),
     "clearcoatRoughness": ("coat_roughness", 0.1), "clearcoatIor": ("coat_IOR", 1.5), "specular": ("specular", 1.0),
     "specularTint": ("specular_color", WHITE),
-    "opacity": ("opacity", WHITE), "normal": ("normal", None),
+    "opacity": ("opacity", WHITE), "normal": ("normal", None), "sheen": ("sheen", 0.0), "sheenColor": ("sheen_color", WHITE),
+    "sheenRoughness": ("sheen_roughness", 0.3),
 }
 OPEN_PBR = {
     "diffuseColor": ("base_color", [0.8] * 3), "weight": ("base_weight", 1.0), "metallic": ("base_metalness", 0.0),
@@ -24,20 +25,20 @@ OPEN_PBR = {
     "subsurfaceColor": ("subsurface_color", [0.8] * 3), "clearcoat": ("coat_weight", 0.0),
     "clearcoatRoughness": ("coat_roughness", 0.0), "clearcoatIor": ("coat_ior", 1.6), "specular": ("specular_weight", 1.0),
     "specularTint": ("specular_color", WHITE), "opacity": ("geometry_opacity", 1.0),
-    "normal": ("geometry_normal", None),
+    "normal": ("geometry_normal", None), "sheen": ("fuzz_weight", 0.0), "sheenColor": ("fuzz_color", WHITE),
+    "sheenRoughness": ("fuzz_roughness", 0.5),
 }
 GLTF_PBR = {
     "diffuseColor": ("base_color", WHITE), "metallic": ("metallic", 1.0), "roughness": ("roughness", 1.0), "ior": ("ior", 1.5),
     "emissiveColor": ("emissive", [0.0] * 3), "emission": ("emissive_strength", 1.0), "transmission": ("transmission", 0.0),
     "clearcoat": ("clearcoat", 0.0), "clearcoatRoughness": ("clearcoat_roughness", 0.0),
     "specular": ("specular", 1.0), "specularTint": ("specular_color", WHITE), "opacity": ("alpha", 1.0), "alphaMode": ("alpha_mode", 0.0),
-    "opacityThreshold": ("alpha_cutoff", 0.5), "normal": ("normal", None),
+    "opacityThreshold": ("alpha_cutoff", 0.5), "normal": ("normal", None), "sheenColor": ("sheen_color", [0.0] * 3), "sheenRoughness": ("sheen_roughness", 0.0),
 }
 SURFACES = {"ND_standard_surface_surfaceshader": STANDARD, "ND_open_pbr_surface_surfaceshader": OPEN_PBR,
             "ND_gltf_pbr_surfaceshader": GLTF_PBR}
 # What no material of a scene has: its inputs, and the value without effect.
-MISSING = {"sheen": (("sheen", "fuzz_weight", "sheen_color"), 0.0),
-           "anisotropy": (("specular_anisotropy", "coat_anisotropy", "specular_roughness_anisotropy", "coat_roughness_anisotropy"), 0.0),
+MISSING = {"anisotropy": (("specular_anisotropy", "coat_anisotropy", "specular_roughness_anisotropy", "coat_roughness_anisotropy"), 0.0),
            "thin films": (("thin_film_thickness", "thin_film_weight", "iridescence"), 0.0),
            "diffuse roughness": (("diffuse_roughness", "base_diffuse_roughness"), 0.0), "colors of coats": (("coat_color",), 1.0)}
 # Inputs of these that another one switches on.
@@ -62,6 +63,7 @@ def as_preview(result: dict[str, Any], out: Output) -> dict[str, Any]:
     weigh(result, "diffuseColor", result.pop("weight", 1.0))
     weigh(result, "emissiveColor", result.pop("emission"))
     weigh(result, "specularTint", result.pop("specular"))
+    weigh(result, "sheenColor", result.pop("sheen", 1.0))
     result.setdefault("clearcoatIor", 1.5)
     if isinstance(result["opacity"], list):
         result["opacity"] = sum(result["opacity"]) / 3

@@ -17,6 +17,7 @@ import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
+import lightning.scene.material.Sheen;
 import lightning.scene.node.Mesh;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
@@ -200,6 +201,9 @@ class BlenderShownTest {
         assertThat(material(scene, "boxed").albedo()).isEqualTo(new Rgb(0.25, 0.5, 0.75));
         assertThat(material(scene, "wood").texture()).isPresent();
         assertThat(material(scene, "leaf").albedo()).isEqualTo(new Rgb(0.25, 0.5, 0.125));
+        assertThat(material(scene, "velvet").albedo()).isEqualTo(brown);
+        assertThat(material(scene, "velvet").sheen()).isEqualTo(new Sheen(new Rgb(1, 0.5, 0.25), 0.375));
+        assertThat(material(scene, "silk").sheen()).isEqualTo(new Sheen(new Rgb(0.5, 0.25, 0.125), 0.25));
         // Half of the level of plastic, ((1.5 - 1) / (1.5 + 1))².
         assertThat(material(scene, "skin").f0()).isCloseTo(0.02, within());
     }

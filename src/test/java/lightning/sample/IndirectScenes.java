@@ -79,6 +79,17 @@ public final class IndirectScenes {
                         material bright { glow 4 3 2 }
                         """,
                 new IndirectSettings(2, 16, 4, false)));
+        scenes.put("velvet",
+                scene("size 32 24  depth 2",
+                        CAMERA + PRINCIPLED + ROOM + LAMP
+                                + """
+                                        material velvet { model principled  base 0.2 0.02 0.05  roughness 0.9  sheen 0.8 0.3 0.4 }
+                                        material dusty { model principled  base 0.9 0.7 0.3  metalness 1  roughness 0.05  coat 0.5  coat_roughness 0.4  sheen 0.3 0.4 0.2  sheen_roughness 0.8 }
+                                        sphere ball { material velvet  at 0.4 -0.5 -0.2  scale 0.5 0.5 0.5 }
+                                        sphere vase { material dusty  at -0.5 -0.6 0.2  scale 0.4 0.4 0.4 }
+                                        sphere bulb { material neon  at -0.1 0.2 0.4  scale 0.1 0.1 0.1 }
+                                        """,
+                        new IndirectSettings(2, 16, 4, false)));
         scenes.put("glass ball", scene("size 33 24  depth 4", CAMERA + ROOM + LAMP + """
                 sphere ball { material glass  at 0.2 -0.5 -0.2  scale 0.5 0.5 0.5 }
                 plane pane { material glass  at -0.4 0 0.3  rotate 90 30 0  scale 0.3 1 0.5 }

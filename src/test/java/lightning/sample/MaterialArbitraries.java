@@ -16,6 +16,7 @@ import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.material.ShadowCasting;
+import lightning.scene.material.Sheen;
 import lightning.scene.material.SurfaceMaps;
 import lightning.scene.material.Transmission;
 import net.jqwik.api.Arbitraries;
@@ -74,8 +75,9 @@ final class MaterialArbitraries {
     }
 
     private static Arbitrary<Material> principled(String name) {
-        return Combinators.combine(metallic(name), colorsOrWhite(), coats(), surfaceMaps())
-                .as((material, tint, coat, maps) -> material.withModel(ShadingModel.PRINCIPLED).withSpecularTint(tint).withCoat(coat)
+        return Combinators.combine(metallic(name), colorsOrWhite(), coats(), sheens(), surfaceMaps())
+                .as((material, tint, coat, sheen, maps) -> material.withModel(ShadingModel.PRINCIPLED).withSpecularTint(tint).withCoat(coat)
+                        .withSheen(sheen)
                         .withSurfaceMaps(maps));
     }
 
@@ -96,6 +98,12 @@ final class MaterialArbitraries {
     private static Arbitrary<Coat> coats() {
         return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Coat.NONE)),
                 Tuple.of(1, Combinators.combine(unitValues(), roughness(), iors()).as(Coat::new)));
+    }
+
+    /** Returns none in half of the cases. */
+    private static Arbitrary<Sheen> sheens() {
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Sheen.NONE)),
+                Tuple.of(1, Combinators.combine(colorsOrWhite(), unitValues()).as(Sheen::new)));
     }
 
     /** Returns numbers from 0 to 1, including both ends. */
@@ -139,6 +147,8 @@ final class MaterialArbitraries {
                 unitValues().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.COAT, to)),
                 roughness().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.COAT_ROUGHNESS, to)),
                 iors().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.COAT_IOR, to)),
+                colorsOrBlack().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.SHEEN, to)),
+                unitValues().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.SHEEN_ROUGHNESS, to)),
                 surfaceMaps().map(SurfaceMaps::roughness).map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.ROUGHNESS_MAP, to)),
                 surfaceMaps().map(SurfaceMaps::metalness).map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.METALNESS_MAP, to)),
                 Arbitraries.of(TextureChannel.class)

@@ -34,6 +34,7 @@ import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
+import lightning.scene.material.Sheen;
 import lightning.scene.material.SurfaceMaps;
 import lightning.scene.material.Transmission;
 import net.jqwik.api.Arbitrary;
@@ -56,7 +57,7 @@ class AttributePropertiesTest {
                     entry("Cone.dropoff", "edge falloff"), entry("Cone.doors", "barn doors"), entry("Cone.profile", "IES profile"),
                     entry("AreaShape.up", "roll axis"), entry("AreaShape.visibility", "visible to camera"),
                     entry("Transmission.ior", "IOR"), entry("Coat.weight", "coat"), entry("Coat.roughness", "coat roughness"),
-                    entry("Coat.ior", "coat IOR"),
+                    entry("Coat.ior", "coat IOR"), entry("Sheen.color", "sheen"), entry("Sheen.roughness", "sheen roughness"),
                     entry("Emission.unit", "intensity unit"),
                     entry("Contribution.diffuse", "diffuse gain"), entry("Contribution.specular", "specular gain"),
                     entry("Contribution.gains", "gains on objects"));
@@ -113,6 +114,7 @@ class AttributePropertiesTest {
                 || component.getType() == DistanceFalloff.class || component.getType() == Emission.class
                 || component.getType() == BumpMapping.class
                 || component.getType() == Coat.class
+                || component.getType() == Sheen.class
                 || component.getType() == SurfaceMaps.class
                 || component.getType() == Transmission.class
                 || component.getType() == Contribution.class

@@ -62,7 +62,7 @@ final class GltfMaterialImport {
                 withGlow(PrincipledImport.material(base, m.metallic() * means.metalness(), m.roughness() * means.roughness()), m)
                         .withTexture(textureMap(m.baseImage(), TextureUsage.COLOR));
         Material surface = withTransmission(withHighlights(material, m), m);
-        return withCutout(withNormalMap(withSurfaceMaps(withCoat(surface, m), m), m), m);
+        return withCutout(withNormalMap(withSurfaceMaps(withSheen(withCoat(surface, m), m), m), m), m);
     }
 
     /** Adds the maps of roughness and metalness; a transparent material has their means. */
@@ -83,7 +83,7 @@ final class GltfMaterialImport {
 
     /** Adds the reflection of a nonmetal, with full reflection at grazing angles. */
     private Material withHighlights(Material material, GltfMaterial m) {
-        if (material.metalness() == 0 && m.f90() == 0 && m.clearcoat().factor() == 0) {
+        if (material.metalness() == 0 && m.f90() == 0 && m.clearcoat().factor() == 0 && m.sheen().color().isBlack()) {
             // Without Fresnel reflection it is matte at all angles, which a principled material is not at grazing ones.
             return material.withModel(ShadingModel.PHONG).withDiffuse(material.base());
         }
@@ -94,6 +94,19 @@ final class GltfMaterialImport {
 
     private Material withCoat(Material material, GltfMaterial m) {
         return principled.withCoat(material, m.clearcoat().factor(), m.clearcoat().roughness(), m.clearcoat().ior());
+    }
+
+    /** Adds the sheen. Its texture becomes its mean, since the factor alone is mostly white. */
+    private Material withSheen(Material material, GltfMaterial m) throws IOException, MeshException {
+        GltfMaterial.Sheen sheen = m.sheen();
+        Rgb color = sheen.color();
+        if (!color.isBlack() && sheen.colorImage().isPresent()) {
+            Optional<Rgb> mean = imageBytes(sheen.colorImage().index()).flatMap(TextureMeans::color);
+            assembler.notes.add(mean.isPresent() ? "sheenColorTexture of materials, averaged" : "sheenColorTexture of materials");
+            color = mean.map(color::times).orElse(color);
+        }
+        return principled.withSheen(material, color,
+                sheen.exactRoughness().orElseGet(() -> PrincipledImport.sheenRoughness(sheen.roughness())));
     }
 
     /** Adds transmission; the base color tints the light once at each surface. */

@@ -39,6 +39,7 @@ import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
+import lightning.scene.material.Sheen;
 import lightning.scene.material.SurfaceMaps;
 import lightning.scene.node.Mesh;
 import lightning.scene.value.Placement;
@@ -200,7 +201,7 @@ final class ObjImport {
         Optional<TextureMap> cutout = textureMap(m.cutout(), TextureUsage.OPACITY);
         assembler.notes.add("opacity maps (map_d), imported as cutouts at half opacity", cutout.isPresent() ? 1 : 0);
         notePlacements(m);
-        return withBump(m, withSurfaceMaps(m, withCoat(m, withTransmission(m, opaque))).withCutout(AlphaCutout.NONE.withMap(cutout)));
+        return withBump(m, withSurfaceMaps(m, withLayers(m, withTransmission(m, opaque))).withCutout(AlphaCutout.NONE.withMap(cutout)));
     }
 
     /** Notes images that are placed apart from others of their material. */
@@ -271,9 +272,11 @@ final class ObjImport {
         return metallic.withSurfaceMaps(SurfaceMaps.NONE.withRoughness(roughness).withMetalness(metalness));
     }
 
-    private Material withCoat(MtlMaterial m, Material material) {
+    private Material withLayers(MtlMaterial m, Material material) {
         MtlMaterial.Physical surface = m.physical().orElse(MtlMaterial.Physical.NONE);
-        return new PrincipledImport(assembler).withCoat(material, surface.coat(), surface.coatRoughness(), Coat.NONE.ior());
+        var principled = new PrincipledImport(assembler);
+        Material coated = principled.withCoat(material, surface.coat(), surface.coatRoughness(), Coat.NONE.ior());
+        return principled.withSheen(coated, Rgb.gray(surface.sheen()), Sheen.NONE.roughness());
     }
 
     /** Returns a surface of constant color, independent of lighting. It is ambient light, since the surface is no light source. */

@@ -1,6 +1,7 @@
 package lightning.format.gltf;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import lightning.base.math.Rgb;
 
 /**
@@ -21,6 +22,7 @@ import lightning.base.math.Rgb;
  * @param opacity 0 … 1; below 1 for a veil
  * @param transmission transmission through the surface
  * @param clearcoat clear layer over it
+ * @param sheen fibers over it
  * @param cutoff threshold for the alpha of base color and image below which the surface is cut out; 0 for none
  * @param alphaFactor alpha of the base color, if it is used for cutouts
  * @param isBlended true if the file blends by alpha instead of cutting out
@@ -28,13 +30,13 @@ import lightning.base.math.Rgb;
 public record GltfMaterial(String name, Rgb base, double metallic, double roughness, Rgb f0, double f90, Rgb emission,
         Optional<GltfImage> emissionImage, boolean isUnlit, GltfImage baseImage, GltfImage metallicRoughnessImage, GltfImage normalImage,
         double normalScale,
-        double opacity, Transmission transmission, Clearcoat clearcoat, double cutoff,
+        double opacity, Transmission transmission, Clearcoat clearcoat, Sheen sheen, double cutoff,
         double alphaFactor, boolean isBlended) {
     /** Matte gray material. */
     static final GltfMaterial GRAY =
             new GltfMaterial("", Rgb.gray(0.5), 0, 1, Rgb.gray(0.04), 1, Rgb.BLACK, Optional.empty(), false, GltfImage.NONE,
                     GltfImage.NONE, GltfImage.NONE, 1, 1, new Transmission(0, 1.5, true, Rgb.WHITE, Double.POSITIVE_INFINITY),
-                    Clearcoat.NONE, 0, 1, false);
+                    Clearcoat.NONE, Sheen.NONE, 0, 1, false);
 
     /**
      * Transmission through a surface and the volume behind it.
@@ -57,5 +59,17 @@ public record GltfMaterial(String name, Rgb base, double metallic, double roughn
     public record Clearcoat(double factor, double roughness, double ior) {
         static final double DEFAULT_IOR = 1.5;
         static final Clearcoat NONE = new Clearcoat(0, 0, DEFAULT_IOR);
+    }
+
+    /**
+     * Fibers (KHR_materials_sheen).
+     *
+     * @param color factor of the color; black for none
+     * @param colorImage image that multiplies it
+     * @param roughness 0 … 1, the root of the width of the extension's lobe
+     * @param exactRoughness roughness of a scene's sheen, from the extras of the extension; empty for other files
+     */
+    public record Sheen(Rgb color, GltfImage colorImage, double roughness, OptionalDouble exactRoughness) {
+        static final Sheen NONE = new Sheen(Rgb.BLACK, GltfImage.NONE, 0, OptionalDouble.empty());
     }
 }

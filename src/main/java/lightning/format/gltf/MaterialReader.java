@@ -2,6 +2,7 @@ package lightning.format.gltf;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import lightning.base.math.Affine2;
 import lightning.base.math.Rgb;
 import lightning.format.mesh.ConversionNotes;
@@ -49,7 +50,8 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
                 emissive.isPresent() ? Optional.of(textureImage(material, emissive)) : Optional.empty(),
                 extensions.get("KHR_materials_unlit").isPresent(), surface.baseImage, surface.metallicRoughnessImage,
                 textureImage(material, normals),
-                normals.get("scale").number(1), opacity, transmission, readClearcoat(extensions), cutoff, alphaFactor,
+                normals.get("scale").number(1), opacity, transmission, readClearcoat(extensions), readSheen(material, extensions), cutoff,
+                alphaFactor,
                 isBlended);
     }
 
@@ -60,8 +62,6 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
     /** Notes the properties that no material of a scene has, with the name of the material. */
     private void noteMissing(JsonValue material) throws MeshException {
         JsonValue extensions = material.get("extensions");
-        double[] sheen = extensions.get("KHR_materials_sheen").get("sheenColorFactor").numbers(0, 0, 0);
-        noteMissing(material, "sheen", Math.max(sheen[0], Math.max(sheen[1], sheen[2])));
         noteMissing(material, "anisotropy", extensions.get("KHR_materials_anisotropy").get("anisotropyStrength").number(0));
         noteMissing(material, "iridescence", extensions.get("KHR_materials_iridescence").get("iridescenceFactor").number(0));
         noteMissing(material, "dispersion", extensions.get("KHR_materials_dispersion").get("dispersion").number(0));
@@ -82,6 +82,16 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
         }
         return new GltfMaterial.Clearcoat(coat.get("clearcoatFactor").number(0), coat.get("clearcoatRoughnessFactor").number(0),
                 coat.get("extras").get("ior").number(GltfMaterial.Clearcoat.DEFAULT_IOR));
+    }
+
+    private GltfMaterial.Sheen readSheen(JsonValue material, JsonValue extensions) throws MeshException {
+        JsonValue sheen = extensions.get("KHR_materials_sheen");
+        notes.add("sheenRoughnessTexture of materials", sheen.get("sheenRoughnessTexture").isPresent() ? 1 : 0);
+        double[] color = sheen.get("sheenColorFactor").numbers(0, 0, 0);
+        JsonValue exact = sheen.get("extras").get("roughness");
+        return new GltfMaterial.Sheen(new Rgb(color[0], color[1], color[2]), textureImage(material, sheen.get("sheenColorTexture")),
+                sheen.get("sheenRoughnessFactor").number(0),
+                exact.isPresent() ? OptionalDouble.of(exact.number(0)) : OptionalDouble.empty());
     }
 
     /** Returns the index of refraction of KHR_materials_ior. */

@@ -193,6 +193,9 @@ record PovMaterialWriter(List<String> warnings) {
         if (m.reflectsRoughly()) {
             warn("material " + m.name() + ": its blurred reflections are left out");
         }
+        if (m.hasSheen()) {
+            warn("material " + m.name() + ": its sheen is left out");
+        }
         double alpha = m.alpha();
         double height = Math.min(1, 1 / (4 * alpha * alpha));
         Rgb f0 = m.specularTint().times((1 - m.metalness()) * m.f0()).plus(m.base().times(m.metalness()));

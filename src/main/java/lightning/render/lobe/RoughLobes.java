@@ -12,8 +12,12 @@ import org.jspecify.annotations.Nullable;
  * @param coatAlpha width α of the coat; 0 if it is smooth or there is none
  * @param coat      coat, smooth or not; null for none
  * @param frost     what lets light pass; null for an opaque material
+ * @param fibers    sheen; null for none
  */
-public record RoughLobes(double alpha, double coatAlpha, @Nullable Coat coat, @Nullable Frost frost) {
+public record RoughLobes(double alpha, double coatAlpha, @Nullable Coat coat, @Nullable Frost frost, @Nullable Fibers fibers) {
+    /** Width α that stands for that of a sheen, which is wide at any roughness. */
+    public static final double SHEEN_ALPHA = 0.4;
+
     /**
      * Surface of a frosted body.
      *
@@ -22,9 +26,17 @@ public record RoughLobes(double alpha, double coatAlpha, @Nullable Coat coat, @N
      */
     public record Frost(double ior, double f0) {}
 
+    /**
+     * Sheen of a surface.
+     *
+     * @param lobe its lobe
+     * @param f0   reflectance at normal incidence for which the mean of the lobes below it is computed
+     */
+    public record Fibers(SheenLobe lobe, double f0) {}
+
     /** Kind of a lobe. */
     public enum Kind {
-        SURFACE, COAT, PASSING
+        SURFACE, COAT, PASSING, SHEEN
     }
 
     /** Returns the lobes of a material; null if it reflects nothing or sharply. */
@@ -33,24 +45,37 @@ public record RoughLobes(double alpha, double coatAlpha, @Nullable Coat coat, @N
                 : new RoughLobes(m.isSmooth() ? 0 : Material.alpha(m.meanRoughness()),
                         m.coat().isVisible() && !m.hasSmoothCoat() && !m.isFrosted() ? m.coat().alpha() : 0,
                         m.coat().isVisible() ? m.coat() : null,
-                        m.isFrosted() ? new Frost(m.transmission().thin() ? 1 : m.transmission().ior(), m.f0()) : null);
+                        m.isFrosted() ? new Frost(m.transmission().thin() ? 1 : m.transmission().ior(), m.f0()) : null,
+                        m.hasSheen() ? new Fibers(new SheenLobe(m.sheen().roughness()), m.f0UnderSheen()) : null);
     }
 
     private boolean areTwo() {
         return alpha > 0 && coatAlpha > 0;
     }
 
-    /** Returns the width α of the narrower lobe. */
+    private boolean isSheenOnly() {
+        return alpha == 0 && coatAlpha == 0;
+    }
+
+    /** Returns the width α of the narrowest lobe. */
     public double narrowest() {
+        return fibers == null ? narrowestBelow() : isSheenOnly() ? SHEEN_ALPHA : Math.min(SHEEN_ALPHA, narrowestBelow());
+    }
+
+    private double narrowestBelow() {
         return alpha == 0 ? coatAlpha : coatAlpha == 0 ? alpha : Math.min(alpha, coatAlpha);
     }
 
     /**
-     * Returns the lobe of a ray. If there are two, each has rays in all rows and columns.
+     * Returns the lobe of a ray. If there are several, each has rays in all rows and columns. A sheen has half of the rays.
      *
      * @param row of the ray in the grid of a point's rays, as {@code column}
      */
     public Kind kind(int row, int column) {
+        if (fibers != null) {
+            return isSheenOnly() || (row + column & 1) == 1 ? Kind.SHEEN
+                    : areTwo() ? (row + column & 2) == 0 ? Kind.COAT : Kind.SURFACE : alpha == 0 ? Kind.COAT : Kind.SURFACE;
+        }
         return frost != null ? row == column ? Kind.SURFACE : Kind.PASSING
                 : areTwo() ? (row + column & 1) == 1 ? Kind.COAT : Kind.SURFACE : alpha == 0 ? Kind.COAT : Kind.SURFACE;
     }
@@ -58,9 +83,12 @@ public record RoughLobes(double alpha, double coatAlpha, @Nullable Coat coat, @N
     /**
      * Returns the number of rays of a lobe.
      *
-     * @param side rays along each side of the grid
+     * @param side rays along each side of the grid, an even number
      */
     public int rays(Kind kind, int side) {
+        if (fibers != null) {
+            return isSheenOnly() ? side * side : kind == Kind.SHEEN || !areTwo() ? side * side / 2 : side * side / 4;
+        }
         return frost != null ? kind == Kind.SURFACE ? side : kind == Kind.PASSING ? side * side - side : 0
                 : areTwo() ? side * side / 2 : side * side;
     }

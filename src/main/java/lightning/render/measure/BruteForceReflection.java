@@ -55,7 +55,7 @@ final class BruteForceReflection {
 
     /**
      * Returns the mean light over the lobe where a ray hits first: red, green and blue for what F0 multiplies, then for what no color
-     * multiplies; null if the surface is not opaque, principled, rough and without a coat.
+     * multiplies; null if the surface is not opaque, principled, rough and without a coat and a sheen.
      *
      * @param ray  camera ray
      * @param seed selects the directions
@@ -67,7 +67,7 @@ final class BruteForceReflection {
         }
         SurfacePoint at = geometry.surface(shape, ray);
         PrincipledMaterial material = PrincipledMaterial.of(geometry.materials().material(at.material()));
-        if (material == null || material.isSmooth() || material.coat() != null || material.isFrosted()) {
+        if (material == null || material.isSmooth() || material.coat() != null || material.sheen() != null || material.isFrosted()) {
             return null;
         }
         NormalSteps normals = geometry.normalSteps(shape, ray);

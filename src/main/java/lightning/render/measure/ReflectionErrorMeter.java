@@ -24,7 +24,7 @@ import lightning.scene.Scene;
 
 /**
  * Meter of the error of blurred reflections: renders a scene with any number of rays and compares what random pixels reflect with brute force
- * by the same tracer ({@value BruteForceReflection#RAYS} rays from each pixel). It measures opaque surfaces without a coat, in scenes without
+ * by the same tracer ({@value BruteForceReflection#RAYS} rays from each pixel). It measures opaque surfaces without a coat and a sheen, in scenes without
  * indirect light. Not thread-safe.
  *
  * <p>{@link #traceReference} must come before {@link #measure}.

@@ -21,18 +21,19 @@ import org.jspecify.annotations.Nullable;
  * @param hasRoughnessMap whether its rows differ in roughness
  * @param hasMetalnessMap whether its rows differ in metalness
  * @param colors      its colors at any metalness
+ * @param sheen       fibers; null for none
  * @param passing     color of the light that passes a frosted one: red, green, blue; null for others
  */
 public record PrincipledMaterial(Material material, float roughness, float nonmetalF0, boolean isSmooth, @Nullable Coat coat,
         boolean isCoatSmooth, boolean hasRoughnessMap, boolean hasMetalnessMap, PrincipledColors colors,
-        float @Nullable [] passing) {
+        @Nullable SheenLayer sheen, float @Nullable [] passing) {
 
     /** Returns the properties of a material; null if it is not principled or clear. */
     public static @Nullable PrincipledMaterial of(Material m) {
         return !m.isPrincipled() ? null
                 : new PrincipledMaterial(m, (float) m.roughness(), (float) (m.f0() * m.specularTint().max()), m.isSmooth(),
                         m.coat().isVisible() ? m.coat() : null, m.hasSmoothCoat(), m.surfaceMaps().roughness().isPresent(),
-                        m.surfaceMaps().metalness().isPresent(), new PrincipledColors(m),
+                        m.surfaceMaps().metalness().isPresent(), new PrincipledColors(m), SheenLayer.of(m),
                         m.isFrosted() ? ClearMaterialShader.channels(m.transmission().color()) : null);
     }
 

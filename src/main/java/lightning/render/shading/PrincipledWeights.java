@@ -18,12 +18,23 @@ import lightning.render.trace.HitRows;
  * DirectionalAlbedo}). d is the share of light that neither the coat nor the surface reflects before it is scattered below (the albedo scaling of C. Kulla and A.
  * Conty, Revisiting physically based shading at Imageworks, 2017). q·F0F0 gives back the light that is scattered several times between facets: F0F0 is the mean
  * of F0² over the metal and the nonmetal part, and a white metal reflects all light (as E. Turquin, Practical multiple scattering compensation for
- * microfacet models, 2019). One instance per
- * thread.
+ * microfacet models, 2019).
+ *
+ * <p>Fibers scatter e·S, where S is their color and e their albedo, and all below receives 1 − e·max S, as in white light it then sends back the
+ * rest. They change the sums ({@link SheenLayer}):
+ *
+ * <pre>
+ * I = emitted + (1 − e·max S)·(kd·d·Idiff + (F0·a + b + q·F0F0·a)/(f·a + b)·Ispec) + S·Igraz
+ * Ispec = Σ (f·Ispec + Igraz) of lights + (f·a + b)·L      Igraz = Σ of fibers + e·L″
+ * </pre>
+ *
+ * <p>One instance per thread.
  */
 public final class PrincipledWeights {
     /** Smallest share of single scattering by which multiple scattering is estimated: it keeps q below 4. */
     private static final float MIN_SHARE = 0.25f;
+    /** Smallest share of light by which the first sum below fibers is scaled. */
+    private static final float MIN_BELOW = 1e-6f;
 
     private float colored;
     private float grazing;
@@ -32,6 +43,10 @@ public final class PrincipledWeights {
     private float base;
     private float mirrorGrazing;
     private float coat;
+    private float sheen;
+    /** Share of light that reaches the surface below the fibers, and what the surface reflects if its reflectance is f. */
+    private float left;
+    private float below;
 
     /** Moves to a row of a material. */
     public void moveTo(PrincipledMaterial m, HitRows rows, int row) {
@@ -55,6 +70,12 @@ public final class PrincipledWeights {
         coat = m.coat() == null ? 0 : CoatShare.of(m.coat(), cosine);
         base = 1 - coat;
         diffuse = base * Math.max(0, 1 - (m.nonmetalF0() * a + b + multiple * (m.nonmetalF0() * m.nonmetalF0()) * a));
+        if (m.sheen() != null) {
+            sheen = m.sheen().lobe().albedo(cosine);
+            left = 1 - sheen * m.sheen().largest();
+            diffuse *= left;
+            below = Math.max(MIN_BELOW, base * m.sheen().below(a, b) + coat);
+        }
     }
 
     /** Returns the share of light that the coat lets through, 0…1. */
@@ -66,7 +87,7 @@ public final class PrincipledWeights {
      * Returns Ispec.
      *
      * @param lights    lights' sum of specular terms
-     * @param reflected mean light of rough lobes for F0; 0 for none
+     * @param reflected mean light of rough lobes for F0, or of all below fibers; 0 for none
      * @param mirrored  color of the mirrored ray; unread if the material casts none
      */
     public float specular(PrincipledMaterial m, float lights, float reflected, float mirrored) {
@@ -77,8 +98,8 @@ public final class PrincipledWeights {
     /**
      * Returns Igraz; parameters as above, with the lights' grazing terms.
      *
-     * @param second mean light of rough lobes that no color multiplies; of a frosted material the light that passes it, which is not part of
-     *               Igraz
+     * @param second mean light of rough lobes that no color multiplies, or of fibers; of a frosted material the light that passes it, which
+     *               is not part of Igraz
      */
     public float grazing(PrincipledMaterial m, float lights, float reflected, float second, float mirrored) {
         float sum = lights + (m.isFrosted() ? reflected : second) * reflectedGrazing(m);
@@ -90,24 +111,30 @@ public final class PrincipledWeights {
         return m.passing() == null ? 0 : m.passing()[channel] * second * diffuse;
     }
 
-    /** Returns the part of the mean light of rough lobes that F0 multiplies. */
+    /** Returns the part of the mean light of rough lobes that F0 multiplies, or all that is reflected below fibers. */
     public float reflected(PrincipledMaterial m) {
+        if (m.sheen() != null) {
+            return (m.isSmooth() ? 0 : base * m.sheen().below(colored, grazing)) + (m.isCoatSmooth() ? 0 : coat);
+        }
         return m.isSmooth() ? 0 : base * colored;
     }
 
-    /** Returns the part of the mean light of rough lobes that no color multiplies. */
+    /** Returns the part of the mean light of rough lobes that no color multiplies, or that fibers scatter. */
     public float reflectedGrazing(PrincipledMaterial m) {
-        return (m.isSmooth() ? 0 : base * grazing) + (m.isCoatSmooth() ? 0 : coat);
+        return m.sheen() != null ? sheen : (m.isSmooth() ? 0 : base * grazing) + (m.isCoatSmooth() ? 0 : coat);
     }
 
-    /** Returns the part of a mirrored ray's color that F0 multiplies. */
+    /** Returns the part of a mirrored ray's color that F0 multiplies, or all that is mirrored below fibers. */
     public float mirrored(PrincipledMaterial m) {
+        if (m.sheen() != null) {
+            return (m.isSmooth() ? base * m.sheen().below(1 - mirrorGrazing, mirrorGrazing) : 0) + (m.isCoatSmooth() ? coat : 0);
+        }
         return m.isSmooth() ? base * (1 - mirrorGrazing) : 0;
     }
 
     /** Returns the part of a mirrored ray's color that no color multiplies. */
     public float mirroredGrazing(PrincipledMaterial m) {
-        return (m.isSmooth() ? base * mirrorGrazing : 0) + (m.isCoatSmooth() ? coat : 0);
+        return m.sheen() != null ? 0 : (m.isSmooth() ? base * mirrorGrazing : 0) + (m.isCoatSmooth() ? coat : 0);
     }
 
     /**
@@ -123,8 +150,9 @@ public final class PrincipledWeights {
     }
 
     /**
-     * Returns one channel of the color.
+     * Returns a channel of the color.
      *
+     * @param c        channel
      * @param emitted  {@link EmittedLight#unmapped}
      * @param kd       diffuse color, including the texture
      * @param lit      Idiff
@@ -134,7 +162,13 @@ public final class PrincipledWeights {
      * @param grazing  Igraz
      * @param passing  {@link #passing}
      */
-    public float color(float emitted, float kd, float lit, float f0, float square, float specular, float grazing, float passing) {
+    public float color(PrincipledMaterial m, int c, float emitted, float kd, float lit, float f0, float square, float specular,
+            float grazing,
+            float passing) {
+        if (m.sheen() != null) {
+            float surface = base * (f0 * colored + this.grazing + multiple * square * colored) + coat;
+            return emitted + kd * lit * diffuse + (left * (surface / below) * specular + m.sheen().color()[c] * grazing);
+        }
         return emitted + (kd * lit * diffuse + passing) + ((f0 + multiple * square) * specular + grazing);
     }
 }

@@ -95,6 +95,13 @@ public interface TermKernel {
     void metallicSpeculars(HitRows rows, int from, int to, int[] rowSet, double[] alpha, float[] gloss, float[] grazing);
 
     /**
+     * Writes {@link LightingEquation#sheen} of those of the rows {@code from … to − 1} that are in a set. All of them face the light.
+     *
+     * @param column keeps its values of other rows
+     */
+    void sheens(HitRows rows, int from, int to, int[] rowSet, SheenLayer sheen, float[] column);
+
+    /**
      * Writes {@link LightingEquation#falloff} of all rows; expects {@link #computeDistances} for a point light, {@link
      * #computeConeCosines} for a spot light.
      */

@@ -26,6 +26,7 @@ import org.jspecify.annotations.Nullable;
  * @param f0           metallic: reflectance of a nonmetal at normal incidence
  * @param specularTint principled: color of a nonmetal's reflection at normal incidence
  * @param coat         principled: clear layer over it
+ * @param sheen        principled: fibers over it and its coat, which a transparent one ignores
  * @param surfaceMaps  principled: images of its roughness and metalness, which a clear one ignores
  * @param reflective   k<sub>reflect</sub> per channel
  * @param texture      color texture
@@ -37,7 +38,7 @@ import org.jspecify.annotations.Nullable;
 public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> glowMap, Bulb bulb, ShadingModel model, Rgb diffuse,
         Rgb specular, double shininess,
         Rgb base,
-        double metalness, double roughness, double f0, Rgb specularTint, Coat coat, SurfaceMaps surfaceMaps, Rgb reflective,
+        double metalness, double roughness, double f0, Rgb specularTint, Coat coat, Sheen sheen, SurfaceMaps surfaceMaps, Rgb reflective,
         Optional<TextureMap> texture,
         BumpMapping bumpMapping, Transmission transmission, AlphaCutout cutout) implements MaterialBuilder.With {
 
@@ -53,6 +54,13 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
     /** Share of light, and roughness, that make a mirror of a surface seen in blurred reflections. */
     private static final double MIRROR_SHARE = 0.5;
     private static final double SATIN = 0.35;
+
+    /**
+     * Smallest reflectance below a sheen, and an upper bound of the ratio by which rows scale what is reflected there: 1 / (0.02·(a + b)), where the
+     * albedo a + b is at least 1/4 (ReflectionLobeTest).
+     */
+    private static final double MIN_F0_UNDER_SHEEN = 0.02;
+    private static final double MAX_UNDER_SHEEN = 200;
 
     /** Upper bound of the sum of a surface's and its coat's terms, several times scattered, in terms of one (shading.PrincipledWeights). */
     private static final double MAX_LAYERS = 8;
@@ -77,6 +85,8 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         coat = new Coat(MaterialAttribute.COAT.checkFor(model, coat.weight()),
                 MaterialAttribute.COAT_ROUGHNESS.checkFor(model, coat.roughness()),
                 MaterialAttribute.COAT_IOR.checkFor(model, coat.ior()));
+        sheen = new Sheen(MaterialAttribute.SHEEN.checkFor(model, sheen.color()),
+                MaterialAttribute.SHEEN_ROUGHNESS.checkFor(model, sheen.roughness()));
         surfaceMaps = new SurfaceMaps(MaterialAttribute.ROUGHNESS_MAP.checkFor(model, surfaceMaps.roughness()),
                 MaterialAttribute.ROUGHNESS_CHANNEL.checkFor(model, surfaceMaps.roughnessChannel()),
                 MaterialAttribute.METALNESS_MAP.checkFor(model, surfaceMaps.metalness()),
@@ -91,7 +101,8 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
                 MaterialAttribute.MODEL.initial(), MaterialAttribute.DIFFUSE.initial(), MaterialAttribute.SPECULAR.initial(),
                 MaterialAttribute.SHININESS.initial(),
                 MaterialAttribute.BASE.initial(), MaterialAttribute.METALNESS.initial(), MaterialAttribute.ROUGHNESS.initial(),
-                MaterialAttribute.F0.initial(), MaterialAttribute.SPECULAR_TINT.initial(), Coat.NONE, SurfaceMaps.NONE,
+                MaterialAttribute.F0.initial(), MaterialAttribute.SPECULAR_TINT.initial(), Coat.NONE, Sheen.NONE,
+                SurfaceMaps.NONE,
                 MaterialAttribute.REFLECTIVE.initial(), MaterialAttribute.TEXTURE.initial(),
                 BumpMapping.NONE, Transmission.NONE, AlphaCutout.NONE);
     }
@@ -174,7 +185,21 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
 
     /** Returns whether some of its reflections are blurred. */
     public boolean reflectsRoughly() {
-        return isPrincipled() && (!isSmooth() || coat.isVisible() && !hasSmoothCoat());
+        return isPrincipled() && (!isSmooth() || coat.isVisible() && !hasSmoothCoat() || hasSheen());
+    }
+
+    /** Returns whether it shows fibers. */
+    public boolean hasSheen() {
+        return sheen.isVisible() && isPrincipled() && !isFrosted();
+    }
+
+    /**
+     * Returns the reflectance at normal incidence of the surface below its sheen, by the means of its color and metalness, which one sum of all
+     * that the surface reflects is computed for (shading.PrincipledWeights); 0 without a sheen.
+     */
+    public double f0UnderSheen() {
+        return !hasSheen() ? 0
+                : Math.clamp((1 - meanMetalness()) * f0 * specularTint.max() + meanMetalness() * base.max(), MIN_F0_UNDER_SHEEN, 1);
     }
 
     /**
@@ -184,7 +209,7 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
     public double maxTerm() {
         double base = surfaceMaps.roughness().isPresent() ? alpha(0) : alpha();
         double alpha = coat.isVisible() ? Math.min(base, coat.alpha()) : base;
-        double coated = model == ShadingModel.PRINCIPLED ? MAX_LAYERS : 1;
+        double coated = (model == ShadingModel.PRINCIPLED ? MAX_LAYERS : 1) * (hasSheen() ? MAX_UNDER_SHEEN : 1);
         return isMetallic() ? coated * Math.max(1, (1 + 0x1p-20) / (2 * alpha * alpha * alpha)) : 1;
     }
 
@@ -240,7 +265,7 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
             return null;
         }
         if (isPrincipled()) {
-            double metal = surfaceMaps.metalness().isPresent() ? mappedMetalness(surfaceMaps.meanMetalness()) : metalness;
+            double metal = meanMetalness();
             if (metal < MIRROR_SHARE || meanRoughness() > SATIN) {
                 return null;
             }
@@ -248,6 +273,11 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
             return color.times(metal).plus(specularTint.times((1 - metal) * f0));
         }
         return reflective.max() < MIRROR_SHARE ? null : reflective;
+    }
+
+    /** Returns the metalness with the mean of its map, 0…1. */
+    private double meanMetalness() {
+        return surfaceMaps.metalness().isPresent() ? mappedMetalness(surfaceMaps.meanMetalness()) : metalness;
     }
 
     /** Returns the roughness with the mean of its map, 0…1. */

@@ -34,6 +34,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
         SPECULAR,
         SURFACE,
         COAT,
+        SHEEN,
         REFLECTIVE,
         CLEAR(Messages.key("transparency")),
         AMBIENT,
@@ -153,6 +154,14 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     public static final MaterialAttribute<Double> COAT_IOR = coatAttribute("coat_ior", "coat IOR",
             NumericKind.number(1, SceneLimits.MAX_IOR, 0.01), Coat.NONE.ior(), "index of refraction", Coat::ior, Coat::withIor,
             "Index of refraction of the coat: 1.5 for lacquer");
+    public static final MaterialAttribute<Rgb> SHEEN = new MaterialAttribute<>("sheen", NumericKind.color(1), Sheen.NONE.color(),
+            "linear red, green, blue", m -> m.sheen().color(), (m, v) -> m.withSheen(m.sheen().withColor(v)), MaterialTerm.COLOR,
+            PRINCIPLED,
+            Section.SHEEN, "Color of fibers that shine near the outline, as those of velvet; black for none");
+    public static final MaterialAttribute<Double> SHEEN_ROUGHNESS = new MaterialAttribute<>("sheen_roughness", "sheen roughness",
+            NumericKind.number(0, 1, 0.05), Sheen.NONE.roughness(), "", m -> m.sheen().roughness(),
+            (m, v) -> m.withSheen(m.sheen().withRoughness(v)), MaterialTerm.HIGHLIGHT, PRINCIPLED, Section.SHEEN,
+            "Width of the shine: small values keep it at the outline");
     public static final MaterialAttribute<Rgb> REFLECTIVE = colorAttribute("reflective", 1, Rgb.BLACK, Material::reflective,
             Material::withReflective, NO_REFLECTIONS, Section.REFLECTIVE, "Mirror reflection per channel; black for none");
 

@@ -36,6 +36,7 @@ import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.material.ShadowCasting;
+import lightning.scene.material.Sheen;
 import lightning.scene.material.SurfaceMaps;
 import lightning.scene.material.Transmission;
 import org.junit.jupiter.api.Test;
@@ -302,8 +303,45 @@ class GltfMaterialImportTest {
         assertThat(imported.notes()).containsEntry("clearcoatNormalTexture of materials", 1);
     }
 
+    @Test
+    void sheen_isSheenOfThatLobe() throws Exception {
+        ImportedScene imported = importJson("{'extensions': {'KHR_materials_sheen': {'sheenColorFactor': [0, 0.5, 1],"
+                + " 'sheenRoughnessFactor': 0.5, 'sheenRoughnessTexture': {'index': 0}}}}");
+        Sheen sheen = imported.scene().materials().getFirst().sheen();
+        assertThat(sheen.color()).isEqualTo(new Rgb(0, 0.5, 1));
+        // A ball with the extension's lobe of this roughness sends 0.1423 of white light back; Cycles has 0.1149 at 0.5 and 0.1740 at 0.6.
+        assertThat(sheen.roughness()).isCloseTo(0.5 + 0.1 * (0.1423 - 0.1149) / (0.1740 - 0.1149), within(0.012));
+        assertThat(imported.notes()).containsEntry("sheenRoughnessTexture of materials", 1);
+    }
+
+    @Test
+    void textureOfSheen_isItsMean() throws Exception {
+        ImportedScene imported = importJson("{'extensions': {'KHR_materials_sheen': {'sheenColorFactor': [0, 0.5, 0.25],"
+                + " 'sheenColorTexture': {'index': 0}}}}");
+        Rgb color = imported.scene().materials().getFirst().sheen().color();
+        // The image has a green of 192 and a blue of 255, in sRGB.
+        assertThat(color.g()).isCloseTo(0.5 * Math.pow((192 / 255.0 + 0.055) / 1.055, 2.4), within(1e-3));
+        assertThat(color.b()).isEqualTo(0.25);
+        assertThat(imported.notes()).containsEntry("sheenColorTexture of materials, averaged", 1);
+    }
+
+    @Test
+    void roughnessInExtrasOfSheen_isThatOfScenes() throws Exception {
+        ImportedScene imported = importJson("{'extensions': {'KHR_materials_sheen': {'sheenColorFactor': [1, 1, 1],"
+                + " 'sheenRoughnessFactor': 0.5, 'extras': {'roughness': 0.25}}}}");
+        assertThat(imported.scene().materials().getFirst().sheen()).isEqualTo(new Sheen(Rgb.WHITE, 0.25));
+    }
+
+    @Test
+    void sheenOfGlass_isNoted() throws Exception {
+        ImportedScene imported = importJson("{'extensions': {'KHR_materials_sheen': {'sheenColorFactor': [1, 1, 1]},"
+                + " 'KHR_materials_transmission': {'transmissionFactor': 1}}, 'pbrMetallicRoughness': {'metallicFactor': 0}}");
+        assertThat(imported.scene().materials().getFirst().sheen()).isEqualTo(Sheen.NONE);
+        assertThat(imported.notes()).containsEntry("sheen of transparent materials", 1);
+    }
+
     @ParameterizedTest
-    @CsvSource(delimiter = ';', value = {"sheen; 'sheenColorFactor': [0, 0.5, 0]", "anisotropy; 'anisotropyStrength': 0.5",
+    @CsvSource(delimiter = ';', value = {"anisotropy; 'anisotropyStrength': 0.5",
         "iridescence; 'iridescenceFactor': 0.5", "diffuse transmission; 'diffuseTransmissionFactor': 0.5"})
     void missingProperty_isNotedWithItsMaterial(String property, String factor) throws Exception {
         String extension = "KHR_materials_" + property.replace(' ', '_');

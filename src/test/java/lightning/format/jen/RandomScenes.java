@@ -29,6 +29,7 @@ import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.material.ShadowCasting;
+import lightning.scene.material.Sheen;
 import lightning.scene.material.Transmission;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
@@ -237,6 +238,7 @@ final class RandomScenes {
                 .withMetalness(random.nextDouble())
                 .withRoughness(rough()).withF0(random.nextDouble()).withSpecularTint(chance() ? Rgb.WHITE : color(1))
                 .withCoat(chance() ? Coat.NONE.withRoughness(rough()) : new Coat(random.nextDouble(), rough(), 1 + 3 * random.nextDouble()))
+                .withSheen(chance() ? Sheen.NONE : new Sheen(color(1), random.nextDouble()))
                 .withTexture(texture()).withTransmission(clarity());
     }
 

@@ -3,6 +3,7 @@ package lightning.render.lobe;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -35,6 +36,15 @@ class ReflectionLobeTest {
         double fresnel = Math.pow(1 - cosine, 5);
         assertThat((double) DirectionalAlbedo.ofF0((float) cosine, 0)).isCloseTo(1 - fresnel, within(0.01));
         assertThat((double) DirectionalAlbedo.grazing((float) cosine, 0)).isCloseTo(fresnel, within(0.01));
+    }
+
+    @Test
+    void albedo_isAtLeastAQuarter() {
+        for (float cosine = 0; cosine <= 1; cosine += 1 / 128f) {
+            for (float roughness = 0; roughness <= 1; roughness += 1 / 128f) {
+                assertThat(DirectionalAlbedo.ofF0(cosine, roughness) + DirectionalAlbedo.grazing(cosine, roughness)).isGreaterThan(0.25f);
+            }
+        }
     }
 
     private interface Value {

@@ -15,6 +15,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import lightning.scene.material.Material;
+import lightning.scene.material.Sheen;
 import org.junit.jupiter.api.Test;
 
 /** Tests which edits cast rays for blurred reflections, and that the picture is that of a full trace. */
@@ -75,6 +76,21 @@ class BlurredReflectionWorkTest {
         Scene scene = scene();
         assertThat(edit(scene, withMaterial(scene, "table", m -> m.withBase(new Rgb(0.1, 0.2, 0.3)).withF0(0.08))).rays().gather())
                 .isZero();
+    }
+
+    @Test
+    void colorOfSheen_castsNoRay() throws JenException {
+        Scene scene = withMaterial(scene(), "table", m -> m.withSheen(new Sheen(Rgb.gray(0.5), 0.5)));
+        UpdateResult update = edit(scene, withMaterial(scene, "table", m -> m.withSheen(m.sheen().withColor(new Rgb(0.2, 0.9, 0.4)))));
+        assertThat(update.rays().gather()).isZero();
+        assertThat(update.rays().shadow()).isZero();
+        assertThat(update.rowsTouched()).isZero();
+    }
+
+    @Test
+    void roughnessOfSheen_castsReflectedRaysAgain() throws JenException {
+        Scene scene = withMaterial(scene(), "table", m -> m.withSheen(new Sheen(Rgb.gray(0.5), 0.5)));
+        assertThat(edit(scene, withMaterial(scene, "table", m -> m.withSheen(m.sheen().withRoughness(0.7)))).rays().gather()).isPositive();
     }
 
     @Test

@@ -47,6 +47,20 @@ class WhiteFurnaceTest {
     }
 
     @ParameterizedTest
+    @CsvSource({"0, 0.3", "0, 0.5", "0, 0.8", "0, 1", "1, 0.5", "0.4, 0.8"})
+    void surfaceWithWhiteSheen_sendsAllLightBack(String metalness, String sheenRoughness) throws JenException {
+        assertThat(mean("base 1 1 1  roughness 0.7  sheen 1 1 1  metalness " + metalness + "  sheen_roughness " + sheenRoughness))
+                .isCloseTo(1, within(0.01));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.5, 0.03", "0.5, 0.4", "0, 0.03"})
+    void coatedSurfaceWithWhiteSheen_sendsAllLightBack(String roughness, String coatRoughness) throws JenException {
+        assertThat(mean("base 1 1 1  sheen 1 1 1  coat 1  roughness " + roughness + "  coat_roughness " + coatRoughness))
+                .isCloseTo(1, within(0.01));
+    }
+
+    @ParameterizedTest
     @CsvSource({"0.08", "0.15", "0.3", "0.5", "0.7", "0.9", "1"})
     void frostedBody_sendsAllLightOn(String roughness) throws JenException {
         assertThat(mean("base 1 1 1  clear 1 1 1  ior 1.5  roughness " + roughness)).isCloseTo(1, within(0.01));

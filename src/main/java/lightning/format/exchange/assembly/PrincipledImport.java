@@ -4,6 +4,7 @@ import lightning.base.math.Rgb;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
+import lightning.scene.material.Sheen;
 import lightning.scene.value.SceneLimits;
 
 /** Converter of other programs' reflections to principled materials. */
@@ -59,5 +60,34 @@ public final class PrincipledImport {
             return material;
         }
         return material.withCoat(new Coat(share, SceneAssembler.clamp(roughness, 1), ior >= 1 ? Math.min(ior, SceneLimits.MAX_IOR) : 1));
+    }
+
+    /**
+     * Adds a sheen; a transparent material has none, which is noted.
+     *
+     * @param color     clamped to 0 … 1
+     * @param roughness of the scene's lobe, clamped to 0 … 1
+     */
+    public Material withSheen(Material material, Rgb color, double roughness) {
+        var sheen = new Sheen(assembler.clampColor(color, 1, "sheen of materials"), SceneAssembler.clamp(roughness, 1));
+        if (!sheen.isVisible()) {
+            return material;
+        }
+        if (material.transmission().isTransparent()) {
+            assembler.notes.add("sheen of transparent materials");
+            return material;
+        }
+        return material.withSheen(sheen);
+    }
+
+    /**
+     * Returns the roughness at which a ball with the scene's sheen sends as much white light back as one with the sheen of A. Estevez and C. Kulla
+     * (Production friendly microfacet sheen BRDF, 2017), which glTF and MaterialX's standard surface have; ± 0.012.
+     *
+     * @param roughness root of the width of that lobe, 0 … 1
+     */
+    public static double sheenRoughness(double roughness) {
+        double r = SceneAssembler.clamp(roughness, 1);
+        return NineDigits.rounded(0.155 + r * (0.93 - 0.3 * r));
     }
 }

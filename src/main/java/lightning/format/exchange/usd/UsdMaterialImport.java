@@ -41,7 +41,7 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
                 isClear ? surfaceMaps.mean(in, "roughness", HALF) : UsdSurfaceMaps.number(in, "roughness", HALF)).withTexture(texture);
         noteLosses(in);
         Material surface = withOpacity(withNormals(withHighlights(withGlow(material, in), in), images.get("normal")), in);
-        return withCoat(isClear ? surface : surfaceMaps.withMaps(surface, in), in);
+        return withSheen(withCoat(isClear ? surface : surfaceMaps.withMaps(surface, in), in), in);
     }
 
     /** Returns whether a material is transparent, unless it is metal. */
@@ -87,6 +87,15 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
         double ior = in.get("clearcoatIor").number(in.get("ior").number(1.5));
         return new PrincipledImport(assembler).withCoat(material, UsdNumbers.tidy(in.get("clearcoat").number(0)),
                 UsdNumbers.tidy(in.get("clearcoatRoughness").number(0.01)), UsdNumbers.tidy(ior));
+    }
+
+    /** Adds the sheen of a MaterialX surface; OpenPBR has the lobe of scenes. */
+    private Material withSheen(Material material, JsonValue in) throws MeshException {
+        JsonValue color = in.get("sheenColor");
+        double roughness = in.get("sheenRoughness").number(0);
+        return !color.isPresent() ? material
+                : new PrincipledImport(assembler).withSheen(material, rgb(color),
+                        in.get("isFuzz").number(0) == 1 ? UsdNumbers.tidy(roughness) : PrincipledImport.sheenRoughness(roughness));
     }
 
     private Material withNormals(Material material, JsonValue image) throws IOException, MeshException {

@@ -20,7 +20,7 @@ import lightning.base.math.Rgb;
  * @param emissionMap image that multiplies the emission
  * @param cutout opacity map
  * @param bump map_Bump, bump or norm: a height or normal map
- * @param physical roughness and metalness with their maps, and coat; empty for materials without them
+ * @param physical roughness and metalness with their maps, coat and sheen; empty for materials without them
  */
 public record MtlMaterial(String name, IlluminationModel illumination, Rgb diffuse, Rgb specular, Rgb emission, OptionalDouble shininess,
         double opacity, Rgb filter, double ior, Optional<MtlImage> texture, Optional<MtlImage> emissionMap,
@@ -32,17 +32,19 @@ public record MtlMaterial(String name, IlluminationModel illumination, Rgb diffu
      * @param metalness Pm, 0 … 1
      * @param coat Pc, thickness of the clear layer in the statements, which programs use as its share: 0 … 1
      * @param coatRoughness Pcr, 0 … 1
+     * @param sheen Ps, share of a white sheen: 0 … 1
      * @param roughnessMap map_Pr
      * @param metalnessMap map_Pm
      */
-    public record Physical(double roughness, double metalness, double coat, double coatRoughness, Optional<FactorMap> roughnessMap,
+    public record Physical(double roughness, double metalness, double coat, double coatRoughness, double sheen,
+            Optional<FactorMap> roughnessMap,
             Optional<FactorMap> metalnessMap) {
         /** Statements of a material without any. */
-        public static final Physical NONE = new Physical(0.5, 0, 0, 0);
+        public static final Physical NONE = new Physical(0.5, 0, 0, 0, 0);
 
         /** Creates statements without maps. */
-        public Physical(double roughness, double metalness, double coat, double coatRoughness) {
-            this(roughness, metalness, coat, coatRoughness, Optional.empty(), Optional.empty());
+        public Physical(double roughness, double metalness, double coat, double coatRoughness, double sheen) {
+            this(roughness, metalness, coat, coatRoughness, sheen, Optional.empty(), Optional.empty());
         }
     }
 

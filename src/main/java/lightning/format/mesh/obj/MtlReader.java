@@ -103,7 +103,7 @@ public final class MtlReader {
             case "map_Pm" -> current.metalnessMap = readImage(false);
             case "Pc" -> current.coat = readNumber();
             case "Pcr" -> current.coatRoughness = readNumber();
-            case "Ps" -> noteMissing("sheen (Ps)");
+            case "Ps" -> current.sheen = readNumber();
             case "aniso" -> noteMissing("anisotropy (aniso)");
             default -> notes.add(keyword + " of materials");
         }
@@ -151,6 +151,7 @@ public final class MtlReader {
         OptionalDouble metalness = OptionalDouble.empty();
         double coat;
         double coatRoughness;
+        double sheen;
         Optional<MtlImage> texture = Optional.empty();
         Optional<MtlImage> emissionMap = Optional.empty();
         Optional<MtlImage> cutout = Optional.empty();
@@ -168,9 +169,11 @@ public final class MtlReader {
         }
 
         private Optional<MtlMaterial.Physical> physical() {
-            return roughness.isEmpty() && metalness.isEmpty() && roughnessMap.isEmpty() && metalnessMap.isEmpty() ? Optional.empty()
-                    : Optional.of(new MtlMaterial.Physical(roughness.orElse(MtlMaterial.Physical.NONE.roughness()), metalness.orElse(0),
-                            coat, coatRoughness, factorMap(roughnessMap, roughness), factorMap(metalnessMap, metalness)));
+            return roughness.isEmpty() && metalness.isEmpty() && roughnessMap.isEmpty() && metalnessMap.isEmpty()
+                    && coat == 0 && sheen == 0 ? Optional.empty()
+                            : Optional.of(new MtlMaterial.Physical(roughness.orElse(MtlMaterial.Physical.NONE.roughness()),
+                                    metalness.orElse(0),
+                                    coat, coatRoughness, sheen, factorMap(roughnessMap, roughness), factorMap(metalnessMap, metalness)));
         }
 
         private static Optional<MtlMaterial.FactorMap> factorMap(Optional<MtlImage> map, OptionalDouble factor) {

@@ -8,8 +8,10 @@ import jdk.incubator.vector.VectorSpecies;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightingEquation;
+import lightning.render.shading.SheenLayer;
 import lightning.render.shading.TermKernel;
 import lightning.render.shading.layer.RowBits;
+import lightning.render.shading.layer.SheenTerms;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
 import lightning.scene.value.Attenuation;
@@ -476,6 +478,11 @@ final class LightLanes implements TermKernel {
                 writeMetallicSpeculars(rows, b, bits, gloss, grazing);
             }
         }
+    }
+
+    @Override
+    public void sheens(HitRows rows, int from, int to, int[] rowSet, SheenLayer sheen, float[] column) {
+        SheenTerms.write(rows, from, to, rowSet, sheen, lx, ly, lz, column);
     }
 
     /** Writes the terms of some rows of a word, whose {@link #squaredWidth} are set before they are widened. */

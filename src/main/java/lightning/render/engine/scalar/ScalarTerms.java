@@ -5,8 +5,10 @@ import lightning.base.math.PowerFunction;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightingEquation;
+import lightning.render.shading.SheenLayer;
 import lightning.render.shading.TermKernel;
 import lightning.render.shading.layer.RowBits;
+import lightning.render.shading.layer.SheenTerms;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
 import lightning.scene.value.Attenuation;
@@ -213,6 +215,11 @@ final class ScalarTerms implements TermKernel {
         double schlick = schlick(rows, i);
         gloss[i] = (float) (facets * (1 - schlick));
         grazing[i] = (float) (facets * schlick);
+    }
+
+    @Override
+    public void sheens(HitRows rows, int from, int to, int[] rowSet, SheenLayer sheen, float[] column) {
+        SheenTerms.write(rows, from, to, rowSet, sheen, lx, ly, lz, column);
     }
 
     /** Returns N·L. */

@@ -13,6 +13,7 @@ import lightning.render.lobe.CoatShare;
 import lightning.render.lobe.ReflectionLobe;
 import lightning.render.lobe.RoughLobes;
 import lightning.render.lobe.RoughLobes.Kind;
+import lightning.render.lobe.SheenDirections;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RayBatch;
@@ -50,6 +51,7 @@ public final class ReflectionCaster {
     private final double[] d = new double[3];
     private final SurfaceNormals normals;
     private final ReflectionLobe lobe = new ReflectionLobe();
+    private final SheenDirections sheen = new SheenDirections();
     private final double[] sides = new double[RayBatch.MAX_RAYS];
     /** Cosine between the view of a point and its normal, the share of its coat, and the first of its directions. */
     private double cosine;
@@ -169,6 +171,9 @@ public final class ReflectionCaster {
 
     /** Returns the width α of a lobe of a point; 0 if it is smooth. */
     private static double alpha(ReflectionPoints points, int p, RoughLobes its, Kind kind) {
+        if (kind == Kind.SHEEN) {
+            return RoughLobes.SHEEN_ALPHA;
+        }
         double alpha = kind == Kind.COAT ? its.coatAlpha() : its.alpha() == 0 ? 0 : Material.alpha(points.seen.roughness[p]);
         return kind == Kind.PASSING && requireNonNull(its.frost()).ior() != 1 ? Math.min(1, TWO_SURFACES * alpha) : alpha;
     }
@@ -243,27 +248,36 @@ public final class ReflectionCaster {
     /** Chooses the direction of a ray of a lobe. */
     private void scatter(ReflectionPoints points, int p, int k, int at, RoughLobes its) {
         Kind kind = kind(its, k);
-        lobe.aim(cosine, alpha(points, p, its, kind));
         int place = firstPlace + k;
+        double factor = (double) directions.rays / its.rays(kind, directions.side);
+        if (kind == Kind.SHEEN) {
+            sheen.aim(requireNonNull(its.fibers()).lobe(), cosine);
+            sheen.scatter(directions.share(place), directions.cos(place), directions.sin(place));
+            direct(points, p, sheen.x(), sheen.y(), sheen.z());
+            density[at] = points.sources.turnAbove(p, d) ? 0 : sheen.density();
+            white[at] += factor;
+            return;
+        }
+        lobe.aim(cosine, alpha(points, p, its, kind));
         lobe.reflect(directions.share(place), directions.cos(place), directions.sin(place));
         if (kind == Kind.PASSING) {
             lobe.pass(requireNonNull(its.frost()).ior());
-            direct(points, p, Math.min(lobe.z(), -lobe.z()));
+            direct(points, p, lobe.x(), lobe.y(), Math.min(lobe.z(), -lobe.z()));
             points.sources.turnBelow(p, d);
             batch.enters[at] = true;
         } else {
-            direct(points, p, Math.abs(lobe.z()));
+            direct(points, p, lobe.x(), lobe.y(), Math.abs(lobe.z()));
             density[at] = points.sources.turnAbove(p, d) ? 0 : lobe.density();
         }
-        addWeights(at, its, kind, (double) directions.rays / its.rays(kind, directions.side));
+        addWeights(at, its, kind, factor);
     }
 
-    /** Sets the direction to that of the lobe, with another component along the normal. */
-    private void direct(ReflectionPoints points, int p, double z) {
+    /** Sets the direction to one in the frame of the point. */
+    private void direct(ReflectionPoints points, int p, double x, double y, double z) {
         SurfaceColumns s = points.surface();
-        d[0] = lobe.x() * tangent[0] + lobe.y() * bitangent[0] + z * s.nx[p];
-        d[1] = lobe.x() * tangent[1] + lobe.y() * bitangent[1] + z * s.ny[p];
-        d[2] = lobe.x() * tangent[2] + lobe.y() * bitangent[2] + z * s.nz[p];
+        d[0] = x * tangent[0] + y * bitangent[0] + z * s.nx[p];
+        d[1] = x * tangent[1] + y * bitangent[1] + z * s.ny[p];
+        d[2] = x * tangent[2] + y * bitangent[2] + z * s.nz[p];
     }
 
     /** Aims a ray at a glowing object, if the point has so many. */
@@ -285,6 +299,7 @@ public final class ReflectionCaster {
                     double y = d[0] * bitangent[0] + d[1] * bitangent[1] + d[2] * bitangent[2];
                     addAimed(at, its, Kind.SURFACE, alpha(points, p, its, Kind.SURFACE), x, y, z, angle);
                     addAimed(at, its, Kind.COAT, its.coatAlpha(), x, y, z, angle);
+                    addAimedAtSheen(at, its, x, y, z, angle);
                 } else {
                     d[0] = s.nx[p];
                     d[1] = s.ny[p];
@@ -306,7 +321,16 @@ public final class ReflectionCaster {
         }
     }
 
-    /** Adds the weights of a direction of a lobe. A frosted surface has one for all that it reflects, and one for what passes it. */
+    private void addAimedAtSheen(int at, RoughLobes its, double x, double y, double z, double angle) {
+        if (its.fibers() != null) {
+            sheen.aim(its.fibers().lobe(), cosine);
+            sheen.moveTo(x, y, z);
+            double own = sheen.density() * angle;
+            white[at] += directions.rays * own / (its.rays(Kind.SHEEN, directions.side) * own + 1);
+        }
+    }
+
+    /** Adds the weights of a direction of a lobe. Below a sheen, all have one weight. A frosted surface has one for all that it reflects, and one for what passes it. */
     private void addWeights(int at, RoughLobes its, Kind kind, double factor) {
         double share = factor * lobe.weight();
         if (its.frost() != null) {
@@ -315,7 +339,10 @@ public final class ReflectionCaster {
             white[at] += kind == Kind.PASSING ? share * (1 - fresnel) : 0;
         } else if (kind == Kind.COAT) {
             double f0 = requireNonNull(its.coat()).f0();
-            white[at] += share * its.coat().weight() * (f0 + (1 - f0) * lobe.schlick());
+            (its.fibers() == null ? white : color)[at] += share * its.coat().weight() * (f0 + (1 - f0) * lobe.schlick());
+        } else if (its.fibers() != null) {
+            double f0 = its.fibers().f0();
+            color[at] += share * (1 - coat) * (f0 + (1 - f0) * lobe.schlick());
         } else {
             color[at] += share * (1 - coat) * (1 - lobe.schlick());
             white[at] += share * (1 - coat) * lobe.schlick();

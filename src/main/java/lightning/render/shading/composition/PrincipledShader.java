@@ -35,7 +35,8 @@ final class PrincipledShader {
                 float second = reflected == null ? 0 : reflected[3 + c][i];
                 float shine = weights.specular(principled, specular == null ? 0 : specular[c][i], first, mirror);
                 float graze = weights.grazing(principled, grazing == null ? 0 : grazing[c][i], first, second, mirror);
-                to[c][i] = weights.color(emitted[c], colors.diffuse(c), diffuse[c][i], colors.f0(c), colors.square(c), shine, graze,
+                to[c][i] = weights.color(principled, c, emitted[c], colors.diffuse(c), diffuse[c][i], colors.f0(c), colors.square(c), shine,
+                        graze,
                         weights.passing(principled, c, second));
             }
         }

@@ -91,7 +91,7 @@ public final class RowContribution {
         diffuse = indirect == null ? diffuse : indirect[c] + diffuse;
         PrincipledMaterial principled = shading.principled();
         if (principled != null) {
-            to[at + c] = weights.color(0, colors.diffuse(c), diffuse, colors.f0(c), colors.square(c),
+            to[at + c] = weights.color(principled, c, 0, colors.diffuse(c), diffuse, colors.f0(c), colors.square(c),
                     weights.specular(principled, specular, reflected(indirect, 3 + c), mirrored[from + c]),
                     weights.grazing(principled, grazing, reflected(indirect, 3 + c), reflected(indirect, 6 + c), mirrored[from + c]),
                     weights.passing(principled, c, reflected(indirect, 6 + c)));

@@ -84,14 +84,15 @@ public final class SurfelShader {
             principledRow.moveTo(row);
             for (int c = 0; c < 3; c++) {
                 albedo[c][numbers[rows.parent[row]]] =
-                        principledAlbedo(requireNonNull(material.principled()), principledRow.diffuse(c), principledRow.f0(c));
+                        principledAlbedo(requireNonNull(material.principled()), c, principledRow.diffuse(c), principledRow.f0(c));
             }
         }
     }
 
     /** Returns one channel of the share of light that a principled surface sends back in all directions: reflections count as diffuse. */
-    private static float principledAlbedo(PrincipledMaterial material, float kd, float f0) {
-        return kd * (1 - meanFresnel(material.nonmetalF0())) + meanFresnel(f0);
+    private static float principledAlbedo(PrincipledMaterial material, int c, float kd, float f0) {
+        float below = kd * (1 - meanFresnel(material.nonmetalF0())) + meanFresnel(f0);
+        return material.sheen() == null ? below : material.sheen().meanAlbedo(c, below);
     }
 
     /** Returns the mean of Schlick's reflectance over a hemisphere of uniform light. */

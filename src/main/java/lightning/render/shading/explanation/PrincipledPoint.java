@@ -39,7 +39,7 @@ record PrincipledPoint(SurfacePoint at, PrincipledMaterial material, PrincipledW
     float color(int c, float emitted, float diffuse, float specular, float grazing, float @Nullable [] reflected, float mirrored) {
         float first = reflected == null ? 0 : reflected[c];
         float second = reflected == null ? 0 : reflected[3 + c];
-        return weights.color(emitted, at.diffuse()[c], diffuse, at.specular()[c], material.colors().square(c, at),
+        return weights.color(material, c, emitted, at.diffuse()[c], diffuse, at.specular()[c], material.colors().square(c, at),
                 weights.specular(material, specular, first, mirrored), weights.grazing(material, grazing, first, second, mirrored),
                 weights.passing(material, c, second));
     }

@@ -3,6 +3,7 @@ package lightning.render.shading.explanation;
 import lightning.render.shading.LightingEquation;
 import lightning.render.shading.PrincipledMaterial;
 import lightning.render.shading.PrincipledWeights;
+import lightning.render.shading.SheenLayer;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.material.Material;
@@ -28,6 +29,11 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
         if (!isMetallic()) {
             return equation.specular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.shininess(hit.material()));
         }
+        SheenLayer sheen = sheen();
+        return sheen == null ? coatedSpecular() : sheen.below(coatedSpecular(), coatedGrazing());
+    }
+
+    private float coatedSpecular() {
         float specular = metallicSpecular(Material.alpha(hit.roughness()));
         PrincipledMaterial coated = coated();
         return coated == null ? specular : specular * weights(coated).base();
@@ -37,6 +43,12 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
         if (!isMetallic()) {
             return 0;
         }
+        SheenLayer sheen = sheen();
+        return sheen == null ? coatedGrazing()
+                : equation.sheen(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), sheen);
+    }
+
+    private float coatedGrazing() {
         float grazing = metallicGrazing(Material.alpha(hit.roughness()));
         PrincipledMaterial coated = coated();
         if (coated == null) {
@@ -52,6 +64,11 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
 
     private float metallicGrazing(double alpha) {
         return equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha);
+    }
+
+    private @Nullable SheenLayer sheen() {
+        PrincipledMaterial material = PrincipledMaterial.of(materials.material(hit.material()));
+        return material == null ? null : material.sheen();
     }
 
     private @Nullable PrincipledMaterial coated() {

@@ -7,6 +7,7 @@ import lightning.render.shading.AngularMask;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.PrincipledMaterial;
 import lightning.render.shading.PrincipledWeights;
+import lightning.render.shading.SheenLayer;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
@@ -133,6 +134,9 @@ final class TermColumnWriter {
                 if (principled != null && principled.coat() != null) {
                     addCoat(rows, r, queried, principled, column, grazing);
                 }
+                if (principled != null && principled.sheen() != null) {
+                    addSheen(rows, r, queried, principled.sheen(), column, grazing);
+                }
             } else if (isSpecular(material)) {
                 terms.speculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.shininess(material), column);
             }
@@ -159,6 +163,18 @@ final class TermColumnWriter {
                 grazing[i] = weights.coatedGrazing(material, grazing[i], coatSpecular[i], coatGrazing[i]);
             }
         }
+    }
+
+    /** Changes the terms of a surface and its coat to one sum and the term of the fibers over them. */
+    private void addSheen(HitRows rows, int run, int[] queried, SheenLayer sheen, float[] specular, float[] grazing) {
+        int from = rows.runStart(run);
+        int to = rows.runEnd[run];
+        for (int i = from; i < to; i++) {
+            if (RowBits.contains(queried, i)) {
+                specular[i] = sheen.below(specular[i], grazing[i]);
+            }
+        }
+        terms.sheens(rows, from, to, queried, sheen, grazing);
     }
 
     /** Adds the rows to a set that may have a specular term for any sample of a light. */

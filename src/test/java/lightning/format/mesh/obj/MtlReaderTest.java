@@ -119,18 +119,23 @@ class MtlReaderTest {
 
     @Test
     void physicalStatements_setRoughnessAndMetalness() throws Exception {
-        assertThat(read("newmtl a\nPr 0.25\nPm 1\n").get("a").physical()).contains(new MtlMaterial.Physical(0.25, 1, 0, 0));
-        assertThat(read("newmtl a\nPm 1\n").get("a").physical()).contains(new MtlMaterial.Physical(0.5, 1, 0, 0));
+        assertThat(read("newmtl a\nPr 0.25\nPm 1\n").get("a").physical()).contains(new MtlMaterial.Physical(0.25, 1, 0, 0, 0));
+        assertThat(read("newmtl a\nPm 1\n").get("a").physical()).contains(new MtlMaterial.Physical(0.5, 1, 0, 0, 0));
         assertThat(read("newmtl a\nPr 0.25\nPc 0.5\nPcr 0.125\n").get("a").physical())
-                .contains(new MtlMaterial.Physical(0.25, 0, 0.5, 0.125));
+                .contains(new MtlMaterial.Physical(0.25, 0, 0.5, 0.125, 0));
         assertThat(read("newmtl a\n").get("a").physical()).isEmpty();
     }
 
     @Test
-    void sheenAndAnisotropy_areNotedWithTheirMaterial() throws Exception {
-        read("newmtl a\nPs 0.5\naniso 0.25\nnewmtl b\nPs 0\naniso 0\n");
-        assertThat(notes.counts()).containsOnly(Map.entry("sheen (Ps) of materials: 'a'", 1),
-                Map.entry("anisotropy (aniso) of materials: 'a'", 1));
+    void sheen_makesMaterialPhysical() throws Exception {
+        assertThat(read("newmtl a\nPs 0.5\n").get("a").physical()).contains(new MtlMaterial.Physical(0.5, 0, 0, 0, 0.5));
+        assertThat(read("newmtl a\nPs 0\n").get("a").physical()).isEmpty();
+    }
+
+    @Test
+    void anisotropy_isNotedWithItsMaterial() throws Exception {
+        read("newmtl a\naniso 0.25\nnewmtl b\naniso 0\n");
+        assertThat(notes.counts()).containsOnly(Map.entry("anisotropy (aniso) of materials: 'a'", 1));
     }
 
     @Test

@@ -119,7 +119,8 @@ final class ReferenceIndirect {
         double metalness = surfel.metalTexel() == null ? material.metalness() : material.mappedMetalness(surfel.metalTexel()[0]);
         float kd = colors.diffuse(c, metalness) * surfel.texel()[c];
         float f0 = colors.metalF0(c, metalness) * surfel.texel()[c] + colors.specular(c, metalness);
-        return kd * (1 - meanFresnel((float) (material.f0() * material.specularTint().max()))) + meanFresnel(f0);
+        return ReferenceSheen.albedo(material, c,
+                kd * (1 - meanFresnel((float) (material.f0() * material.specularTint().max()))) + meanFresnel(f0));
     }
 
     private static float meanFresnel(float f0) {

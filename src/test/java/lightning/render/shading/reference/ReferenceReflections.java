@@ -82,7 +82,7 @@ final class ReferenceReflections {
         colors.start(ShadingMaterial.of(materials, m), rows);
         colors.moveTo(row);
         float below = 1 - hemispherical((float) (materials.material(m).f0() * materials.material(m).specularTint().max()));
-        return colors.diffuse(c) * below + hemispherical(colors.f0(c));
+        return ReferenceSheen.albedo(materials.material(m), c, colors.diffuse(c) * below + hemispherical(colors.f0(c)));
     }
 
     private static float hemispherical(float f0) {

@@ -303,7 +303,11 @@ public final class ReferenceTracer {
             return new float[TERMS];
         }
         float[] tint = Transmittance.ofShadowRay(geometry, source, target, hit);
-        return new float[] {diffuse(equation, hit, cosine), specular(equation, hit), equation.falloff(), grazing(equation, hit), tint[0],
+        Material material = materials.material(hit.material());
+        float specular = specular(equation, hit);
+        float grazing = grazing(equation, hit);
+        return new float[] {diffuse(equation, hit, cosine), ReferenceSheen.below(material, specular, grazing), equation.falloff(),
+            ReferenceSheen.second(material, equation, hit, grazing), tint[0],
             tint[1], tint[2], tint[0], tint[1], tint[2]};
     }
 
@@ -427,7 +431,8 @@ public final class ReferenceTracer {
             shine += mirrored * weights.mirrored(material);
             graze += mirrored * weights.mirroredGrazing(material);
         }
-        return weights.color(emitted(hit, c), hit.diffuse()[c], diffuse, hit.specular()[c], material.colors().square(c, hit), shine, graze,
+        return weights.color(material, c, emitted(hit, c), hit.diffuse()[c], diffuse, hit.specular()[c], material.colors().square(c, hit),
+                shine, graze,
                 isFrosted ? weights.passing(material, c, light[6 + c]) : 0);
     }
 
