@@ -45,10 +45,15 @@ WEIGHTS = {"coat_color": ("coat", "coat_weight"), "thin_film_thickness": ("thin_
 # Inputs whose textures are shown, or become their mean.
 TEXTURED = {"diffuseColor", "metallic", "roughness", "emissiveColor", "opacity", "normal"}
 # Inputs whose textures are numbers, not colors.
-NUMBERS = {"metallic", "roughness"}
+NUMBERS = {"metallic", "roughness", "opacity"}
 IMAGES = ("ND_image_", "ND_tiledimage_", "ND_UsdUVTexture", "ND_gltf_image_", "ND_gltf_colorimage", "ND_gltf_normalmap")
 CHANNELS = {"outr": "r", "outg": "g", "outb": "b", "outx": "r", "outy": "g", "outz": "b", "outa": "a", "outw": "a"}
 MASK, BLEND = 1, 2
+
+
+def is_preview_image(kind: str) -> bool:
+    """Returns whether a shader reads an image file with a scale and a bias of its colors."""
+    return kind.removeprefix("ND_").startswith("UsdUVTexture")
 
 
 def is_image(kind: str) -> bool:
@@ -94,7 +99,7 @@ def weigh(result: dict[str, Any], name: str, weight: float) -> None:
 
 
 def multiply(texture: dict[str, Any], factors: list[float]) -> None:
-    """Multiplies the scale of a texture; a single factor counts for all channels."""
+    """Multiplies the scale of a texture; a single factor counts for all channels, three for the colors."""
     before = texture.get("scale", [1.0] * 4)
-    factors = (factors * 3)[:3] if len(factors) == 1 else factors[:3]
-    texture["scale"] = [a * b for a, b in zip(before, [*factors, 1.0])]
+    factors = factors * 4 if len(factors) == 1 else [*factors, 1.0][:4]
+    texture["scale"] = [a * b for a, b in zip(before, factors)]
