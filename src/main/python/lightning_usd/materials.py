@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from arithmetic import Linear, apply, linear
-from materialx import CHANNELS, MISSING, NUMBERS, SURFACES, WEIGHTS, as_preview, is_image, is_preview_image, multiply
+from materialx import CHANNELS, DIRECTIONS, MISSING, NUMBERS, SURFACES, WEIGHTS, as_preview, is_image, is_preview_image, multiply
 from meshes import identity
 from output import Output, StageError, numbers
 from pxr import Sdf, Usd, UsdGeom, UsdShade
@@ -127,11 +127,25 @@ class Materials:
             if any(self.has_effect(shader, name, neutral) for name in names):
                 self.out.note_named(f"{title} of materials", material.GetPrim().GetName())
 
-    def has_effect(self, shader: UsdShade.Shader, name: str, neutral: float) -> bool:
-        """Returns whether an input differs from a value, and whether an input that switches it on does so."""
-        value = self.value(shader, name, None)
-        weights = [self.value(shader, weight, 0.0) for weight in WEIGHTS.get(name, ()) if shader.GetInput(weight)]
-        return value is not None and any(v != neutral for v in amounts(value)) and (not weights or any(w != 0 for w in weights))
+    def has_effect(self, shader: UsdShade.Shader, name: str, neutral: float | None) -> bool:
+        """Returns whether an input differs from a value, and whether an input that switches it on does so.
+
+        Args:
+            neutral: None for an input whose values say nothing, only nodes
+        """
+        weights = [weight for weight in WEIGHTS.get(name, ()) if shader.GetInput(weight)]
+        return self.differs(shader, name, neutral) and (
+            any(self.differs(shader, weight, 0.0) for weight in weights) if weights else neutral is not None)
+
+    def differs(self, shader: UsdShade.Shader, name: str, neutral: float | None) -> bool:
+        """Returns whether an input has another value, or nodes that give it one."""
+        source = shader.GetInput(name)
+        attributes = UsdShade.Utils.GetValueProducingAttributes(source) if source else []
+        attribute = self.constant(attributes[0]) if attributes else None
+        if attribute and is_output(attribute):
+            return not str(UsdShade.Shader(attribute.GetPrim()).GetIdAttr().Get() or "").startswith(DIRECTIONS)
+        value = attribute.Get(self.time) if attribute else None
+        return value is not None and neutral is not None and any(v != neutral for v in amounts(value))
 
     def resolve(self, shader: UsdShade.Shader, name: str, target: str, fallback: Any, result: dict[str, Any]) -> None:
         """Adds the value or the texture of an input."""

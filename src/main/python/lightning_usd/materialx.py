@@ -39,11 +39,17 @@ SURFACES = {"ND_standard_surface_surfaceshader": STANDARD, "ND_open_pbr_surface_
 MISSING = {"sheen": (("sheen", "fuzz_weight", "sheen_color"), 0.0),
            "anisotropy": (("specular_anisotropy", "coat_anisotropy", "specular_roughness_anisotropy", "coat_roughness_anisotropy"), 0.0),
            "thin films": (("thin_film_thickness", "thin_film_weight", "iridescence"), 0.0),
-           "diffuse roughness": (("diffuse_roughness", "base_diffuse_roughness"), 0.0), "colors of coats": (("coat_color",), 1.0)}
+           "diffuse roughness": (("diffuse_roughness", "base_diffuse_roughness"), 0.0), "colors of coats": (("coat_color",), 1.0),
+           "normal maps of coats": (("coat_normal", "geometry_coat_normal", "clearcoat_normal"), None)}
 # Inputs of these that another one switches on.
-WEIGHTS = {"coat_color": ("coat", "coat_weight"), "thin_film_thickness": ("thin_film_weight",)}
+WEIGHTS = {"coat_color": ("coat", "coat_weight"), "thin_film_thickness": ("thin_film_weight",), "coat_normal": ("coat",),
+           "geometry_coat_normal": ("coat_weight",), "clearcoat_normal": ("clearcoat",)}
+# Nodes of the surface's own directions.
+DIRECTIONS = ("ND_normal_", "ND_tangent_", "ND_bitangent_", "ND_geompropvalue_")
 # Inputs whose textures are shown, or become their mean.
 TEXTURED = {"diffuseColor", "metallic", "roughness", "emissiveColor", "opacity", "normal"}
+# Inputs whose textures the importer notes, as those of a UsdPreviewSurface.
+COUNTED = {"clearcoat", "clearcoatRoughness", "ior"}
 # Inputs whose textures are numbers, not colors.
 NUMBERS = {"metallic", "roughness", "opacity"}
 IMAGES = ("ND_image_", "ND_tiledimage_", "ND_UsdUVTexture", "ND_gltf_image_", "ND_gltf_colorimage", "ND_gltf_normalmap")
@@ -84,7 +90,8 @@ def as_preview(result: dict[str, Any], out: Output) -> dict[str, Any]:
     if mode not in (MASK, BLEND):
         result["opacity"] = 1.0
         textures.pop("opacity", None)
-    out.note("textures of less common inputs of MaterialX surfaces", len(textures.keys() - TEXTURED))
+    for name in sorted(textures.keys() - TEXTURED - COUNTED):
+        out.note(f"{name} textures of MaterialX surfaces")
     return result
 
 

@@ -284,6 +284,22 @@ class UsdMaterialXTest {
     }
 
     @Test
+    void texturesOfMissingProperties_areNotedWithTheirMaterial() throws Exception {
+        network("standard_surface", """
+                float inputs:sheen.connect = </look/blue.outputs:outb>
+                float inputs:coat.connect = </look/blue.outputs:outb>
+                color3f inputs:coat_color.connect = </look/image.outputs:out>
+                float3 inputs:coat_normal.connect = </look/bumps.outputs:out>
+                float inputs:transmission.connect = </look/blue.outputs:outb>
+                """);
+        assertThat(imported.notes()).containsEntry("clearcoat textures of materials", 1)
+                .containsEntry("transmission textures of MaterialX surfaces", 1).containsEntry("sheen of materials: 'look'", 1)
+                .containsEntry("colors of coats of materials: 'look'", 1).containsEntry("normal maps of coats of materials: 'look'", 1);
+        network("standard_surface", "float3 inputs:coat_normal.connect = </look/bumps.outputs:out>");
+        assertThat(imported.notes()).as("without a coat").doesNotContainKey("normal maps of coats of materials: 'look'");
+    }
+
+    @Test
     void previewSurface_hasCoatOfItsIndex() throws Exception {
         Material lacquer = imported(SquareStage.text("/look", 1) + """
                 def Material "look"
