@@ -273,6 +273,27 @@ def shaders() -> None:
     cube("rough", (-9, 0, 0)).data.materials.append(rough)
 
 
+def linked() -> None:
+    def material(name: str, **links):
+        result = bpy.data.materials.new(name)
+        tree = result.node_tree
+        shader = tree.nodes["Principled BSDF"]
+        shader.inputs["Coat Weight"].default_value = 0.5
+        for socket, (kind, value) in links.items():
+            node = tree.nodes.new("ShaderNode" + kind)
+            if value is not None:
+                node.outputs[0].default_value = value
+            tree.links.new(node.outputs[0], shader.inputs[socket.replace("_", " ")])
+        cube(name, (len(bpy.data.materials), 0, 0)).data.materials.append(result)
+        return shader
+
+    material("constant", Base_Color=("RGB", (0.25, 0.5, 0.75, 1)), IOR=("Value", 2.0), Coat_Weight=("Value", 0.25), Coat_IOR=("Value", 1.75))
+    material("lacquer")
+    material("noisy", Base_Color=("TexNoise", None), Coat_Roughness=("TexNoise", None))
+    material("bumpy", Normal=("Bump", None), Coat_Normal=("Bump", None))
+    material("colored").inputs["Coat Tint"].default_value = (1, 0.5, 0.25, 1)
+
+
 def motion() -> None:
     inner = bpy.data.collections.new("inner")
     keyed(cube("wheel", (0, 0, 0), inner), "location", (0, 0, 0), (0, 0, 5))
@@ -329,7 +350,7 @@ scene = bpy.context.scene
 bpy.data.objects.remove(bpy.data.objects["Cube"])
 case = sys.argv[2]
 {"hidden": hidden, "sheared": sheared, "keys": keys, "levels": levels, "instances": instances, "metaball": metaball, "hair": hair,
- "too_much_hair": too_much_hair, "camera": camera, "lamps": lamps, "types": types, "shaders": shaders, "motion": motion,
+ "too_much_hair": too_much_hair, "camera": camera, "lamps": lamps, "types": types, "shaders": shaders, "linked": linked, "motion": motion,
  "untouched": untouched}[case]()
 scene = bpy.context.scene
 from bl_ext.user_default.lightning import transfer  # noqa: E402, after the add-on is enabled

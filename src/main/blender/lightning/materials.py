@@ -43,14 +43,20 @@ def add_glass(root: dict, shapes: list, messages: list[str]) -> None:
 
 
 def add_reflections(entry: dict, material) -> None:
-    """Adds to an exported material what Blender's exporter writes otherwise: the index of its coat, its sheen, and a level
-    of its reflection."""
-    extensions = entry.get("extensions", {})
+    """Adds to an exported material what Blender's exporter writes otherwise: its index, those of its coat, its sheen, and a
+    level of its reflection."""
     node = model.principled(material) if material is not None else None
+    if node is not None and not node.inputs["IOR"].is_linked and node.inputs["IOR"].default_value != 1.5:
+        # The exporter writes it only beside other extensions.
+        entry.setdefault("extensions", {}).setdefault("KHR_materials_ior", {"ior": node.inputs["IOR"].default_value})
+    extensions = entry.get("extensions", {})
     coat = extensions.get("KHR_materials_clearcoat")
     if coat is not None and node is not None and node.inputs["Coat IOR"].default_value != 1.5:
         # glTF has a single index for all coats.
         coat["extras"] = {"ior": node.inputs["Coat IOR"].default_value}
+    if coat is not None and node is not None and not node.inputs["Coat Roughness"].is_linked:
+        # The exporter leaves out the value of a new material, which is not that of glTF.
+        coat.setdefault("clearcoatRoughnessFactor", node.inputs["Coat Roughness"].default_value)
     sheen = extensions.get("KHR_materials_sheen")
     if sheen is not None and node is not None:
         # Blender's exporter leaves the weight out, and glTF has another lobe.

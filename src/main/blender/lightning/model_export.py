@@ -5,7 +5,7 @@ from pathlib import Path
 
 import bpy
 
-from . import equivalents, gltf, materials, nodes, number_images
+from . import equivalents, gltf, linked_values, materials, nodes, number_images
 
 
 def export(scene, snapshot, path: Path, lost: dict[str, str]) -> tuple[dict, bytes]:
@@ -53,7 +53,8 @@ def _exported(material, copies: dict, lost: dict[str, str], images: list):
     if material is None:
         return None
     if material.name not in copies:
-        copies[material.name] = number_images.of_material(material, equivalents.of_material(material, lost), lost, images)
+        copies[material.name] = linked_values.of_material(
+            material, number_images.of_material(material, equivalents.of_material(material, lost), lost, images), lost)
     return copies[material.name] or material
 
 

@@ -32,7 +32,8 @@ def notes(root: dict, lost: dict[str, str]) -> list[str]:
         material = bpy.data.materials.get(entry.get("name", ""))
         if material is None or material.node_tree is None:
             continue
-        losses = lost.get(material.name) or ", ".join(_missing(material))
+        others = lost.get(material.name, "")
+        losses = ", ".join([*filter(None, [others]), *(title for title in _missing(material) if title not in others)])
         if losses:
             inexact[material.name] = f"{material.name} ({losses})"
         if materials.linked(material, "Displacement") is not None:
@@ -45,8 +46,15 @@ def _missing(material) -> list[str]:
     node = model.principled(material)
     if node is None:
         return []
+    found = [title for name, title in MISSING.items() if node.inputs[name].is_linked or node.inputs[name].default_value != 0]
     textures = ["textures of sheen"] if any(node.inputs[name].is_linked for name in SHEEN) else []
-    return [title for name, title in MISSING.items() if node.inputs[name].is_linked or node.inputs[name].default_value != 0] + textures
+    return found + textures + (["colors of coats"] if _has_coat_color(node) else [])
+
+
+def _has_coat_color(node) -> bool:
+    """Returns whether a coat is not clear."""
+    weight, tint = node.inputs["Coat Weight"], node.inputs["Coat Tint"]
+    return (weight.is_linked or weight.default_value != 0) and (tint.is_linked or any(c != 1 for c in tint.default_value[:3]))
 
 
 def of_surface(material) -> dict[str, str]:

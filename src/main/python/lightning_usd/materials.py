@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from arithmetic import Linear, apply, linear
-from materialx import CHANNELS, MISSING, NUMBERS, SURFACES, WEIGHTS, as_preview, is_image, multiply
+from materialx import CHANNELS, DIRECTIONS, MISSING, NUMBERS, SURFACES, WEIGHTS, as_preview, is_image, is_preview_image, multiply
 from meshes import identity
 from output import Output, StageError, numbers
 from pxr import Sdf, Usd, UsdGeom, UsdShade
@@ -128,11 +128,25 @@ class Materials:
             if any(self.has_effect(shader, name, neutral) for name in names):
                 self.out.note_named(f"{title} of materials", material.GetPrim().GetName())
 
-    def has_effect(self, shader: UsdShade.Shader, name: str, neutral: float) -> bool:
-        """Returns whether an input differs from a value, and whether an input that switches it on does so."""
-        value = self.value(shader, name, None)
-        weights = [self.value(shader, weight, 0.0) for weight in WEIGHTS.get(name, ()) if shader.GetInput(weight)]
-        return value is not None and any(v != neutral for v in amounts(value)) and (not weights or any(w != 0 for w in weights))
+    def has_effect(self, shader: UsdShade.Shader, name: str, neutral: float | None) -> bool:
+        """Returns whether an input differs from a value, and whether an input that switches it on does so.
+
+        Args:
+            neutral: None for an input whose values say nothing, only nodes
+        """
+        weights = [weight for weight in WEIGHTS.get(name, ()) if shader.GetInput(weight)]
+        return self.differs(shader, name, neutral) and (
+            any(self.differs(shader, weight, 0.0) for weight in weights) if weights else neutral is not None)
+
+    def differs(self, shader: UsdShade.Shader, name: str, neutral: float | None) -> bool:
+        """Returns whether an input has another value, or nodes that give it one."""
+        source = shader.GetInput(name)
+        attributes = UsdShade.Utils.GetValueProducingAttributes(source) if source else []
+        attribute = self.constant(attributes[0]) if attributes else None
+        if attribute and is_output(attribute):
+            return not str(UsdShade.Shader(attribute.GetPrim()).GetIdAttr().Get() or "").startswith(DIRECTIONS)
+        value = attribute.Get(self.time) if attribute else None
+        return value is not None and neutral is not None and any(v != neutral for v in amounts(value))
 
     def resolve(self, shader: UsdShade.Shader, name: str, target: str, fallback: Any, result: dict[str, Any]) -> None:
         """Adds the value or the texture of an input."""
@@ -222,17 +236,30 @@ class Materials:
         path = self.value(shader, "file", None)
         if not path or not path.path:
             return None
-        texture: dict[str, Any] = {"channel": channel, **self.out.file(path)}
+        kind = str(shader.GetIdAttr().Get() or "")
+        texture: dict[str, Any] = {"channel": CHANNELS.get(channel, channel), **self.out.file(path)}
         if "<UDIM>" in path.path:
             texture["tiles"] = self.tiles(shader.GetInput("file"), path)
-        for name in ("scale", "bias"):
+        for name in ("scale", "bias") if is_preview_image(kind) else ():
             value = self.value(shader, name, None)
             if value is not None:
                 texture[name] = self.out.vector(shader.GetPrim(), f"inputs:{name}", value, [1.0 if name == "scale" else 0.0] * 4)
         texture["space"] = str(self.value(shader, "sourceColorSpace", "auto"))
         texture["wrap"] = [self.edge(shader, "wrapS", "uaddressmode"), self.edge(shader, "wrapT", "vaddressmode")]
+        for name in ("factor", "color", "geomcolor") if kind.startswith("ND_gltf_") else ():
+            self.tint(shader, name, texture)
         self.placement(shader, texture, result)
         return texture
+
+    def tint(self, shader: UsdShade.Shader, name: str, texture: dict[str, Any]) -> None:
+        """Multiplies a texture by an input of its own node."""
+        source = shader.GetInput(name)
+        attributes = UsdShade.Utils.GetValueProducingAttributes(source) if source else []
+        attribute = self.constant(attributes[0]) if attributes else None
+        if attribute and is_output(attribute):
+            self.out.note("colors of vertices or nodes that multiply a texture, left out")
+        elif attribute and attribute.Get(self.time) is not None:
+            multiply(texture, amounts(attribute.Get(self.time)))
 
     def edge(self, shader: UsdShade.Shader, *names: str) -> str:
         """Returns what follows the edges of a texture along an axis."""
@@ -256,6 +283,8 @@ class Materials:
             tiling = self.out.vector(shader.GetPrim(), "inputs:uvtiling", tiling, [1.0, 1.0])
             shift = self.out.vector(shader.GetPrim(), "inputs:uvoffset", self.value(shader, "uvoffset", (0, 0)), [0.0, 0.0])
             place(texture, tiling, 0.0, [-v for v in shift])
+        if str(shader.GetIdAttr().Get() or "").startswith("ND_gltf_"):
+            self.place_gltf(shader, texture)
         for _ in range(4):
             source = shader.GetInput("st") or shader.GetInput("in") or shader.GetInput("texcoord")
             attributes = UsdShade.Utils.GetValueProducingAttributes(source) if source else []
@@ -288,8 +317,23 @@ class Materials:
         angle = self.out.number(prim, "inputs:rotate", self.value(shader, "rotate", 0.0), 0.0)
         shift = self.out.vector(prim, "inputs:offset", self.value(shader, "offset", (0, 0)), [0.0, 0.0])
         pivot = self.out.vector(prim, "inputs:pivot", self.value(shader, "pivot", (0, 0)), [0.0, 0.0])
-        scale = [1 / size if size else 1.0 for size in sizes]
-        if self.value(shader, "operationorder", 0) == 0:
+        self.move(texture, [1 / size if size else 1.0 for size in sizes], angle, shift, pivot, self.value(shader, "operationorder", 0))
+
+    def place_gltf(self, shader: UsdShade.Shader, texture: dict[str, Any]) -> None:
+        """Adds the transform of an image node of glTF, which moves, turns and scales coordinates with v downwards."""
+        prim = shader.GetPrim()
+        kind = str(shader.GetIdAttr().Get())
+        scale = self.out.vector(prim, "inputs:scale", self.value(shader, "scale", (1, 1)), [1.0, 1.0])
+        angle = self.out.number(prim, "inputs:rotate", self.value(shader, "rotate", 0.0), 0.0)
+        shift = self.out.vector(prim, "inputs:offset", self.value(shader, "offset", (0, 0)), [0.0, 0.0])
+        pivot = self.out.vector(prim, "inputs:pivot", self.value(shader, "pivot", (0, 1)), [0.0, 1.0])
+        # The definition of gltf_colorimage ignores its own order.
+        order = 0 if kind.startswith("ND_gltf_colorimage") else self.value(shader, "operationorder", 1 if "_color4" in kind else 0)
+        self.move(texture, scale, -angle, [-shift[0], shift[1]], pivot, order)
+
+    def move(self, texture: dict[str, Any], scale: list[float], angle: float, shift: list[float], pivot: list[float], order: int) -> None:
+        """Scales coordinates about a pivot, turns them back by an angle and subtracts a shift; in order 1 the other way round."""
+        if order == 0:
             turned = rotated([-scale[0] * pivot[0], -scale[1] * pivot[1]], -angle)
             place(texture, scale, -angle, [t + p - s for t, p, s in zip(turned, pivot, shift)])
         elif angle and scale[0] != scale[1]:

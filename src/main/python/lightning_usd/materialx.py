@@ -40,16 +40,27 @@ SURFACES = {"ND_standard_surface_surfaceshader": STANDARD, "ND_open_pbr_surface_
 # What no material of a scene has: its inputs, and the value without effect.
 MISSING = {"anisotropy": (("specular_anisotropy", "coat_anisotropy", "specular_roughness_anisotropy", "coat_roughness_anisotropy"), 0.0),
            "thin films": (("thin_film_thickness", "thin_film_weight", "iridescence"), 0.0),
-           "diffuse roughness": (("diffuse_roughness", "base_diffuse_roughness"), 0.0), "colors of coats": (("coat_color",), 1.0)}
+           "diffuse roughness": (("diffuse_roughness", "base_diffuse_roughness"), 0.0), "colors of coats": (("coat_color",), 1.0),
+           "normal maps of coats": (("coat_normal", "geometry_coat_normal", "clearcoat_normal"), None)}
 # Inputs of these that another one switches on.
-WEIGHTS = {"coat_color": ("coat", "coat_weight"), "thin_film_thickness": ("thin_film_weight",)}
+WEIGHTS = {"coat_color": ("coat", "coat_weight"), "thin_film_thickness": ("thin_film_weight",), "coat_normal": ("coat",),
+           "geometry_coat_normal": ("coat_weight",), "clearcoat_normal": ("clearcoat",)}
+# Nodes of the surface's own directions.
+DIRECTIONS = ("ND_normal_", "ND_tangent_", "ND_bitangent_", "ND_geompropvalue_")
 # Inputs whose textures are shown, or become their mean.
 TEXTURED = {"diffuseColor", "metallic", "roughness", "emissiveColor", "opacity", "normal"}
+# Inputs whose textures the importer notes, as those of a UsdPreviewSurface.
+COUNTED = {"clearcoat", "clearcoatRoughness", "ior"}
 # Inputs whose textures are numbers, not colors.
-NUMBERS = {"metallic", "roughness"}
+NUMBERS = {"metallic", "roughness", "opacity"}
 IMAGES = ("ND_image_", "ND_tiledimage_", "ND_UsdUVTexture", "ND_gltf_image_", "ND_gltf_colorimage", "ND_gltf_normalmap")
 CHANNELS = {"outr": "r", "outg": "g", "outb": "b", "outx": "r", "outy": "g", "outz": "b", "outa": "a", "outw": "a"}
 MASK, BLEND = 1, 2
+
+
+def is_preview_image(kind: str) -> bool:
+    """Returns whether a shader reads an image file with a scale and a bias of its colors."""
+    return kind.removeprefix("ND_").startswith("UsdUVTexture")
 
 
 def is_image(kind: str) -> bool:
@@ -81,7 +92,8 @@ def as_preview(result: dict[str, Any], out: Output) -> dict[str, Any]:
     if mode not in (MASK, BLEND):
         result["opacity"] = 1.0
         textures.pop("opacity", None)
-    out.note("textures of less common inputs of MaterialX surfaces", len(textures.keys() - TEXTURED))
+    for name in sorted(textures.keys() - TEXTURED - COUNTED):
+        out.note(f"{name} textures of MaterialX surfaces")
     return result
 
 
@@ -96,7 +108,7 @@ def weigh(result: dict[str, Any], name: str, weight: float) -> None:
 
 
 def multiply(texture: dict[str, Any], factors: list[float]) -> None:
-    """Multiplies the scale of a texture; a single factor counts for all channels."""
+    """Multiplies the scale of a texture; a single factor counts for all channels, three for the colors."""
     before = texture.get("scale", [1.0] * 4)
-    factors = (factors * 3)[:3] if len(factors) == 1 else factors[:3]
-    texture["scale"] = [a * b for a, b in zip(before, [*factors, 1.0])]
+    factors = factors * 4 if len(factors) == 1 else [*factors, 1.0][:4]
+    texture["scale"] = [a * b for a, b in zip(before, factors)]

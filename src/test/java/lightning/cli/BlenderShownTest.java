@@ -230,6 +230,30 @@ class BlenderShownTest {
     }
 
     @Test
+    void valuesOfNodes_areSent() throws Exception {
+        Material constant = material(send("linked").scene(), "constant");
+        assertThat(constant.base()).isEqualTo(new Rgb(0.25, 0.5, 0.75));
+        assertThat(constant.f0()).as("((2 - 1) / (2 + 1))²").isCloseTo(1 / 9.0, within());
+        assertThat(constant.coat().weight()).isCloseTo(0.25, within());
+        assertThat(constant.coat().ior()).isCloseTo(1.75, within());
+    }
+
+    @Test
+    void coat_hasBlendersRoughness() throws Exception {
+        assertThat(material(send("linked").scene(), "lacquer").coat().roughness()).isCloseTo(0.03, within());
+    }
+
+    @Test
+    void nodesThatAreNotSent_areNamed() throws Exception {
+        Material noisy = material(send("linked").scene(), "noisy");
+        assertThat(noisy.base()).as("the mean").isEqualTo(Rgb.gray(0.5));
+        assertThat(noisy.coat().roughness()).isCloseTo(0.5, within());
+        assertThat(messages()).contains("shaders are not sent exactly: noisy (Noise Texture for Base Color, sent as the mean, "
+                + "Noise Texture for Coat Roughness, sent as the mean), bumpy (Bump for Normal, not sent, Bump for Coat Normal, not sent), "
+                + "colored (colors of coats)");
+    }
+
+    @Test
     void motionWithoutKeys_isNamed() throws Exception {
         send("motion");
         assertThat(messages()).contains("instances that move in their group are sent as at the current frame: car",

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.lwjgl.assimp.AIPropertyStore;
@@ -44,8 +45,10 @@ public final class AssimpProcess {
         if (Assimp.aiExportScene(scene, "glb2", output.toString(), 0) != Assimp.aiReturn_SUCCESS) {
             throw new IOException("it cannot be converted " + Assimp.aiGetErrorString());
         }
+        List<String> losses = new ArrayList<>(GlbLights.add(output, scene, file));
+        losses.addAll(TextureLosses.of(scene));
         // The scene is not released: this process ends.
-        return GlbLights.add(output, scene, file);
+        return losses;
     }
 
     /** @param removed parts of the scene to leave out, as Assimp's components */

@@ -35,13 +35,14 @@ import org.jspecify.annotations.Nullable;
  * sample, n being the light's samples ({@link lightning.scene.light.AreaShape#samples}). On a disc, the patch is as large, in the square
  * around the disc that the image covers. Beyond the edges the image is mirrored. Seen from where the light shines, the image is upright.
  *
- * <p>Rows in a penumbra, from which some of the n samples are visible and others blocked, use up to {@value #REFINEMENT} times as many: the
- * first n, and the same ones moved by half the basis vectors of their lattice, (1/n, 0.618…) and (0, 1), and by both. All together are a
+ * <p>Rows of pixel centers in a penumbra, from which some of the n samples are visible and others blocked, use up to {@value #REFINEMENT} times
+ * as many: the first n, and the same ones moved by half the basis vectors of their lattice, (1/n, 0.618…) and (0, 1), and by both. All together are a
  * lattice of the same shape with half the spacing.
  *
  * <p>A row of a pixel center uses all n samples, in one of {@link #ROTATIONS} rotations, chosen by a hash of its point. A finer
  * sample of a pixel uses a part of the samples: every k-th of k·m, where k is the number of parts ({@link SamplePattern}) and m is
- * {@link SamplingSettings#lightSamples}.
+ * {@link SamplingSettings#lightSamples}. It uses no further ones in a penumbra: its few samples often are all visible, or all blocked, where
+ * further ones would not be, so the mean over the pixel would be off to one side.
  */
 public final class AreaSamples {
     /** Number of rotations of pixel centers. */
@@ -100,31 +101,32 @@ public final class AreaSamples {
      * @param axis   the unit direction in which the light shines
      */
     static AreaSamples ofCenters(Light light, Vec3 source, Vec3 axis) {
-        return of(light, source, axis, light.area().samples(), 1, ROTATIONS);
+        return of(light, source, axis, light.area().samples(), refined(light.area().samples()), 1, ROTATIONS);
     }
 
     /** Creates the samples that rows of finer samples use. */
     static AreaSamples ofFineSamples(Light light, Vec3 source, Vec3 axis, SamplingSettings sampling) {
-        return of(light, source, axis, sampling.lightSamples(light.area().samples()), SamplePattern.parts(sampling.grid()),
-                SamplePattern.rotations(sampling.grid()));
+        int n = sampling.lightSamples(light.area().samples());
+        return of(light, source, axis, n, n, SamplePattern.parts(sampling.grid()), SamplePattern.rotations(sampling.grid()));
     }
 
     /**
-     * @param n     samples of a row
-     * @param parts number of parts of the whole sample pattern
+     * @param n       samples of a row
+     * @param refined samples of a row in a penumbra
+     * @param parts   number of parts of the whole sample pattern
      */
-    private static AreaSamples of(Light light, Vec3 source, Vec3 axis, int n, int parts, int rotations) {
+    private static AreaSamples of(Light light, Vec3 source, Vec3 axis, int n, int refined, int parts, int rotations) {
         AreaShape area = light.area();
         int patterns = parts * rotations;
         // A ball and a cone of directions look the same for every up vector.
         Vec3 right = (light.type().isSurface() ? area : AreaShape.DEFAULT).right(axis);
         Vec3 top = right.cross(axis);
-        Vec3[] offsets = new Vec3[refined(n) * patterns];
+        Vec3[] offsets = new Vec3[refined * patterns];
         SummedAreaTable image = light.faceImage().map(Texture::areas).orElse(null);
         float[][] colors = image == null ? null : new float[3][offsets.length];
         for (int pattern = 0; pattern < patterns; pattern++) {
             int t = pattern / parts;
-            for (int i = 0; i < refined(n); i++) {
+            for (int i = 0; i < refined; i++) {
                 double s = parts * (i % n) + pattern % parts + 0.5 * (i / n % 2);
                 double u = fraction((s + 0.5) / (n * parts) + t * PLASTIC);
                 double v = fraction(s * GOLDEN + t * PLASTIC_SQUARED + 0.5 * (i / n / 2));
@@ -195,7 +197,7 @@ public final class AreaSamples {
         return refinedCount;
     }
 
-    /** Returns the number of samples in a penumbra of a light with n samples elsewhere. */
+    /** Returns the samples of a pixel center in a penumbra of a light with n samples elsewhere. */
     public static int refined(int n) {
         return n * Math.min(REFINEMENT, SceneLimits.MAX_LIGHT_SAMPLES / n);
     }

@@ -126,4 +126,24 @@ class AssimpImportTest {
                 .isInstanceOf(CancellationException.class);
         assertThat(folder.resolve("a.jen")).doesNotExist();
     }
+
+    @Test
+    void texturesThatAreNotConverted_areNoted() throws Exception {
+        String material = """
+                <library_images><image id="i"><init_from>a.png</init_from></image></library_images>
+                <library_effects><effect id="e"><profile_COMMON>
+                  <newparam sid="s"><surface type="2D"><init_from>i</init_from></surface></newparam>
+                  <newparam sid="t"><sampler2D><source>s</source></sampler2D></newparam>
+                  <technique sid="c"><phong>
+                    <diffuse><color>1 0.5 0.25 1</color></diffuse>
+                    <specular><texture texture="t" texcoord="UV"/></specular>
+                  </phong></technique></profile_COMMON></effect></library_effects>
+                <library_materials><material id="m" name="paint"><instance_effect url="#e"/></material></library_materials>
+                <library_geometries>""";
+        ImportedScene imported = read("a.dae", COLLADA.replace("<library_geometries>", material)
+                .replace("<triangles count=\"1\">", "<triangles count=\"1\" material=\"x\">")
+                .replace("<instance_geometry url=\"#g\"/>", "<instance_geometry url=\"#g\"><bind_material><technique_common>"
+                        + "<instance_material symbol=\"x\" target=\"#m\"/></technique_common></bind_material></instance_geometry>"));
+        assertThat(imported.notes()).containsEntry("specular textures of materials", 1);
+    }
 }

@@ -178,6 +178,63 @@ class UsdMaterialXTest {
         assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("textures"));
     }
 
+    private Material gltfImage(String kind, String inputs, String surface) throws Exception {
+        String nodes = String.format(Locale.ROOT, NETWORK, "ND_gltf_pbr_surfaceshader", surface).replace("ND_image_color3", kind)
+                .replace("float2 inputs:texcoord.connect = </look/place.outputs:out>", inputs);
+        return imported(SquareStage.text("/look", 1) + nodes);
+    }
+
+    /** As in a glTF file: the image of a point (u, v), v downwards, is at (0.25 + 2 v, 0.5 − 3 u) by a rotation by a quarter. */
+    @Test
+    void gltfImage_isPlacedByItsTransform() throws Exception {
+        TextureMap map = gltfImage("ND_gltf_image_color3_color3_1_0", """
+                float2 inputs:scale = (3, 2)
+                float inputs:rotate = 90
+                float2 inputs:offset = (0.25, 0.5)
+                """, "color3f inputs:base_color.connect = </look/image.outputs:out>").texture().orElseThrow();
+        TexturePlacement placement = map.placement();
+        for (double[] point : new double[][] {{0, 0}, {0.25, 0.125}, {0.75, 0.5}}) {
+            double u = map.repeatU() * point[0];
+            double v = map.repeatV() * (1 - point[1]);
+            double imageU = placement.cosine() * u - placement.sine() * v + placement.offsetU();
+            double imageV = placement.sine() * u + placement.cosine() * v + placement.offsetV();
+            assertThat(Math.IEEEremainder(imageU - (0.25 + 2 * point[1]), 1)).isCloseTo(0, offset(1e-6));
+            assertThat(Math.IEEEremainder(1 - imageV - (0.5 - 3 * point[0]), 1)).isCloseTo(0, offset(1e-6));
+        }
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("textures are") || note.contains("scale"));
+    }
+
+    @Test
+    void gltfImage_isMultipliedByItsFactor() throws Exception {
+        assertThat(gltfImage("ND_gltf_image_color3_color3_1_0", "color3f inputs:factor = (0.5, 0.25, 1)",
+                "color3f inputs:base_color.connect = </look/image.outputs:out>").base()).isEqualTo(new Rgb(0.5, 0.25, 1));
+    }
+
+    @Test
+    void gltfColorImage_hasItsColorAndAlpha() throws Exception {
+        var image = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB);
+        image.setRGB(0, 0, 0xCC336699);
+        ImageIO.write(image, "png", folder.resolve("a.png").toFile());
+        Material leaf = gltfImage("ND_gltf_colorimage", """
+                color4f inputs:color = (0.5, 0.25, 1, 0.5)
+                color3f outputs:outcolor
+                float outputs:outa
+                """, """
+                color3f inputs:base_color.connect = </look/image.outputs:outcolor>
+                float inputs:alpha.connect = </look/image.outputs:outa>
+                int inputs:alpha_mode = 1
+                """);
+        assertThat(leaf.base()).isEqualTo(new Rgb(0.5, 0.25, 1));
+        assertThat(number(leaf.cutout().map(), TextureChannel.RED)).isCloseTo(0.5 * 0xCC / 255, offset(1.0 / 65535));
+    }
+
+    /** The blue channel of the image is 0x33. */
+    @Test
+    void arithmeticOfOpacity_isExact() throws Exception {
+        Material leaf = network("gltf_pbr", "float inputs:alpha.connect = </look/inverted.outputs:out>\nint inputs:alpha_mode = 1");
+        assertThat(number(leaf.cutout().map(), TextureChannel.RED)).isCloseTo(1 - 0x33 / 255.0, offset(1.0 / 65535));
+    }
+
     /** The blue channel of the image is 0x33, each node changes it in turn. */
     @Test
     void arithmeticOfTextures_isExact() throws Exception {
@@ -246,6 +303,22 @@ class UsdMaterialXTest {
                 """);
         assertThat(imported.notes()).containsEntry("anisotropy of materials: 'look'", 1)
                 .containsEntry("colors of coats of materials: 'look'", 1);
+    }
+
+    @Test
+    void texturesOfMissingProperties_areNotedWithTheirMaterial() throws Exception {
+        network("standard_surface", """
+                float inputs:sheen.connect = </look/blue.outputs:outb>
+                float inputs:coat.connect = </look/blue.outputs:outb>
+                color3f inputs:coat_color.connect = </look/image.outputs:out>
+                float3 inputs:coat_normal.connect = </look/bumps.outputs:out>
+                float inputs:transmission.connect = </look/blue.outputs:outb>
+                """);
+        assertThat(imported.notes()).containsEntry("clearcoat textures of materials", 1)
+                .containsEntry("transmission textures of MaterialX surfaces", 1).containsEntry("sheen of materials: 'look'", 1)
+                .containsEntry("colors of coats of materials: 'look'", 1).containsEntry("normal maps of coats of materials: 'look'", 1);
+        network("standard_surface", "float3 inputs:coat_normal.connect = </look/bumps.outputs:out>");
+        assertThat(imported.notes()).as("without a coat").doesNotContainKey("normal maps of coats of materials: 'look'");
     }
 
     @Test

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Textures of roughness and metalness of stages, through usd-core. */
+/** Textures of roughness, metalness and opacity of stages, through usd-core. */
 class UsdSurfaceMapsTest {
     private static final String STAGE = SquareStage.text("/look", 2) + """
             def Material "look"
@@ -52,6 +52,8 @@ class UsdSurfaceMapsTest {
     private static final String ROUGH = "float inputs:roughness.connect = </look/image.outputs:%s>";
     /** The left pixel has red 51, green 102, blue 153 and alpha 204; the right one has none of them. */
     private static final int LEFT = 0xCC336699;
+    /** Opacity is read with eight bits. */
+    private static final double OPACITY_STEP = 0.5 / 255;
     @TempDir
     private Path folder;
     private ImportedScene imported;
@@ -182,5 +184,51 @@ class UsdSurfaceMapsTest {
         Files.delete(folder.resolve("a.png"));
         assertThat(rough("g", "").roughness()).isEqualTo(0.5);
         assertThat(imported.notes()).containsEntry("roughness textures of materials", 1).containsEntry("textures that are missing", 1);
+    }
+
+    private Material cutout(String output, String image) throws Exception {
+        return material("float inputs:opacityThreshold = 0.25\nfloat inputs:opacity.connect = </look/image.outputs:" + output + ">", image);
+    }
+
+    private static double opacity(Material material, int x) {
+        return material.cutout().map().orElseThrow().image().channel(x, 0, 0);
+    }
+
+    @Test
+    void alphaOfOpacity_isThatOfTheImage() throws Exception {
+        Material leaf = cutout("a", "");
+        assertThat(leaf.cutout().map().map(TextureMap::file)).contains("a.png");
+        assertThat(opacity(leaf, 0)).isCloseTo(204 / 255.0, offset(1e-6));
+        assertThat(leaf.cutout().cutoff()).isEqualTo(0.25);
+    }
+
+    @Test
+    void grayImageOfOpacity_isCopied() throws Exception {
+        ImageIO.write(new BufferedImage(2, 1, BufferedImage.TYPE_BYTE_GRAY), "png", folder.resolve("a.png").toFile());
+        assertThat(cutout("r", "").cutout().map().map(TextureMap::file)).contains("a.png");
+    }
+
+    @Test
+    void otherChannelOfOpacity_isRead() throws Exception {
+        assertThat(opacity(cutout("r", ""), 0)).isCloseTo(51 / 255.0, offset(OPACITY_STEP));
+    }
+
+    @Test
+    void channelOfImageWithoutAlpha_isRead() throws Exception {
+        writeImage(BufferedImage.TYPE_INT_RGB);
+        assertThat(opacity(cutout("b", ""), 0)).isCloseTo(153 / 255.0, offset(OPACITY_STEP));
+    }
+
+    @Test
+    void scaleAndBiasOfOpacity_areWrittenToAnImage() throws Exception {
+        Material leaf = cutout("a", "float4 inputs:scale = (1, 1, 1, -0.5)\nfloat4 inputs:bias = (0, 0, 0, 0.75)");
+        assertThat(opacity(leaf, 0)).isCloseTo(0.75 - 0.5 * 204 / 255, offset(OPACITY_STEP));
+        assertThat(opacity(leaf, 1)).isCloseTo(0.75, offset(OPACITY_STEP));
+    }
+
+    @Test
+    void alphaOfImageWithoutAlpha_hidesNothing() throws Exception {
+        writeImage(BufferedImage.TYPE_INT_RGB);
+        assertThat(cutout("a", "").cutout().map()).isEmpty();
     }
 }

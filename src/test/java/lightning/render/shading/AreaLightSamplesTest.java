@@ -9,8 +9,10 @@ import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.render.shading.reference.ReferenceTracer;
+import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.asset.LightTexture;
@@ -122,6 +124,36 @@ class AreaLightSamplesTest {
     @EnumSource(LightType.class)
     void penumbraAtDefault_isWithinTwoPercentOfFullLight(LightType type) {
         assertThat(error(type, AreaShape.DEFAULT.samples(), true)).isLessThan(0.02).isLessThan(error(type, 16) / 2);
+    }
+
+    /**
+     * A wide blocker halfway to a rectangle of width 1 hides a share of it from the floor that falls linearly along x. The mean over points that
+     * see more than half of the light must not be brighter than that, and the others not darker: few samples may be off, but to both sides.
+     */
+    @ParameterizedTest
+    @EnumSource(names = {"OFF", "EVERY"})
+    void penumbra_hasTheMeanOfItsFormula(AntialiasMode antialias) {
+        Shape shade = new Shape(Solid.PLANE, "shade", "white", placement(new Vec3(5, 5, 0), new Vec3(10, 1, 10)));
+        Light light = lightAbove(LightType.RECT, a -> a.withWidth(1).withHeight(1).withSamples(16)).withPosition(new Vec3(0, 10, 0));
+        float[] freeColors = colors(floor(40, List.of(FLOOR), light), antialias);
+        float[] halfColors = colors(floor(40, List.of(FLOOR, shade), light), antialias);
+        double[] difference = new double[2];
+        int[] pixels = new int[2];
+        for (int i = 0; i < 40 * 40; i++) {
+            // The picture shows the floor from −0.5 to 0.5; its right side is at −x.
+            double x = 0.5 - (i % 40 + 0.5) / 40;
+            double visible = 0.5 - x;
+            int side = visible > 0.5 ? 1 : 0;
+            difference[side] += halfColors[3 * i] / freeColors[3 * i] - visible;
+            pixels[side]++;
+        }
+        assertThat(difference[0] / pixels[0]).isCloseTo(0, within(0.01));
+        assertThat(difference[1] / pixels[1]).isCloseTo(0, within(0.01));
+    }
+
+    private static float[] colors(Scene scene, AntialiasMode antialias) {
+        return new ReferenceTracer(scene.withPicture(scene.picture().withSampling(new SamplingSettings(antialias, 4)))).trace()
+                .toScanlines();
     }
 
     static double error(LightType type, int samples) {

@@ -31,6 +31,34 @@ record TextureNumbers(int channel, double scale, double bias, boolean isCurved) 
         return channel != ALPHA && !isCurved && bias == 0 && scale >= 0 && scale <= 1;
     }
 
+    /** Returns whether these numbers are an image's alpha. */
+    boolean isAlpha() {
+        return channel == ALPHA;
+    }
+
+    /**
+     * Returns whether these numbers are the opacity of an image: its alpha, or its gray if it has none.
+     *
+     * @throws UnusableFileException as {@link UsdImages#read}
+     */
+    boolean isOpacityOf(UsdTiles.Tile tile) throws IOException, UnusableFileException {
+        if (scale != 1 || bias != 0 || isCurved || UsdImages.hasAlpha(tile.place()) != isAlpha()) {
+            return false;
+        }
+        return isAlpha() || isGray(UsdImages.read(tile.place(), TextureUsage.DATA));
+    }
+
+    private static boolean isGray(Texture image) {
+        for (int pixel = 0; pixel < image.width() * image.height(); pixel++) {
+            int x = pixel % image.width();
+            int y = pixel / image.width();
+            if (image.channel(x, y, 0) != image.channel(x, y, 1) || image.channel(x, y, 0) != image.channel(x, y, 2)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** Returns the channel of a map whose numbers are a product. */
     TextureChannel mapChannel() {
         return TextureChannel.values()[channel];

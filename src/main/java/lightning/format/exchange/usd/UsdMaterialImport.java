@@ -115,7 +115,11 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
         double threshold = in.get("opacityThreshold").number(0);
         JsonValue image = in.get("textures").get("opacity");
         if (image.isPresent()) {
-            Optional<TextureMap> map = textures.map(image, TextureUsage.OPACITY);
+            TextureNumbers numbers = TextureNumbers.of(image);
+            if (textures.isOpaque(image, numbers)) {
+                return material;
+            }
+            Optional<TextureMap> map = textures.opacity(image, numbers);
             assembler.notes.add("opacity maps, imported as cutouts at half opacity", map.isPresent() && threshold <= 0 ? 1 : 0);
             return material.withCutout(new AlphaCutout(map, threshold > 0 ? SceneAssembler.clamp(threshold, 1) : HALF));
         }

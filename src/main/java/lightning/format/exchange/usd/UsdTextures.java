@@ -86,6 +86,35 @@ final class UsdTextures {
                 (tiles, name) -> converted(tiles, withSuffix(name, "-" + input), TextureUsage.DATA, numbers::read, true));
     }
 
+    /**
+     * Returns a texture of opacity: the image itself if its alpha, or the gray of one without alpha, are the numbers, else a gray one of 16 bits;
+     * empty as {@link #map}.
+     */
+    Optional<TextureMap> opacity(JsonValue image, TextureNumbers numbers) throws IOException, MeshException {
+        return map(image, "opacity " + numbers, (tiles, name) -> isOwnOpacity(tiles, numbers) ? copied(tiles, name, TextureUsage.OPACITY)
+                : converted(tiles, withSuffix(name, "-opacity"), TextureUsage.DATA, numbers::read, true));
+    }
+
+    private static boolean isOwnOpacity(UsdTiles tiles, TextureNumbers numbers) throws IOException, UnusableFileException {
+        for (UsdTiles.Tile tile : tiles.tiles()) {
+            if (!numbers.isOpacityOf(tile)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Returns whether numbers of a texture are the alpha of an image that has none, unchanged: 1 everywhere. */
+    boolean isOpaque(JsonValue image, TextureNumbers numbers) throws IOException, MeshException {
+        Optional<UsdTiles> tiles = tiles(image);
+        try {
+            return tiles.isPresent() && numbers.isAlpha() && numbers.of(1) == 1
+                    && !UsdImages.hasAlpha(tiles.get().tiles().getFirst().place());
+        } catch (UnusableFileException e) {
+            return false;
+        }
+    }
+
     private static String withSuffix(String name, String suffix) {
         return name.replaceFirst("(\\.[^.]*)?$", suffix + ".png");
     }
