@@ -315,7 +315,7 @@ class UsdMaterialXTest {
                 float inputs:transmission.connect = </look/blue.outputs:outb>
                 """);
         assertThat(imported.notes()).containsEntry("clearcoat textures of materials", 1)
-                .containsEntry("transmission textures of MaterialX surfaces", 1).containsEntry("sheen of materials: 'look'", 1)
+                .containsEntry("transmission textures of MaterialX surfaces", 1).containsEntry("sheen textures of MaterialX surfaces", 1)
                 .containsEntry("colors of coats of materials: 'look'", 1).containsEntry("normal maps of coats of materials: 'look'", 1);
         network("standard_surface", "float3 inputs:coat_normal.connect = </look/bumps.outputs:out>");
         assertThat(imported.notes()).as("without a coat").doesNotContainKey("normal maps of coats of materials: 'look'");
