@@ -3,6 +3,7 @@ package lightning.render.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
@@ -13,6 +14,7 @@ import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
+import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.material.Material;
 import lightning.scene.material.Sheen;
@@ -49,6 +51,31 @@ class BlurredReflectionWorkTest {
 
     private static Scene withMaterial(Scene scene, String name, UnaryOperator<Material> edit) {
         return scene.withMaterials(scene.materials().stream().map(m -> m.name().equals(name) ? edit.apply(m) : m).toList());
+    }
+
+    /** Returns the rays that gather light in the first pass of a scene with indirect light, and those of an edit. */
+    private static long[] gatherRays(UnaryOperator<Scene> edit) throws JenException {
+        Scene scene = scene();
+        Scene before = scene.withPicture(scene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT)));
+        Scene after = edit.apply(before);
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+            long first = renderer.render(before, Progress.NONE).rays().gather();
+            long edited = renderer.render(after, Progress.NONE).rays().gather();
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(after).trace(), "reflection");
+            return new long[] {first, edited};
+        }
+    }
+
+    @Test
+    void roughness_keepsPathsOfIndirectLight() throws JenException {
+        long[] rays = gatherRays(scene -> withMaterial(scene, "table", m -> m.withRoughness(0.5)));
+        assertThat(rays[1]).isLessThan(rays[0] / 2);
+    }
+
+    @Test
+    void hiddenObject_keepsPathsOfIndirectLightThatPassIt() throws JenException {
+        long[] rays = gatherRays(scene -> scene.withNode("bulb", scene.stage().node("bulb").orElseThrow().withVisible(false)));
+        assertThat(rays[1]).isLessThan(rays[0]);
     }
 
     @Test

@@ -100,7 +100,7 @@ public final class GatherBuilder {
     }
 
     /**
-     * Uses the paths before an edit, if few enough objects changed and no reflections are blurred. The structure then contains no rows of surfels that stay.
+     * Uses the paths before an edit, if few enough objects changed. Rays of blurred reflections are cast again. The structure then contains no rows of surfels that stay.
      *
      * @param old      paths of a picture with the same camera, size and settings
      * @param rows     rows of its surfels
@@ -110,7 +110,7 @@ public final class GatherBuilder {
      */
     public void remember(GatherStructure old, HitRows[] rows, Geometry previous, ShapeChange shapes,
             IntFunction<Tracer> itsTracers) {
-        if (settings.reflections()) {
+        if (!settings.gathers()) {
             return;
         }
         before = old;
@@ -209,7 +209,7 @@ public final class GatherBuilder {
      * @param after paths after the edit
      */
     public @Nullable PointChanges changes(GatherStructure after) {
-        return memo == null || before == null ? null : PointChanges.between(before, after, memo.points());
+        return memo == null || before == null || settings.reflections() ? null : PointChanges.between(before, after, memo.points());
     }
 
     private RimLinks castThroughRims(RimCaster caster, PointPlacer placer, SurfelBuilder surfels, PathMemory memory) {

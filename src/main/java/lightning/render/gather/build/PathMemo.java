@@ -9,6 +9,7 @@ import lightning.render.gather.cell.SurfaceColumns;
 import lightning.render.gather.ray.KnownRays;
 import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.RaySources;
+import lightning.render.gather.reflection.ReflectionPaths;
 import lightning.render.gather.rim.RimLinks;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
@@ -58,6 +59,9 @@ public final class PathMemo {
         Arrays.fill(firstRay, Integer.MAX_VALUE);
         int found = setFirstRays(before.points().sources(), before.pointLinks(), 0, before.pointCount(), 0, 0);
         RaySources surfelSources = before.surfelSources(cells, places);
+        ReflectionPaths reflections = before.reflections();
+        // Rays of reflections find surfels after those of gather points.
+        found = reflections == null ? found : Math.max(found, reflections.foundSurfels(count));
         for (int from = 0, to = found; from < before.surfelLinks().points();) {
             found = setFirstRays(surfelSources, before.surfelLinks(), from, to, to, -1);
             from = to;

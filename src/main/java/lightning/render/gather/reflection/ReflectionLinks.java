@@ -155,6 +155,11 @@ public final class ReflectionLinks {
         tint = null;
     }
 
+    /** Returns the surfel of a ray, or a number after all surfels if it meets the sky; 0 if the ray counts for nothing. */
+    int surfel(int ray) {
+        return number[ray];
+    }
+
     /**
      * Computes the mean light that a point reflects, in the order of its rays.
      *

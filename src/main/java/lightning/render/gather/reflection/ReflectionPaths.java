@@ -85,6 +85,21 @@ public final class ReflectionPaths {
         return surfelOfDetail;
     }
 
+    /**
+     * Returns the number of the last surfel that reflections meet, and 1; 0 if they meet none.
+     *
+     * @param surfels number of all surfels, with their parts
+     */
+    public int foundSurfels(int surfels) {
+        int whole = surfels - surfelOfDetail.length;
+        int found = 0;
+        for (int ray = 0; ray < links.rayCount(); ray++) {
+            int surfel = links.surfel(ray);
+            found = surfel >= surfels ? found : Math.max(found, 1 + (surfel < whole ? surfel : surfelOfDetail[surfel - whole]));
+        }
+        return found;
+    }
+
     /** Returns the points of a material; null if it does not blur reflections. */
     @Nullable
     public ReflectionGroup group(int material) {
