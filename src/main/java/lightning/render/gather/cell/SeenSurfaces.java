@@ -64,6 +64,15 @@ public final class SeenSurfaces {
                 o.surfaces.primitive[i], o.vx[i], o.vy[i], o.vz[i], o.roughness[i]);
     }
 
+    /** Keeps the first surfaces only, and no room for others. */
+    public void trim(int count) {
+        surfaces.trim(count);
+        vx = Arrays.copyOf(vx, count);
+        vy = Arrays.copyOf(vy, count);
+        vz = Arrays.copyOf(vz, count);
+        roughness = Arrays.copyOf(roughness, count);
+    }
+
     private void reserveViews(int count) {
         if (count > vx.length) {
             int length = Math.max(count, 2 * vx.length);

@@ -32,6 +32,18 @@ public final class SurfaceColumns {
         primitive = new int[capacity];
     }
 
+    /** Keeps the first points only, and no room for others. */
+    public void trim(int points) {
+        count = points;
+        px = Arrays.copyOf(px, points);
+        py = Arrays.copyOf(py, points);
+        pz = Arrays.copyOf(pz, points);
+        nx = Arrays.copyOf(nx, points);
+        ny = Arrays.copyOf(ny, points);
+        nz = Arrays.copyOf(nz, points);
+        primitive = Arrays.copyOf(primitive, points);
+    }
+
     public void writeTo(ColumnWriter out) throws IOException {
         out.writeInt(count);
         for (float[] column : new float[][] {px, py, pz, nx, ny, nz}) {

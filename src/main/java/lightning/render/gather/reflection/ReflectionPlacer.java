@@ -92,7 +92,7 @@ public final class ReflectionPlacer {
      * @param materials all materials
      */
     public void place(List<SeenSurfaces> levels, List<Material> materials) {
-        place(levels);
+        placePoints(levels);
         groups = ReflectionGroup.of(points, steps, materials);
         placed = points.count();
         ReflectionFilter weights = ReflectionFilter.of(groups, placed, workers, progress);
@@ -107,11 +107,11 @@ public final class ReflectionPlacer {
      * @param surfelFilter of the surfels that gather light
      */
     public ReflectionPaths paths(GlowShapes glows, int[] surfelOfDetail, PointFilter surfelFilter) {
-        points.removeFrom(placed);
+        points.trim(placed);
         return new ReflectionPaths(points, links, groups, requireNonNull(filter), steps, glows, surfelOfDetail, surfelFilter);
     }
 
-    private void place(List<SeenSurfaces> levels) {
+    private void placePoints(List<SeenSurfaces> levels) {
         SeenSurfaces candidates = rough(levels);
         int[] active = new int[candidates.count()];
         Arrays.setAll(active, i -> i);

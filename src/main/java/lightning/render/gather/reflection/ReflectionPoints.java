@@ -68,9 +68,16 @@ public final class ReflectionPoints {
         add(seen, p, material[p], itsSeed);
     }
 
-    /** Forgets the places of all points but the first {@code count}. */
-    void removeFrom(int count) {
-        seen.surfaces.count = count;
+    /** Keeps the first points only, and nothing that only their rays need, as {@link #readFrom}. */
+    void trim(int count) {
+        seen.trim(count);
+        sources.reserveNormals(0);
+        rx = Arrays.copyOf(rx, count);
+        ry = Arrays.copyOf(ry, count);
+        rz = Arrays.copyOf(rz, count);
+        material = Arrays.copyOf(material, count);
+        radius = Arrays.copyOf(radius, count);
+        seed = new long[0];
     }
 
     /** Writes the mirrored direction of a view that meets a normal: x, y, z. */
