@@ -15,6 +15,7 @@ import lightning.render.gather.RowWeigher;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.BackgroundShader;
 import lightning.render.shading.EmittedLight;
+import lightning.render.shading.HighlightFactor;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightWeight;
@@ -193,7 +194,7 @@ public final class PixelExplainer {
 
     private LightReport lightReport(WeightedLight light, SurfacePoint hit, @Nullable NormalSteps normals) {
         return light.source().isArea() && !light.isDark() ? areaReport(light, hit, normals)
-                : lightReport(light, light.source(), hit, normals);
+                : lightReport(light, light.source(), HighlightFactor.NONE, hit, normals);
     }
 
     /** Returns the means of a light's samples. If no sample reaches the point, the state is that of the sample that passed most tests. */
@@ -211,9 +212,14 @@ public final class PixelExplainer {
         double[][] faces = new double[2][3];
         double shine = 0;
         int freeCount = 0;
+        HighlightFactor factor = HighlightFactor.NONE;
         for (int s = 0; s < samples; s++) {
+            if (s % area.samples() == 0) {
+                factor = HighlightFactor.of(light.source(), area, AreaSamples.rotation(hit.px(), hit.py(), hit.pz()), s, hit,
+                        materials.material(hit.material()));
+            }
             LightReport one =
-                    lightReport(light, sample(light.source(), hit, s), hit, normals);
+                    lightReport(light, sample(light.source(), hit, s), factor, hit, normals);
             // A visible sample counts even outside the cone, as in rows, whose shadow rays are not cast again when the cone moves. A surface has a
             // half-space that does not.
             LightSource sample = sample(light.source(), hit, s);
@@ -270,7 +276,8 @@ public final class PixelExplainer {
         return new float[] {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
     }
 
-    private LightReport lightReport(WeightedLight light, LightSource source, SurfacePoint hit, @Nullable NormalSteps normals) {
+    private LightReport lightReport(WeightedLight light, LightSource source, HighlightFactor factor, SurfacePoint hit,
+            @Nullable NormalSteps normals) {
         var equation = new LightingEquation(source);
         equation.moveTo(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz());
         float cosine = equation.cosine(hit.nx(), hit.ny(), hit.nz());
@@ -293,7 +300,7 @@ public final class PixelExplainer {
             return new LightReport(light.light(), state, blocker, 0, 1, below, cosine, 0, 0, 0, ZERO, ZERO, ZERO, ONE, ONE,
                     light.gain(hit.primitive()));
         }
-        var terms = new SurfaceTerms(equation, hit, materials);
+        var terms = new SurfaceTerms(equation, hit, materials, factor);
         float diffuse = terms.diffuse(cosine);
         float specular = terms.specular();
         float grazing = terms.grazing();

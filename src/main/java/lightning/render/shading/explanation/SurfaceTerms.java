@@ -1,5 +1,6 @@
 package lightning.render.shading.explanation;
 
+import lightning.render.shading.HighlightFactor;
 import lightning.render.shading.LightingEquation;
 import lightning.render.shading.PrincipledMaterial;
 import lightning.render.shading.PrincipledWeights;
@@ -13,8 +14,9 @@ import org.jspecify.annotations.Nullable;
  * Terms of a light at one point, with the bits of a layer.
  *
  * @param equation of the light, moved to the point
+ * @param factor   of its highlights
  */
-record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable materials) {
+record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable materials, HighlightFactor factor) {
     private boolean isMetallic() {
         return materials.isMetallic(hit.material());
     }
@@ -34,7 +36,8 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
     }
 
     private float coatedSpecular() {
-        float specular = metallicSpecular(Material.alpha(hit.roughness()));
+        double alpha = Material.alpha(hit.roughness());
+        float specular = factor.surface(metallicSpecular(alpha), alpha);
         PrincipledMaterial coated = coated();
         return coated == null ? specular : specular * weights(coated).base();
     }
@@ -49,13 +52,15 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
     }
 
     private float coatedGrazing() {
-        float grazing = metallicGrazing(Material.alpha(hit.roughness()));
+        double width = Material.alpha(hit.roughness());
+        float grazing = factor.surface(metallicGrazing(width), width);
         PrincipledMaterial coated = coated();
         if (coated == null) {
             return grazing;
         }
         double alpha = materials.material(hit.material()).coat().alpha();
-        return weights(coated).coatedGrazing(coated, grazing, metallicSpecular(alpha), metallicGrazing(alpha));
+        return weights(coated).coatedGrazing(coated, grazing, factor.coat(metallicSpecular(alpha), alpha),
+                factor.coat(metallicGrazing(alpha), alpha));
     }
 
     private float metallicSpecular(double alpha) {

@@ -107,7 +107,7 @@ final class AreaLightKernel {
     private LightRows recomputeWithoutCone(HitRows rows, LightSource source, byte[] state, ColumnAllocator columns) {
         int words = RowBits.words(rows.count);
         begin(rows, source);
-        sums.begin(rows, source);
+        sums.begin(rows, source, shadowRays);
         shadowCaster.aim(rows, source, shadowRays);
         beginTints();
         Arrays.fill(anyBlocked, 0);
@@ -495,7 +495,7 @@ final class AreaLightKernel {
         }
         int first = source.samples(rows).samples();
         int samples = RowBits.count(refined, rows.count) > 0 ? source.samples(rows).refinedSamples() : first;
-        sums.begin(rows, source);
+        sums.begin(rows, source, shadowRays);
         for (int s = 0; s < samples; s++) {
             int[] used = s < first ? anyLit : refined;
             aim(rows, source, s, used);

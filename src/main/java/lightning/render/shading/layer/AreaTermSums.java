@@ -14,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 final class AreaTermSums {
     private final TermKernel terms;
     private final TermColumnWriter columnWriter;
+    private final HighlightFactors highlightFactors = new HighlightFactors(TermKernel.MAX_ROWS);
     private final int[] metallicRows = RowBits.allocate();
     /** Rows that may have a specular term for any sample. */
     private final int[] mayHaveHighlight = RowBits.allocate();
@@ -38,8 +39,12 @@ final class AreaTermSums {
         columnWriter = writer;
     }
 
-    /** Starts with sums of 0. */
-    void begin(HitRows rows, LightSource source) {
+    /**
+     * Starts with sums of 0.
+     *
+     * @param rays pattern of each row
+     */
+    void begin(HitRows rows, LightSource source, RowShadowRays rays) {
         hasSpecular = columnWriter.hasSpecular(rows);
         hasMetallic = columnWriter.hasMetallic(rows);
         Arrays.fill(diffuseSum, 0);
@@ -52,6 +57,7 @@ final class AreaTermSums {
         }
         Arrays.fill(mayHaveHighlight, 0);
         if (hasSpecular) {
+            highlightFactors.begin(rows, source, rays);
             columnWriter.addPossibleHighlights(rows, source, mayHaveHighlight);
         }
     }
@@ -86,7 +92,8 @@ final class AreaTermSums {
             for (int b = 0; b < RowBits.words(rows.count); b++) {
                 highlightRows[b] = rowSet[b] & mayHaveHighlight[b];
             }
-            columnWriter.writeSpeculars(rows, highlightRows, specular, grazing);
+            highlightFactors.setSample(s);
+            columnWriter.writeSpeculars(rows, highlightRows, specular, grazing, highlightFactors);
             terms.accumulate(specular, falloffOrNull, highlightRows, rows.count, specularSum);
         }
         if (hasMetallic) {

@@ -11,6 +11,7 @@ import lightning.render.shading.SheenLayer;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
+import lightning.scene.material.ShadingModel;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -31,6 +32,8 @@ final class TermColumnWriter {
     private final PrincipledWeights weights = new PrincipledWeights();
     /** Widths of the highlights of rows with a roughness map. */
     private final double[] widths;
+    /** For each material whether its highlights have the shape of the faces of area lights. */
+    private final boolean[] showsFaces;
     private final float[] coatSpecular;
     private final float[] coatGrazing;
 
@@ -45,6 +48,10 @@ final class TermColumnWriter {
         losesDiffuse = new boolean[materials.count()];
         for (int m = 0; m < losesDiffuse.length; m++) {
             losesDiffuse[m] = materials.isMetallic(m) && !materials.isPrincipled(m);
+        }
+        showsFaces = new boolean[materials.count()];
+        for (int m = 0; m < showsFaces.length; m++) {
+            showsFaces[m] = materials.material(m).model() == ShadingModel.PRINCIPLED;
         }
         boolean isMapped = Arrays.stream(principledMaterials).anyMatch(m -> m != null && m.hasRoughnessMap());
         widths = new double[isMapped ? TermKernel.MAX_ROWS : 0];
@@ -100,7 +107,7 @@ final class TermColumnWriter {
         }
         float[] column = startColumn(rows, known, before.specular, columns);
         float[] grazing = metallic ? startColumn(rows, known, before.grazing, columns) : null;
-        writeSpeculars(rows, queried, column, grazing);
+        writeSpeculars(rows, queried, column, grazing, null);
         return new SpecularColumns(column, grazing);
     }
 
@@ -119,8 +126,9 @@ final class TermColumnWriter {
      * Writes the specular terms of the rows of a set whose material is specular.
      *
      * @param grazing receives the grazing terms of metallic rows; unread if there are none
+     * @param factors of an area light that the terms were aimed at; null for a point light
      */
-    void writeSpeculars(HitRows rows, int[] queried, float[] column, float @Nullable [] grazing) {
+    void writeSpeculars(HitRows rows, int[] queried, float[] column, float @Nullable [] grazing, @Nullable HighlightFactors factors) {
         for (int r = 0; r < rows.runCount; r++) {
             int material = rows.runMaterial[r];
             if (materials.isMetallic(material)) {
@@ -131,8 +139,12 @@ final class TermColumnWriter {
                 } else {
                     terms.metallicSpeculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.alpha(material), column, grazing);
                 }
+                HighlightFactors itsFactors = factors != null && factors.areActive() && showsFaces[material] ? factors : null;
+                if (itsFactors != null) {
+                    scaleSurface(rows, r, queried, principled, itsFactors, column, grazing);
+                }
                 if (principled != null && principled.coat() != null) {
-                    addCoat(rows, r, queried, principled, column, grazing);
+                    addCoat(rows, r, queried, principled, itsFactors, column, grazing);
                 }
                 if (principled != null && principled.sheen() != null) {
                     addSheen(rows, r, queried, principled.sheen(), column, grazing);
@@ -151,13 +163,29 @@ final class TermColumnWriter {
         terms.metallicSpeculars(rows, rows.runStart(run), rows.runEnd[run], queried, widths, specular, grazing);
     }
 
+    private void scaleSurface(HitRows rows, int run, int[] queried, @Nullable PrincipledMaterial material, HighlightFactors factors,
+            float[] specular, float[] grazing) {
+        boolean isMapped = material != null && material.hasRoughnessMap();
+        double alpha = materials.alpha(rows.runMaterial[run]);
+        for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
+            if (RowBits.contains(queried, i)) {
+                factors.scaleSurface(i, isMapped ? widths[i] : alpha, specular, grazing);
+            }
+        }
+    }
+
     /** Changes the terms of a surface to those of the surface below its coat and of the coat, whose reflection has no color. */
-    private void addCoat(HitRows rows, int run, int[] queried, PrincipledMaterial material, float[] specular, float[] grazing) {
+    private void addCoat(HitRows rows, int run, int[] queried, PrincipledMaterial material, @Nullable HighlightFactors factors,
+            float[] specular, float[] grazing) {
         int from = rows.runStart(run);
         int to = rows.runEnd[run];
-        terms.metallicSpeculars(rows, from, to, queried, requireNonNull(material.coat()).alpha(), coatSpecular, coatGrazing);
+        double alpha = requireNonNull(material.coat()).alpha();
+        terms.metallicSpeculars(rows, from, to, queried, alpha, coatSpecular, coatGrazing);
         for (int i = from; i < to; i++) {
             if (RowBits.contains(queried, i)) {
+                if (factors != null) {
+                    factors.scaleCoat(i, alpha, coatSpecular, coatGrazing);
+                }
                 weights.moveTo(material, rows, i);
                 specular[i] *= weights.base();
                 grazing[i] = weights.coatedGrazing(material, grazing[i], coatSpecular[i], coatGrazing[i]);

@@ -13,6 +13,7 @@ import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.BackgroundShader;
 import lightning.render.shading.EdgeColors;
 import lightning.render.shading.EmittedLight;
+import lightning.render.shading.HighlightFactor;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightWeight;
 import lightning.render.shading.LightingEquation;
@@ -276,7 +277,7 @@ public final class ReferenceTracer {
         float[][] terms = new float[lights.length][TERMS];
         for (int l = 0; l < lights.length; l++) {
             LightSource source = lights[l].source();
-            terms[l] = source.isArea() ? meanTerms(source, hit, pattern, refines) : terms(source, hit, targets[l]);
+            terms[l] = source.isArea() ? meanTerms(source, hit, pattern, refines) : terms(source, hit, targets[l], HighlightFactor.NONE);
             if (!source.light().contribution().gains().isNone()) {
                 float gain = gain(source.light(), geometry.shape(hit.primitive()).name());
                 for (int c = DIFFUSE_FACTOR; c < TERMS; c++) {
@@ -296,7 +297,7 @@ public final class ReferenceTracer {
     }
 
     /** Returns the terms of a point light. */
-    private float[] terms(LightSource source, SurfacePoint hit, ShadowRayTarget target) {
+    private float[] terms(LightSource source, SurfacePoint hit, ShadowRayTarget target, HighlightFactor factor) {
         LightingEquation equation = equation(source, hit);
         float cosine = equation.cosine(hit.nx(), hit.ny(), hit.nz());
         if (state(source, hit, target, equation, cosine) != LightRows.LIT) {
@@ -304,8 +305,8 @@ public final class ReferenceTracer {
         }
         float[] tint = Transmittance.ofShadowRay(geometry, source, target, hit);
         Material material = materials.material(hit.material());
-        float specular = specular(equation, hit);
-        float grazing = grazing(equation, hit);
+        float specular = specular(equation, hit, factor);
+        float grazing = grazing(equation, hit, factor);
         return new float[] {diffuse(equation, hit, cosine), ReferenceSheen.below(material, specular, grazing), equation.falloff(),
             ReferenceSheen.second(material, equation, hit, grazing), tint[0],
             tint[1], tint[2], tint[0], tint[1], tint[2]};
@@ -334,7 +335,8 @@ public final class ReferenceTracer {
                 tint[2] += one[2];
                 freeCount++;
             }
-            float[] terms = terms(sample, hit, sampleTarget(sample));
+            float[] terms = terms(sample, hit, sampleTarget(sample),
+                    HighlightFactor.of(source, area, used, s, hit, materials.material(hit.material())));
             diffuse += (double) terms[0] * terms[2];
             specular += (double) terms[1] * terms[2];
             grazing += (double) terms[3] * terms[2];
@@ -397,20 +399,20 @@ public final class ReferenceTracer {
                 : cosine;
     }
 
-    private float grazing(LightingEquation equation, SurfacePoint hit) {
+    private float grazing(LightingEquation equation, SurfacePoint hit, HighlightFactor factor) {
         if (!materials.isMetallic(hit.material())) {
             return 0;
         }
-        float grazing =
-                equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), Material.alpha(hit.roughness()));
+        double width = Material.alpha(hit.roughness());
+        float grazing = factor.surface(equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), width), width);
         PrincipledMaterial principled = PrincipledMaterial.of(materials.material(hit.material()));
         if (principled == null || principled.coat() == null) {
             return grazing;
         }
         double alpha = principled.coat().alpha();
         return weights(principled, hit).coatedGrazing(principled, grazing,
-                equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha),
-                equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha));
+                factor.coat(equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha), alpha),
+                factor.coat(equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha), alpha));
     }
 
     private static PrincipledWeights weights(PrincipledMaterial material, SurfacePoint hit) {
@@ -436,10 +438,11 @@ public final class ReferenceTracer {
                 isFrosted ? weights.passing(material, c, light[6 + c]) : 0);
     }
 
-    private float specular(LightingEquation equation, SurfacePoint hit) {
+    private float specular(LightingEquation equation, SurfacePoint hit, HighlightFactor factor) {
         if (materials.isMetallic(hit.material())) {
+            double alpha = Material.alpha(hit.roughness());
             float specular =
-                    equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), Material.alpha(hit.roughness()));
+                    factor.surface(equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha), alpha);
             PrincipledMaterial principled = PrincipledMaterial.of(materials.material(hit.material()));
             return principled == null || principled.coat() == null ? specular : specular * weights(principled, hit).base();
         }

@@ -1,0 +1,50 @@
+package lightning.render.shading;
+
+import lightning.render.trace.SurfacePoint;
+import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
+
+/**
+ * Factors by which one point's highlights of some samples of an area light are scaled ({@link FaceHighlight}).
+ *
+ * @param isActive whether the terms are scaled
+ * @param surface  factor of the lobe below the coat
+ * @param coat     factor of the lobe of the coat; 1 without a coat
+ */
+public record HighlightFactor(boolean isActive, float surface, float coat) {
+    /** Terms that are not scaled. */
+    public static final HighlightFactor NONE = new HighlightFactor(false, 1, 1);
+
+    /**
+     * Returns the factors at a point.
+     *
+     * @param pattern of the point
+     * @param s       one of the samples
+     */
+    public static HighlightFactor of(LightSource light, AreaSamples samples, int pattern, int s, SurfacePoint hit, Material material) {
+        if (material.model() != ShadingModel.PRINCIPLED || !FaceHighlight.hasFace(light)) {
+            return NONE;
+        }
+        FaceHighlight face = new FaceHighlight();
+        face.aim(light);
+        int first = s / samples.samples() * samples.samples();
+        return new HighlightFactor(true, factor(face, samples, pattern, first, hit, Material.alpha(hit.roughness())),
+                material.coat().isVisible() ? factor(face, samples, pattern, first, hit, material.coat().alpha()) : 1);
+    }
+
+    private static float factor(FaceHighlight face, AreaSamples samples, int pattern, int first, SurfacePoint hit, double alpha) {
+        return face.factor(samples, pattern, first, hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(),
+                hit.vz(),
+                alpha);
+    }
+
+    /** Returns a term of the lobe below the coat. */
+    public float surface(float term, double alpha) {
+        return isActive ? FaceHighlight.scaled(term, surface, alpha) : term;
+    }
+
+    /** Returns a term of the lobe of the coat. */
+    public float coat(float term, double alpha) {
+        return isActive ? FaceHighlight.scaled(term, coat, alpha) : term;
+    }
+}
