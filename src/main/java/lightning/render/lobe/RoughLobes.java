@@ -1,5 +1,6 @@
 package lightning.render.lobe;
 
+import java.util.List;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
@@ -38,6 +39,8 @@ public record RoughLobes(double alpha, double coatAlpha, @Nullable Coat coat, @N
     public enum Kind {
         SURFACE, COAT, PASSING, SHEEN
     }
+
+    private static final List<Kind> KINDS = List.of(Kind.values());
 
     /** Returns the lobes of a material; null if it reflects nothing or sharply. */
     public static @Nullable RoughLobes of(Material m) {
@@ -78,6 +81,24 @@ public record RoughLobes(double alpha, double coatAlpha, @Nullable Coat coat, @N
         }
         return frost != null ? row == column ? Kind.SURFACE : Kind.PASSING
                 : areTwo() ? (row + column & 1) == 1 ? Kind.COAT : Kind.SURFACE : alpha == 0 ? Kind.COAT : Kind.SURFACE;
+    }
+
+    /** Returns the number of rays of the lobe that has the fewest, of those that have any; {@code side} as in {@link #rays}. */
+    public int fewestRays(int side) {
+        int fewest = side * side;
+        for (Kind kind : KINDS) {
+            fewest = has(kind) ? Math.min(fewest, rays(kind, side)) : fewest;
+        }
+        return fewest;
+    }
+
+    private boolean has(Kind kind) {
+        return switch (kind) {
+            case SURFACE -> alpha > 0;
+            case COAT -> coatAlpha > 0;
+            case PASSING -> frost != null;
+            case SHEEN -> fibers != null;
+        };
     }
 
     /**

@@ -2,7 +2,9 @@ package lightning.render.lobe;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Collections;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
 import lightning.base.math.Rgb;
 import lightning.render.lobe.RoughLobes.Kind;
@@ -10,6 +12,7 @@ import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.material.Sheen;
+import lightning.scene.material.Transmission;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -27,6 +30,20 @@ class RoughLobesTest {
         assertThat(counts(CLOTH.withCoat(new Coat(1, 0.5, 1.5)), side))
                 .isEqualTo(Map.of(Kind.SURFACE, side * side / 4, Kind.COAT, side * side / 4, Kind.SHEEN, side * side / 2));
         assertThat(counts(CLOTH.withRoughness(0), side)).isEqualTo(Map.of(Kind.SHEEN, side * side));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {2, 4, 8, 10, 16})
+    void fewestRays_areThoseOfTheRarestLobe(int side) {
+        Material coated = CLOTH.withCoat(new Coat(1, 0.5, 1.5));
+        for (Material material : List.of(CLOTH, coated, CLOTH.withSheen(Sheen.NONE), coated.withSheen(Sheen.NONE), CLOTH.withRoughness(0),
+                coated.withRoughness(0), frosted())) {
+            assertThat(RoughLobes.of(material).fewestRays(side)).isEqualTo(Collections.min(counts(material, side).values()));
+        }
+    }
+
+    private static Material frosted() {
+        return CLOTH.withTransmission(Transmission.NONE.withColor(Rgb.WHITE).withIor(1.5));
     }
 
     /** Returns the rays of each lobe, which the lobes tell as well. */

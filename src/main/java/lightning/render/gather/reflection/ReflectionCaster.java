@@ -53,9 +53,10 @@ public final class ReflectionCaster {
     private final ReflectionLobe lobe = new ReflectionLobe();
     private final SheenDirections sheen = new SheenDirections();
     private final double[] sides = new double[RayBatch.MAX_RAYS];
-    /** Cosine between the view of a point and its normal, the share of its coat, and the first of its directions. */
+    /** Cosine between the view of a point and its normal, the share of its coat, the rays of its rarest lobe, and the first of its directions. */
     private double cosine;
     private double coat;
+    private int fewestRays;
     private int firstPlace;
     /** Frame of the point: the plane of normal and view, and the normal. */
     private final double[] tangent = new double[3];
@@ -202,6 +203,7 @@ public final class ReflectionCaster {
         cosine = Math.clamp(view, MIN_COSINE, 1);
         RoughLobes its = requireNonNull(lobes[points.material[p]]);
         coat = its.coat() == null ? 0 : CoatShare.of(its.coat(), (float) cosine);
+        fewestRays = its.fewestRays(directions.side);
         firstPlace = directions.first(points.seed[p]);
         double x = -points.seen.vx[p] - view * nx;
         double y = -points.seen.vy[p] - view * ny;
@@ -249,7 +251,7 @@ public final class ReflectionCaster {
     private void scatter(ReflectionPoints points, int p, int k, int at, RoughLobes its) {
         Kind kind = kind(its, k);
         int place = firstPlace + k;
-        double factor = (double) directions.rays / its.rays(kind, directions.side);
+        double factor = (double) fewestRays / its.rays(kind, directions.side);
         if (kind == Kind.SHEEN) {
             sheen.aim(requireNonNull(its.fibers()).lobe(), cosine);
             sheen.scatter(directions.share(place), directions.cos(place), directions.sin(place));
@@ -311,13 +313,13 @@ public final class ReflectionCaster {
         }
     }
 
-    /** Adds the weights of an aimed ray for one lobe, relative to those of the rays of lobes. */
+    /** Adds the weights of an aimed ray for one lobe, relative to those of the rays of the lobe that has the fewest. */
     private void addAimed(int at, RoughLobes its, Kind kind, double alpha, double x, double y, double z, double angle) {
         if (alpha > 0) {
             lobe.aim(cosine, alpha);
             lobe.moveTo(x, y, z);
             double own = lobe.density() * angle;
-            addWeights(at, its, kind, directions.rays * own / (its.rays(kind, directions.side) * own + 1));
+            addWeights(at, its, kind, fewestRays * own / (its.rays(kind, directions.side) * own + 1));
         }
     }
 
@@ -326,7 +328,7 @@ public final class ReflectionCaster {
             sheen.aim(its.fibers().lobe(), cosine);
             sheen.moveTo(x, y, z);
             double own = sheen.density() * angle;
-            white[at] += directions.rays * own / (its.rays(Kind.SHEEN, directions.side) * own + 1);
+            white[at] += fewestRays * own / (its.rays(Kind.SHEEN, directions.side) * own + 1);
         }
     }
 

@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
 public final class ReflectionLinks {
     /** Bytes of a ray while links are built: two keys, a flag, two weights and a number, half as many in reserve. */
     public static final int BUILD_BYTES = 38;
-    /** Step of weights: they are below 2. */
+    /** Step of weights: they are at most 2, the sum of a surface and its coat. */
     private static final float STEP = 0x1p-15f;
     private static final byte MISS = 0;
     private static final byte SURFEL = 1;
@@ -84,6 +84,7 @@ public final class ReflectionLinks {
     }
 
     private static int steps(double weight) {
+        assert weight < 2.001;
         return Math.min(0xFFFF, (int) (weight / STEP + 0.5));
     }
 
