@@ -3,6 +3,7 @@ package lightning.render.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
@@ -16,7 +17,9 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
+import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
 import lightning.scene.material.Sheen;
 import org.junit.jupiter.api.Test;
 
@@ -130,6 +133,46 @@ class BlurredReflectionWorkTest {
     void roughness_castsReflectedRaysAgain() throws JenException {
         Scene scene = scene();
         assertThat(edit(scene, withMaterial(scene, "table", m -> m.withRoughness(0.2))).rays().gather()).isPositive();
+    }
+
+    /** Rays of an edit are those of its material, and those that find what the picture shows, at most one for each pixel and bounce. */
+    @Test
+    void roughness_castsRaysOfItsMaterialOnly() throws JenException {
+        Scene scene = withBall(scene(), 0.5);
+        long table = edit(scene, withMaterial(scene, "table", m -> m.withRoughness(0.3))).rays().gather();
+        long ball = edit(scene, withBall(scene, 0.3)).rays().gather();
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+            long both =
+                    renderer.render(withBall(withMaterial(scene, "table", m -> m.withRoughness(0.3)), 0.3), Progress.NONE).rays().gather();
+            assertThat(table + ball - both).isBetween(0L, 40L * 30 * 2);
+            assertThat(ball).isGreaterThan(40 * 30 * 2);
+        }
+    }
+
+    private static Scene withBall(Scene scene, double roughness) {
+        return withMaterial(scene, "red", m -> Material.of("red").withModel(ShadingModel.PRINCIPLED).withRoughness(roughness));
+    }
+
+    /** Each edit keeps paths that an edit before it kept. */
+    @Test
+    void editsInSequence_equalFullTraces() throws JenException {
+        Scene scene = withBall(scene(), 0.5);
+        Scene gathers = scene.withPicture(scene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT)));
+        List<UnaryOperator<Scene>> edits = List.of(s -> withBall(s, 0.3), s -> withMaterial(s, "table", m -> m.withRoughness(0.2)),
+                s -> withMaterial(s, "table", m -> m.withCoat(new Coat(1, 0.3, 1.5))), s -> withBall(s, 0.02), s -> withBall(s, 0.6),
+                s -> withMaterial(s, "table", m -> m.withRoughness(0.5)), s -> s.withPicture(s.picture().withDepth(3)),
+                s -> withMaterial(s, "lamp", m -> m.withGlow(Rgb.BLACK)), s -> withBall(s, 0.4));
+        for (Scene first : List.of(scene, gathers)) {
+            try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+                renderer.render(first, Progress.NONE);
+                Scene edited = first;
+                for (int i = 0; i < edits.size(); i++) {
+                    edited = edits.get(i).apply(edited);
+                    renderer.render(edited, Progress.NONE);
+                    FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(edited).trace(), "reflection " + i);
+                }
+            }
+        }
     }
 
     @Test

@@ -22,9 +22,11 @@ import lightning.render.gather.point.GatherPoints;
 import lightning.render.gather.point.PointFilter;
 import lightning.render.gather.point.PointGroups;
 import lightning.render.gather.ray.PathMemory;
+import lightning.render.gather.reflection.KnownSurfels;
 import lightning.render.gather.reflection.ReflectionCaster;
 import lightning.render.gather.reflection.ReflectionDirections;
 import lightning.render.gather.reflection.ReflectionFilter;
+import lightning.render.gather.reflection.ReflectionMemo;
 import lightning.render.gather.reflection.ReflectionPaths;
 import lightning.render.gather.reflection.ReflectionPlacer;
 import lightning.render.gather.rim.RimCells;
@@ -75,6 +77,8 @@ public final class GatherBuilder {
     private @Nullable GatherStructure before;
     private @Nullable PathMemo memo;
     private @Nullable IntFunction<Tracer> memoTracers;
+    private @Nullable ReflectionMemo reflectionMemo;
+    private @Nullable KnownSurfels knownSurfels;
     private final long memoryBytes;
 
     /**
@@ -100,7 +104,8 @@ public final class GatherBuilder {
     }
 
     /**
-     * Uses the paths before an edit, if few enough objects changed. Rays of blurred reflections are cast again. The structure then contains no rows of surfels that stay.
+     * Uses the paths before an edit, if few enough objects changed. Of the rays of blurred reflections it uses those that no edit of objects can
+     * change. The structure then contains no rows of surfels that stay.
      *
      * @param old      paths of a picture with the same camera, size and settings
      * @param rows     rows of its surfels
@@ -110,12 +115,16 @@ public final class GatherBuilder {
      */
     public void remember(GatherStructure old, HitRows[] rows, Geometry previous, ShapeChange shapes,
             IntFunction<Tracer> itsTracers) {
-        if (!settings.gathers()) {
-            return;
+        KnownSurfels known = KnownSurfels.of(old, rows, shapes, keys);
+        if (settings.gathers()) {
+            before = old;
+            memo = PathMemo.of(old, known, previous, shapes, geometry, keys);
+            memoTracers = itsTracers;
         }
-        before = old;
-        memo = PathMemo.of(old, rows, previous, shapes, geometry, keys);
-        memoTracers = itsTracers;
+        if (shapes == ShapeChange.NONE && settings.reflections()) {
+            reflectionMemo = ReflectionMemo.of(old, known, previous.materials(), geometry.materials(), seenGlows);
+        }
+        knownSurfels = memo == null && reflectionMemo == null ? null : known;
     }
 
     /** Returns the distance of the pixels through which candidates for gather points are traced. */
@@ -160,7 +169,7 @@ public final class GatherBuilder {
         PathCaster surfelCaster = caster(new DirectionTable(settings.surfelRaysPerSide()), memory, false);
         double surfelsEnd = settings.environment() ? SURFELS_SHARE : 1;
         SurfelBuilder surfels =
-                new SurfelBuilder(workers, new ProgressPart(progress, POINTS_SHARE, surfelsEnd), keys, surfelCaster, memo, memory,
+                new SurfelBuilder(workers, new ProgressPart(progress, POINTS_SHARE, surfelsEnd), keys, surfelCaster, knownSurfels, memory,
                         surfelBytes(), glows);
         surfels.build(placer.sources, placer.links, pointCaster, reflecting, reflectionCasters, settings.pathBounces());
         RimCaster rimCaster = new RimCaster(keys, directions, glows, placer.sources, placer.links, surfels.cells(), memo);
@@ -193,14 +202,14 @@ public final class GatherBuilder {
         ReflectionPlacer reflecting = new ReflectionPlacer(workers, new ProgressPart(progress, POINTS_SHARE, POINTS_SHARE), keys, casters,
                 lobes, geometry.primitives().material, ReflectionCaster.raysPerPoint(reflectionDirections, seenGlows),
                 reflectionDirections.rays,
-                memory);
+                memory, reflectionMemo);
         reflecting.place(candidates, IntStream.range(0, lobes.length).mapToObj(geometry.materials()::material).toList());
         return reflecting;
     }
 
     private ReflectionPaths reflections(ReflectionPlacer reflecting, SurfelBuilder surfels) {
         return reflecting.paths(seenGlows, surfels.surfelOfDetail,
-                SurfelFilter.build(surfels.surfels(), surfels.links.points(), keys, workers, progress));
+                SurfelFilter.build(surfels.surfels(), surfels.links.points(), keys, workers, progress), surfels.firstRay, surfels.partKeys);
     }
 
     /**

@@ -1,7 +1,5 @@
 package lightning.render.gather.build;
 
-import static java.util.Objects.requireNonNull;
-
 import java.util.Arrays;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.cell.CellKeys;
@@ -9,10 +7,10 @@ import lightning.render.gather.cell.SurfaceColumns;
 import lightning.render.gather.ray.KnownRays;
 import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.RaySources;
+import lightning.render.gather.reflection.KnownSurfels;
 import lightning.render.gather.reflection.ReflectionPaths;
 import lightning.render.gather.rim.RimLinks;
 import lightning.render.trace.Geometry;
-import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.ShapeChange;
 import lightning.render.trace.tree.BoxRay;
@@ -35,30 +33,23 @@ public final class PathMemo {
     private final KnownRays surfels;
     private final RimLinks rims;
     private final long[] inverseLengths;
-    /** Surfels by number; primitives have their new numbers, −1 for changed ones. */
-    private final SurfaceColumns places;
-    private final long[] keys;
+    private final KnownSurfels known;
     /** For each surfel its first ray among those of gather points, or {@code ~ray} among those of surfels. */
     private final int[] firstRay;
 
-    private PathMemo(GatherStructure before, HitRows[] rows, Geometry geometry, ShapeChange shapes, CellKeys cells, BoxSet changes) {
+    private PathMemo(GatherStructure before, KnownSurfels known, Geometry geometry, CellKeys cells, BoxSet changes) {
         this.geometry = geometry;
         this.changes = changes;
         rims = before.rims();
         inverseLengths = before.points().inverseLengths();
         int count = before.surfelCount();
-        places = new SurfaceColumns(count);
-        places.count = count;
-        keys = new long[count];
-        for (int block = 0; block < rows.length; block++) {
-            addPlaces(rows[block], before.numbers(block), before, shapes, cells);
-        }
+        this.known = known;
         points = new KnownRays(before.points().sources(), before.pointLinks());
-        surfels = new KnownRays(before.surfelSources(cells, places), before.surfelLinks());
+        surfels = new KnownRays(before.surfelSources(cells, known.places()), before.surfelLinks());
         firstRay = new int[count];
         Arrays.fill(firstRay, Integer.MAX_VALUE);
         int found = setFirstRays(before.points().sources(), before.pointLinks(), 0, before.pointCount(), 0, 0);
-        RaySources surfelSources = before.surfelSources(cells, places);
+        RaySources surfelSources = before.surfelSources(cells, known.places());
         ReflectionPaths reflections = before.reflections();
         // Rays of reflections find surfels after those of gather points.
         found = reflections == null ? found : Math.max(found, reflections.foundSurfels(count));
@@ -97,29 +88,19 @@ public final class PathMemo {
         return found;
     }
 
-    private void addPlaces(HitRows rows, int[] numbers, GatherStructure before, ShapeChange shapes, CellKeys cells) {
-        int[] primitives = shapes.mapIndices(requireNonNull(rows.owner));
-        for (int row = 0; row < rows.count; row++) {
-            int surfel = numbers[rows.parent[row]];
-            places.set(surfel, rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], primitives[row]);
-            keys[surfel] = cells.surfelKey(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row],
-                    primitives[row], before.isNear(surfel));
-        }
-    }
-
     /**
      * Returns the paths of a picture with the same camera and the same settings; null if too many objects changed.
      *
-     * @param rows     rows of the surfels, in the blocks of the structure
+     * @param known    its surfels
      * @param geometry geometry before the edit
      * @param shapes   edit of the shapes
      * @param after    geometry after the edit
      */
-    public static @Nullable PathMemo of(GatherStructure before, HitRows[] rows, Geometry geometry, ShapeChange shapes, Geometry after,
+    public static @Nullable PathMemo of(GatherStructure before, KnownSurfels known, Geometry geometry, ShapeChange shapes, Geometry after,
             CellKeys cells) {
         BoxSet changes =
                 shapes.visibleChanges().union(changedMaterials(geometry, geometry, after)).union(changedMaterials(after, geometry, after));
-        return changes.count() > MAX_BOXES ? null : new PathMemo(before, rows, geometry, shapes, cells, changes);
+        return changes.count() > MAX_BOXES ? null : new PathMemo(before, known, geometry, cells, changes);
     }
 
     /** Returns the boxes of the primitives of a geometry that rays pass, or whose materials changed in what rays and surfels read. */
@@ -170,12 +151,12 @@ public final class PathMemo {
 
     /** Returns the places of the surfels, by number. */
     SurfaceColumns places() {
-        return places;
+        return known.places();
     }
 
     /** Returns the key of a surfel's cell after the edit. */
     long key(int surfel) {
-        return keys[surfel];
+        return known.keys()[surfel];
     }
 
     /** Returns whether a surfel is the hit of a ray of a gather point. */

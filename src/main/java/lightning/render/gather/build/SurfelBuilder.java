@@ -14,6 +14,7 @@ import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.RaySources;
 import lightning.render.gather.ray.SurfelRays;
 import lightning.render.gather.ray.TiltedNormals;
+import lightning.render.gather.reflection.KnownSurfels;
 import lightning.render.gather.reflection.ReflectionCaster;
 import lightning.render.gather.reflection.ReflectionLinks;
 import lightning.render.gather.reflection.ReflectionPlacer;
@@ -34,12 +35,15 @@ final class SurfelBuilder {
     private final ProgressPart progress;
     private final CellKeys cellKeys;
     private final PathCaster caster;
-    private final @Nullable PathMemo memo;
+    private final @Nullable KnownSurfels memo;
     private final CellTable cells = new CellTable();
     /** Parts of cells that narrow lobes meet. */
     private final CellTable details = new CellTable();
     /** For each part the surfel that it belongs to. */
     int[] surfelOfDetail = {};
+    long[] partKeys = {};
+    /** For each surfel the ray of a reflection whose hit it is; −1 for none. */
+    int[] firstRay = {};
     private final SurfaceColumns surfels = new SurfaceColumns();
     private final RaySources sources;
     /** Surfels whose cells are small. */
@@ -58,11 +62,11 @@ final class SurfelBuilder {
 
     /**
      * @param caster of the surfels' rays
-     * @param memo   paths before an edit
+     * @param memo   surfels before an edit
      * @param memory for surfels and their rays
      * @param bytesPerSurfel bytes of a surfel without its rays
      */
-    SurfelBuilder(WorkerPool workers, ProgressPart progress, CellKeys cellKeys, PathCaster caster, @Nullable PathMemo memo,
+    SurfelBuilder(WorkerPool workers, ProgressPart progress, CellKeys cellKeys, PathCaster caster, @Nullable KnownSurfels memo,
             PathMemory memory, long bytesPerSurfel, GlowShapes glows) {
         this.glows = glows;
         this.memory = memory;
@@ -109,7 +113,7 @@ final class SurfelBuilder {
             ReflectionCaster[] reflectionCasters, int bounces) {
         addSurfels(new PathRays(points, pointLinks, pointCaster), 0, cells);
         if (reflecting != null) {
-            addSurfels(new ReflectionRays(reflecting.points, reflecting.links, reflectionCasters, false), 0, cells);
+            addReflected(reflecting.rays(reflectionCasters, false), cells);
         }
         int linked = 0;
         // The environment's light reaches the last surfels by rays of their own.
@@ -134,10 +138,22 @@ final class SurfelBuilder {
     private void addDetails(ReflectionPlacer reflecting, ReflectionCaster[] reflectionCasters) {
         int whole = surfels.count;
         ReflectionLinks rays = reflecting.links;
-        int[] firsts = addSurfels(new ReflectionRays(reflecting.points, rays, reflectionCasters, true), 0, details);
+        int[] firsts = addReflected(reflecting.rays(reflectionCasters, true), details);
         surfelOfDetail = Arrays.stream(firsts).map(ray -> cells.number(rays.key(ray))).toArray();
+        partKeys = Arrays.stream(firsts).mapToLong(rays::detailKey).toArray();
         near.clear(whole, surfels.count);
         rays.finish(cells, details, surfels.count);
+    }
+
+    /** Adds the surfels that rays of reflections find, as {@link #addSurfels}, and remembers these rays. */
+    private int[] addReflected(ReflectionRays rays, CellTable to) {
+        int before = surfels.count;
+        int[] firsts = addSurfels(rays, 0, to);
+        int known = firstRay.length;
+        firstRay = Arrays.copyOf(firstRay, surfels.count);
+        Arrays.fill(firstRay, known, before, -1);
+        System.arraycopy(firsts, 0, firstRay, before, firsts.length);
+        return firsts;
     }
 
     /**

@@ -28,6 +28,8 @@ public final class CellKeys {
     private static final long ANY_SURFACE = -1;
     /** Logarithm of the width of a wide cell in sides of the largest cells of gather points. */
     private static final int WIDE = 4;
+    /** Place of the kind of a part above the numbers of primitives and axes. */
+    private static final int PART_SHIFT = 40;
     /** Most halvings of a surfel's cell. */
     private static final int MAX_DETAIL = 3;
 
@@ -184,10 +186,12 @@ public final class CellKeys {
         return level;
     }
 
-    /** Returns the key of the part of a surfel's cell, which was halved {@code detail} times. */
+    /** Returns the key of the part of a surfel's cell, which was halved {@code detail} times. Parts of different cells have different keys. */
     public long detailKey(float x, float y, float z, float nx, float ny, float nz, int primitive, double distance, int detail) {
-        int octave = surfelOctave(x, y, z, isNear(x, y, z, distance)) - detail;
-        return key(x, y, z, Math.scalb(surfelSide, octave), octave, 8 * (long) primitive + axis(nx, ny, nz));
+        boolean isNear = isNear(x, y, z, distance);
+        int octave = surfelOctave(x, y, z, isNear) - detail;
+        long cell = 2L * detail + (isNear ? 1 : 0);
+        return key(x, y, z, Math.scalb(surfelSide, octave), octave, cell << PART_SHIFT | 8 * (long) primitive + axis(nx, ny, nz));
     }
 
     /** Returns the number of the axis that a normal is nearest to, and its side, 0…5. */

@@ -88,33 +88,41 @@ public final class ReflectionCaster {
         return Math.max(1, RayBatch.MAX_RAYS / raysPerPoint);
     }
 
+    /** Finds the normals of the surfaces of points {@code from … to − 1}, before their rays are cast. */
+    void findNormals(ReflectionPoints points, int from, int to) {
+        normals.find(points.sources, from, to);
+    }
+
     /**
-     * Casts the rays of points {@code from … to − 1}, at most {@link #pointsPerBatch}.
+     * Casts the rays of some points.
      *
+     * @param selected       numbers of points
+     * @param from           first of them whose rays are cast, before {@code to}; at most {@link #pointsPerBatch}
      * @param inverseLengths receives the sum of the {@link InverseLengths} of each point's rays
      */
-    void cast(ReflectionPoints points, int from, int to, ReflectionLinks links, long[] inverseLengths) {
-        normals.find(points.sources, from, to);
+    void cast(ReflectionPoints points, int[] selected, int from, int to, ReflectionLinks links, long[] inverseLengths) {
         int rays = raysPerPoint;
-        for (int p = from; p < to; p++) {
+        for (int i = from; i < to; i++) {
+            int p = selected[i];
             moveTo(points, p);
             for (int k = 0; k < rays; k++) {
-                direct(points, p, k, (p - from) * rays + k);
+                direct(points, p, k, (i - from) * rays + k);
             }
             inverseLengths[p] = 0;
+            links.clear(p * rays, p * rays + rays);
         }
         int count = (to - from) * rays;
         batch.trace(count);
         HitRows rows = batch.rowsWithoutTexels();
-        links.clear(from * rays, to * rays);
         for (int row = 0; row < rows.count; row++) {
             int ray = rows.parent[row];
-            int p = from + ray / rays;
+            int p = selected[from + ray / rays];
+            int linked = p * rays + ray % rays;
             double distance = batch.distance(ray);
             int primitive = batch.primitive(ray);
             int detail = detail(points, p, ray % rays, rows, row, distance);
             long key = keys.surfelKey(rows, row, primitive, distance);
-            links.setKeys(from * rays + ray, key, detail == 0 ? key
+            links.setKeys(linked, key, detail == 0 ? key
                     : keys.detailKey(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], primitive,
                             distance,
                             detail));
@@ -124,14 +132,15 @@ public final class ReflectionCaster {
             }
         }
         for (int ray = 0; ray < count; ray++) {
+            int linked = selected[from + ray / rays] * rays + ray % rays;
             boolean counts = ray % rays < directions.rays || batch.primitive(ray) >= 0;
-            links.setWeights(from * rays + ray, counts ? color[ray] : 0, counts ? white[ray] : 0);
+            links.setWeights(linked, counts ? color[ray] : 0, counts ? white[ray] : 0);
             if (batch.primitive(ray) < 0) {
-                links.setMiss(from * rays + ray, SkyCells.of(batch.directionX[ray], batch.directionY[ray], batch.directionZ[ray]));
+                links.setMiss(linked, SkyCells.of(batch.directionX[ray], batch.directionY[ray], batch.directionZ[ray]));
             }
         }
-        if (batch.isTinted()) {
-            links.setTints(from * rays, count, batch.tint);
+        for (int i = from; i < to && batch.isTinted(); i++) {
+            links.setTints(selected[i] * rays, rays, batch.tint, (i - from) * rays);
         }
     }
 

@@ -88,11 +88,39 @@ public final class ReflectionLinks {
         return Math.min(0xFFFF, (int) (weight / STEP + 0.5));
     }
 
-    /** Sets the tints of rays {@code from … from + count − 1}. */
-    void setTints(int from, int count, float[][] tints) {
+    /** Sets the tints of rays {@code from … from + count − 1} to those from {@code at} on. */
+    void setTints(int from, int count, float[][] itsTints, int at) {
         float[][] all = allocateTints();
         for (int c = 0; c < 3; c++) {
-            System.arraycopy(tints[c], 0, all[c], from, count);
+            System.arraycopy(itsTints[c], at, all[c], from, count);
+        }
+    }
+
+    /**
+     * Writes the rays of a point to those of a point of other links that are being built.
+     *
+     * @param memo keys of the surfels of these links
+     */
+    void copy(int point, ReflectionLinks to, int toPoint, ReflectionMemo memo) {
+        int from = point * raysPerPoint;
+        int next = tints == null ? 0 : tints.firstFrom(from);
+        for (int k = 0; k < raysPerPoint; k++) {
+            int ray = toPoint * raysPerPoint + k;
+            int surfel = number[from + k];
+            to.weights[ray] = weights[from + k];
+            if (surfel < memo.surfelCount()) {
+                to.setKeys(ray, memo.key(surfel), memo.partKey(surfel));
+            } else {
+                to.hit[ray] = MISS;
+                to.setMiss(ray, surfel - memo.surfelCount());
+            }
+            if (tints != null && next < tints.count() && tints.ray()[next] == from + k) {
+                float[][] all = to.allocateTints();
+                for (int c = 0; c < 3; c++) {
+                    all[c][ray] = tints.tint()[c][next];
+                }
+                next++;
+            }
         }
     }
 
@@ -118,7 +146,7 @@ public final class ReflectionLinks {
     }
 
     /** Returns the key of the part of the surfel's cell that the ray meets; that of the cell if it is not divided. */
-    long detailKey(int ray) {
+    public long detailKey(int ray) {
         return detailKeys[ray];
     }
 

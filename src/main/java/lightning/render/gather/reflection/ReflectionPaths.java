@@ -23,12 +23,14 @@ public final class ReflectionPaths {
     private final PointFilter surfelFilter;
     /** Objects that were shown glowing. */
     private final GlowShapes glows;
+    private final ReflectionOrigins origins;
 
     /** @param steps width of the cells of directions by material; 0 for materials that do not blur reflections */
     public ReflectionPaths(ReflectionPoints points, ReflectionLinks links, ReflectionGroup[] groups, PointFilter filter, float[] steps,
-            GlowShapes glows, int[] surfelOfDetail, PointFilter surfelFilter) {
+            GlowShapes glows, int[] surfelOfDetail, PointFilter surfelFilter, ReflectionOrigins origins) {
         this.surfelFilter = surfelFilter;
         this.glows = glows;
+        this.origins = origins;
         this.points = points;
         this.links = links;
         this.groups = groups;
@@ -44,6 +46,7 @@ public final class ReflectionPaths {
         out.writeArray(steps);
         out.writeArray(surfelOfDetail);
         surfelFilter.writeTo(out);
+        origins.writeTo(out);
     }
 
     /**
@@ -57,7 +60,7 @@ public final class ReflectionPaths {
         PointFilter filter = PointFilter.readFrom(in);
         float[] steps = in.readFloats();
         return new ReflectionPaths(points, links, ReflectionGroup.of(points, steps, materials), filter, steps, glows, in.readInts(),
-                PointFilter.readFrom(in));
+                PointFilter.readFrom(in), ReflectionOrigins.readFrom(in));
     }
 
     /** Returns the materials of the groups. */
@@ -73,6 +76,14 @@ public final class ReflectionPaths {
     /** Returns the number of reflection points without copies. */
     public int count() {
         return points.count();
+    }
+
+    ReflectionPoints points() {
+        return points;
+    }
+
+    ReflectionOrigins origins() {
+        return origins;
     }
 
     /** Returns what the rays meet. */
@@ -124,6 +135,7 @@ public final class ReflectionPaths {
     }
 
     public long bytes() {
-        return surfelFilter.bytes() + points.bytes() + links.bytes() + filter.bytes() + 68L * points.count() + 4L * surfelOfDetail.length;
+        return surfelFilter.bytes() + points.bytes() + links.bytes() + filter.bytes() + 68L * points.count() + 4L * surfelOfDetail.length
+                + origins.bytes();
     }
 }

@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import lightning.base.work.Progress;
 import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
@@ -41,6 +42,12 @@ public final class ReflectionPlacer {
     private final @Nullable RoughLobes[] lobes;
     private final int[] materialOf;
     private final int lobeRays;
+    private final @Nullable ReflectionMemo memo;
+    /** Number of known points of each material that were found again. */
+    private final int[] foundAgain;
+    /** For each point the one of the memo, and for each copy the copy; {@link ReflectionMemo#NONE} for others. */
+    private int[] known = {};
+    private long raysCast;
     public final ReflectionPoints points;
     public final ReflectionLinks links;
     private final float[] steps;
@@ -48,6 +55,7 @@ public final class ReflectionPlacer {
     private @Nullable PointFilter filter;
     /** Number of points without their copies. */
     private int placed;
+    private int[] firstCopy = {};
     private long[] inverseLengths = {};
 
     /**
@@ -55,9 +63,11 @@ public final class ReflectionPlacer {
      * @param lobes      by material
      * @param materialOf material of each primitive
      * @param lobeRays   how many of the rays are those of lobes
+     * @param memo       paths before an edit
      */
     public ReflectionPlacer(WorkerPool workers, ProgressPart progress, CellKeys keys, ReflectionCaster[] casters,
-            @Nullable RoughLobes[] lobes, int[] materialOf, int raysPerPoint, int lobeRays, PathMemory memory) {
+            @Nullable RoughLobes[] lobes, int[] materialOf, int raysPerPoint, int lobeRays, PathMemory memory,
+            @Nullable ReflectionMemo memo) {
         this.workers = workers;
         this.progress = progress;
         this.keys = keys;
@@ -67,6 +77,8 @@ public final class ReflectionPlacer {
         points = new ReflectionPoints(keys);
         steps = steps(lobes);
         this.lobeRays = lobeRays;
+        this.memo = memo;
+        foundAgain = new int[lobes.length];
         links = new ReflectionLinks(raysPerPoint, memory);
     }
 
@@ -105,10 +117,18 @@ public final class ReflectionPlacer {
      * Returns the paths of the points after {@link #place}, as {@link ReflectionPaths}. Call this once, after all surfels are found.
      *
      * @param surfelFilter of the surfels that gather light
+     * @param firstRay     as in {@link ReflectionOrigins}, with {@code partKeys}
      */
-    public ReflectionPaths paths(GlowShapes glows, int[] surfelOfDetail, PointFilter surfelFilter) {
+    public ReflectionPaths paths(GlowShapes glows, int[] surfelOfDetail, PointFilter surfelFilter, int[] firstRay, long[] partKeys) {
+        ReflectionOrigins origins = new ReflectionOrigins(Arrays.copyOf(points.seed, placed), Arrays.copyOf(inverseLengths, placed),
+                firstCopy, firstRay, partKeys);
         points.trim(placed);
-        return new ReflectionPaths(points, links, groups, requireNonNull(filter), steps, glows, surfelOfDetail, surfelFilter);
+        return new ReflectionPaths(points, links, groups, requireNonNull(filter), steps, glows, surfelOfDetail, surfelFilter, origins);
+    }
+
+    /** Returns the rays of the points, as they find surfels. */
+    public ReflectionRays rays(ReflectionCaster[] itsCasters, boolean details) {
+        return new ReflectionRays(points, links, itsCasters, details, memo, known);
     }
 
     private void placePoints(List<SeenSurfaces> levels) {
@@ -174,6 +194,7 @@ public final class ReflectionPlacer {
                 point[candidate] = points.count();
                 points.add(candidates, candidate, materialOf[candidates.surfaces.primitive[candidate]],
                         key(candidates, candidate, NONE, level));
+                addKnown(findKnown(points.count() - 1));
             }
         }
         cast(first, progress.section(level, LEVELS + 1));
@@ -186,9 +207,12 @@ public final class ReflectionPlacer {
      */
     private void addCopies(int[] copies) {
         int first = points.count();
+        firstCopy = new int[first];
         for (int p = 0; p < first; p++) {
+            firstCopy[p] = points.count();
             for (int k = 1; k <= copies[p]; k++) {
                 points.addCopy(p, ReflectionDirections.seed(points.seed[p], k));
+                addKnown(memo == null || known[p] == ReflectionMemo.NONE ? ReflectionMemo.NONE : memo.copy(known[p], k));
             }
         }
         cast(first, progress.section(LEVELS, LEVELS + 1));
@@ -200,11 +224,46 @@ public final class ReflectionPlacer {
         inverseLengths = Arrays.copyOf(inverseLengths, count);
         links.setPoints(count);
         points.sources.reserveNormals(count);
+        workers.run(Math.ceilDiv(count - first, BATCH), (worker, job) -> {
+            int from = first + job * BATCH;
+            int to = Math.min(count, from + BATCH);
+            casters[worker].findNormals(points, from, to);
+            for (int p = from; p < to; p++) {
+                if (known[p] != ReflectionMemo.NONE) {
+                    requireNonNull(memo).write(known[p], links, p);
+                    inverseLengths[p] = firstCopy.length == 0 ? memo.inverseLengths(known[p]) : 0;
+                }
+            }
+        }, progress.cancellationOnly());
+        int[] selected = IntStream.range(first, count).filter(p -> known[p] == ReflectionMemo.NONE).toArray();
+        raysCast += (long) selected.length * links.raysPerPoint();
         int batch = casters[0].pointsPerBatch();
-        workers.run(Math.ceilDiv(count - first, batch), (worker, job) -> {
-            int from = first + job * batch;
-            casters[worker].cast(points, from, Math.min(count, from + batch), links, inverseLengths);
+        workers.run(Math.ceilDiv(selected.length, batch), (worker, job) -> {
+            int from = job * batch;
+            casters[worker].cast(points, selected, from, Math.min(selected.length, from + batch), links, inverseLengths);
         }, part);
+    }
+
+    /** Returns the point of the memo that a new point is; {@link ReflectionMemo#NONE} for another one. Points come in the same order again. */
+    private int findKnown(int p) {
+        int m = points.material[p];
+        if (memo == null || foundAgain[m] == memo.count(m)) {
+            return ReflectionMemo.NONE;
+        }
+        int old = memo.point(m, foundAgain[m]);
+        if (!memo.isSame(old, points, p)) {
+            return ReflectionMemo.NONE;
+        }
+        foundAgain[m]++;
+        return old;
+    }
+
+    private void addKnown(int old) {
+        int p = points.count() - 1;
+        if (p >= known.length) {
+            known = Arrays.copyOf(known, Math.max(1024, 2 * p));
+        }
+        known[p] = old;
     }
 
     /** Sets the radius of a cell's point; returns whether the cell must be divided. */
@@ -218,6 +277,6 @@ public final class ReflectionPlacer {
 
     /** Returns the number of rays cast. */
     public long rayCount() {
-        return links.rayCount();
+        return raysCast;
     }
 }

@@ -5,14 +5,18 @@ import lightning.render.gather.cell.SurfaceColumns;
 import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.SurfelRays;
 import lightning.render.trace.HitRows;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Rays of reflection points, as they find surfels or parts of surfels.
  *
  * @param casters one for each thread
  * @param details whether they find parts
+ * @param memo    paths before an edit
+ * @param known   for each point that of the memo
  */
-public record ReflectionRays(ReflectionPoints reflecting, ReflectionLinks links, ReflectionCaster[] casters, boolean details)
+public record ReflectionRays(ReflectionPoints reflecting, ReflectionLinks links, ReflectionCaster[] casters, boolean details,
+        @Nullable ReflectionMemo memo, int[] known)
         implements SurfelRays {
     @Override
     public int points() {
@@ -47,7 +51,8 @@ public record ReflectionRays(ReflectionPoints reflecting, ReflectionLinks links,
 
     @Override
     public int knownSurfel(int worker, int ray) {
-        return RayLinks.MISS;
+        int point = known[ray / raysPerPoint()];
+        return memo == null || point == ReflectionMemo.NONE ? RayLinks.MISS : memo.surfel(point, ray % raysPerPoint(), details);
     }
 
     @Override

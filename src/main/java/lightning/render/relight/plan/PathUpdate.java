@@ -2,15 +2,13 @@ package lightning.render.relight.plan;
 
 import static java.util.Objects.requireNonNull;
 
-import java.util.Objects;
 import java.util.stream.IntStream;
 import lightning.render.cache.PixelCache;
-import lightning.render.lobe.RoughLobes;
+import lightning.render.gather.reflection.ReflectionMemo;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.ShapeChange;
 import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
-import lightning.scene.material.Material;
 
 /** Update of the paths of indirect light. */
 public enum PathUpdate {
@@ -46,14 +44,8 @@ public enum PathUpdate {
         boolean blurs = requireNonNull(cache.indirect()).structure().reflections() != null;
         return before == after || before.count() == after.count()
                 && IntStream.range(0, after.count()).allMatch(m -> mirrors(before, m) == mirrors(after, m) && before.hasSamePaths(m, after)
-                        && (!blurs || reflectAlike(before.material(m), after.material(m))))
+                        && (!blurs || ReflectionMemo.reflectAlike(before.material(m), after.material(m))))
                 && requireNonNull(cache.indirect()).structure().canServe(cache.geometry(), after);
-    }
-
-    /** Returns whether rays of blurred reflections start from and end at both materials in the same way. */
-    private static boolean reflectAlike(Material a, Material b) {
-        return a == b || Objects.equals(RoughLobes.of(a), RoughLobes.of(b)) && Objects.equals(a.mirrorTint(), b.mirrorTint())
-                && a.roughness() == b.roughness() && a.surfaceMaps().hasSameRoughness(b.surfaceMaps());
     }
 
     /** Returns whether a material mirrors or transmits light, even if the view casts reflected rays from all materials. */
