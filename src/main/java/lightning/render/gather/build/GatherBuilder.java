@@ -22,7 +22,6 @@ import lightning.render.gather.point.GatherPoints;
 import lightning.render.gather.point.PointFilter;
 import lightning.render.gather.point.PointGroups;
 import lightning.render.gather.ray.PathMemory;
-import lightning.render.gather.reflection.KnownSurfels;
 import lightning.render.gather.reflection.ReflectionCaster;
 import lightning.render.gather.reflection.ReflectionDirections;
 import lightning.render.gather.reflection.ReflectionFilter;
@@ -122,7 +121,7 @@ public final class GatherBuilder {
             memoTracers = itsTracers;
         }
         if (shapes == ShapeChange.NONE && settings.reflections()) {
-            reflectionMemo = ReflectionMemo.of(old, known, previous.materials(), geometry.materials(), seenGlows);
+            reflectionMemo = ReflectionMemo.of(old.reflections(), known.keys(), previous.materials(), geometry.materials(), seenGlows);
         }
         knownSurfels = memo == null && reflectionMemo == null ? null : known;
     }

@@ -7,7 +7,6 @@ import lightning.render.gather.cell.SurfaceColumns;
 import lightning.render.gather.ray.KnownRays;
 import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.RaySources;
-import lightning.render.gather.reflection.KnownSurfels;
 import lightning.render.gather.reflection.ReflectionPaths;
 import lightning.render.gather.rim.RimLinks;
 import lightning.render.trace.Geometry;
@@ -96,7 +95,7 @@ public final class PathMemo {
      * @param shapes   edit of the shapes
      * @param after    geometry after the edit
      */
-    public static @Nullable PathMemo of(GatherStructure before, KnownSurfels known, Geometry geometry, ShapeChange shapes, Geometry after,
+    static @Nullable PathMemo of(GatherStructure before, KnownSurfels known, Geometry geometry, ShapeChange shapes, Geometry after,
             CellKeys cells) {
         BoxSet changes =
                 shapes.visibleChanges().union(changedMaterials(geometry, geometry, after)).union(changedMaterials(after, geometry, after));

@@ -14,11 +14,9 @@ import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.RaySources;
 import lightning.render.gather.ray.SurfelRays;
 import lightning.render.gather.ray.TiltedNormals;
-import lightning.render.gather.reflection.KnownSurfels;
 import lightning.render.gather.reflection.ReflectionCaster;
 import lightning.render.gather.reflection.ReflectionLinks;
 import lightning.render.gather.reflection.ReflectionPlacer;
-import lightning.render.gather.reflection.ReflectionRays;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RayBatch;
 import org.jspecify.annotations.Nullable;
@@ -142,11 +140,11 @@ final class SurfelBuilder {
         surfelOfDetail = Arrays.stream(firsts).map(ray -> cells.number(rays.key(ray))).toArray();
         partKeys = Arrays.stream(firsts).mapToLong(rays::detailKey).toArray();
         near.clear(whole, surfels.count);
-        rays.finish(cells, details, surfels.count);
+        reflecting.finish(cells, details, surfels.count, progress.cancellationOnly());
     }
 
     /** Adds the surfels that rays of reflections find, as {@link #addSurfels}, and remembers these rays. */
-    private int[] addReflected(ReflectionRays rays, CellTable to) {
+    private int[] addReflected(SurfelRays rays, CellTable to) {
         int before = surfels.count;
         int[] firsts = addSurfels(rays, 0, to);
         int known = firstRay.length;
@@ -206,7 +204,7 @@ final class SurfelBuilder {
                 long seed = rays.seed(p);
                 for (int k = 0; k < perPoint; k++) {
                     int ray = p * perPoint + k;
-                    if (rays.isHit(ray) && known.number(rays.key(ray)) < 0) {
+                    if (rays.isHit(ray) && rays.mayBeFirst(ray) && known.number(rays.key(ray)) < 0) {
                         added.add(rays.key(ray), ray, rays.rank(p, seed, k));
                     }
                 }

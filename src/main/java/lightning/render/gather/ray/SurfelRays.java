@@ -11,6 +11,11 @@ public interface SurfelRays {
     /** Returns whether a ray meets a surfel. */
     boolean isHit(int ray);
 
+    /** Returns whether a ray that meets a surfel may be the one of the lowest rank; false only if it is known that another one is. */
+    default boolean mayBeFirst(int ray) {
+        return true;
+    }
+
     /** Returns the key of the cell that a ray hit. */
     long key(int ray);
 

@@ -4,6 +4,8 @@ import static java.util.Objects.requireNonNull;
 
 import java.io.IOException;
 import java.util.Arrays;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.gather.cell.CellTable;
@@ -21,6 +23,8 @@ public final class ReflectionLinks {
     public static final int BUILD_BYTES = 38;
     /** Step of weights: they are at most 2, the sum of a surface and its coat. */
     private static final float STEP = 0x1p-15f;
+    /** Rays whose numbers a thread finds together. */
+    private static final int BATCH = 1 << 14;
     private static final byte MISS = 0;
     private static final byte SURFEL = 1;
 
@@ -166,22 +170,43 @@ public final class ReflectionLinks {
     /**
      * Replaces keys by numbers and drops what only building needs.
      *
-     * @param cells   numbers of surfels
-     * @param details numbers of parts of surfels
-     * @param surfels number of all of them
+     * @param cells    numbers of surfels
+     * @param details  numbers of parts of surfels
+     * @param surfels  number of all of them
+     * @param repeated points of paths before an edit
      */
-    public void finish(CellTable cells, CellTable details, int surfels) {
+    void finish(CellTable cells, CellTable details, int surfels, RepeatedPoints repeated, WorkerPool workers, Progress progress) {
         number = new int[rays];
         weights = Arrays.copyOf(weights, rays);
-        for (int ray = 0; ray < rays; ray++) {
-            number[ray] = hit[ray] == MISS ? surfels + (int) keys[ray] : weights[ray] == 0 ? 0
-                    : (keys[ray] == detailKeys[ray] ? cells : details).number(detailKeys[ray]);
-        }
+        // Numbers of surfels of before the edit, and 1; many rays meet the same surfel. Threads may write one several times.
+        int[] known = new int[repeated.surfelCount()];
+        int batch = Math.max(1, BATCH / Math.max(1, raysPerPoint));
+        workers.run(Math.ceilDiv(points(), batch), (_, job) -> {
+            for (int p = job * batch; p < Math.min(points(), (job + 1) * batch); p++) {
+                boolean isKnown = repeated.isKnown(p);
+                for (int k = 0; k < raysPerPoint; k++) {
+                    int ray = p * raysPerPoint + k;
+                    if (hit[ray] == MISS) {
+                        number[ray] = surfels + (int) keys[ray];
+                    } else if (weights[ray] != 0) {
+                        int old = isKnown ? repeated.number(p, k) : 0;
+                        number[ray] = isKnown && known[old] > 0 ? known[old] - 1 : number(ray, cells, details);
+                        if (isKnown) {
+                            known[old] = number[ray] + 1;
+                        }
+                    }
+                }
+            }
+        }, progress);
         keys = new long[0];
         detailKeys = new long[0];
         hit = new byte[0];
         tints = tint == null ? null : RayTints.of(tint, rays);
         tint = null;
+    }
+
+    private int number(int ray, CellTable cells, CellTable details) {
+        return (keys[ray] == detailKeys[ray] ? cells : details).number(detailKeys[ray]);
     }
 
     /** Returns the surfel of a ray, or a number after all surfels if it meets the sky; 0 if the ray counts for nothing. */

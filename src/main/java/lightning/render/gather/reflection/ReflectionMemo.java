@@ -1,7 +1,6 @@
 package lightning.render.gather.reflection;
 
 import java.util.Objects;
-import lightning.render.gather.GatherStructure;
 import lightning.render.gather.cell.SurfaceColumns;
 import lightning.render.gather.glow.GlowShapes;
 import lightning.render.gather.ray.RayLinks;
@@ -20,26 +19,28 @@ public final class ReflectionMemo {
 
     private final ReflectionPaths before;
     private final ReflectionOrigins origins;
-    private final KnownSurfels surfels;
+    /** Key of the cell of each surfel; that of a part is unused. */
+    private final long[] surfelKeys;
     /** Points of each material, ascending; none if it does not reflect as before. */
     private final int[][] points;
 
-    private ReflectionMemo(ReflectionPaths before, KnownSurfels surfels, int[][] points) {
+    private ReflectionMemo(ReflectionPaths before, long[] surfelKeys, int[][] points) {
         this.before = before;
         origins = before.origins();
-        this.surfels = surfels;
+        this.surfelKeys = surfelKeys;
         this.points = points;
     }
 
     /**
      * Returns the paths of a picture with the same shapes and settings; null if rays of other materials may meet something else as well.
      *
-     * @param after materials after the edit
-     * @param glows objects that are shown glowing after it
+     * @param surfelKeys key of the cell of each surfel
+     * @param after      materials after the edit
+     * @param glows      objects that are shown glowing after it
      */
-    public static @Nullable ReflectionMemo of(GatherStructure structure, KnownSurfels surfels, MaterialTable materials, MaterialTable after,
+    public static @Nullable ReflectionMemo of(@Nullable ReflectionPaths before, long[] surfelKeys, MaterialTable materials,
+            MaterialTable after,
             GlowShapes glows) {
-        ReflectionPaths before = structure.reflections();
         if (before == null || materials.count() != after.count() || !before.glows().areSame(glows)) {
             return null;
         }
@@ -53,7 +54,7 @@ public final class ReflectionMemo {
             ReflectionGroup group = before.group(m);
             points[m] = group == null || !castAlike(old, now) ? new int[0] : group.number;
         }
-        return new ReflectionMemo(before, surfels, points);
+        return new ReflectionMemo(before, surfelKeys, points);
     }
 
     /** Returns whether rays of blurred reflections start from and end at both materials in the same way. */
@@ -115,7 +116,7 @@ public final class ReflectionMemo {
 
     /** Returns the number of surfels before the edit, with their parts. */
     int surfelCount() {
-        return surfels.keys().length;
+        return surfelKeys.length;
     }
 
     /** Returns the number of the surfel of which one is a part, or its own. */
@@ -126,30 +127,38 @@ public final class ReflectionMemo {
 
     /** Returns the key of the cell of a surfel or of that of which it is a part. */
     long key(int surfel) {
-        return surfels.keys()[whole(surfel)];
+        return surfelKeys[whole(surfel)];
     }
 
     /** Returns the key of a surfel's own part. */
     long partKey(int surfel) {
         int first = surfelCount() - before.surfelOfDetail().length;
-        return surfel < first ? surfels.keys()[surfel] : origins.partKeys()[surfel - first];
+        return surfel < first ? surfelKeys[surfel] : origins.partKeys()[surfel - first];
     }
 
     /**
-     * Returns the surfel before the edit that is the hit of a ray.
+     * Returns the surfel before the edit that a ray met.
      *
-     * @param known   known point or copy
-     * @param k       number of the ray among the point's
-     * @param isPart  whether parts of surfels are wanted
-     * @return {@link RayLinks#MISS} if the surfel is the hit of another ray
+     * @param isPart whether parts of surfels are wanted
+     * @return {@link RayLinks#MISS} if it met none
      */
-    int surfel(int known, int k, boolean isPart) {
-        int ray = known * before.links().raysPerPoint() + k;
-        int number = before.links().surfel(ray);
-        if (number >= surfelCount()) {
-            return RayLinks.MISS;
-        }
-        int surfel = isPart ? number : whole(number);
-        return origins.firstRay()[surfel] == ray ? surfel : RayLinks.MISS;
+    int surfel(int ray, boolean isPart) {
+        int number = number(ray);
+        return number >= surfelCount() ? RayLinks.MISS : isPart ? number : whole(number);
+    }
+
+    /** Returns the number of what a ray met: a surfel or, after all surfels, a cell of the sky. */
+    int number(int ray) {
+        return before.links().surfel(ray);
+    }
+
+    /** Returns the ray whose hit a surfel was; −1 for none. */
+    int firstRay(int surfel) {
+        return origins.firstRay()[surfel];
+    }
+
+    /** Returns the number of points with their copies. */
+    int pointCount() {
+        return before.links().points();
     }
 }

@@ -16,6 +16,7 @@ import lightning.render.gather.glow.GlowShapes;
 import lightning.render.gather.point.PointFilter;
 import lightning.render.gather.ray.InverseLengths;
 import lightning.render.gather.ray.PathMemory;
+import lightning.render.gather.ray.SurfelRays;
 import lightning.render.lobe.RoughLobes;
 import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
@@ -42,11 +43,7 @@ public final class ReflectionPlacer {
     private final @Nullable RoughLobes[] lobes;
     private final int[] materialOf;
     private final int lobeRays;
-    private final @Nullable ReflectionMemo memo;
-    /** Number of known points of each material that were found again. */
-    private final int[] foundAgain;
-    /** For each point the one of the memo, and for each copy the copy; {@link ReflectionMemo#NONE} for others. */
-    private int[] known = {};
+    private final RepeatedPoints repeated;
     private long raysCast;
     public final ReflectionPoints points;
     public final ReflectionLinks links;
@@ -77,8 +74,7 @@ public final class ReflectionPlacer {
         points = new ReflectionPoints(keys);
         steps = steps(lobes);
         this.lobeRays = lobeRays;
-        this.memo = memo;
-        foundAgain = new int[lobes.length];
+        repeated = new RepeatedPoints(memo, lobes.length, raysPerPoint);
         links = new ReflectionLinks(raysPerPoint, memory);
     }
 
@@ -126,9 +122,14 @@ public final class ReflectionPlacer {
         return new ReflectionPaths(points, links, groups, requireNonNull(filter), steps, glows, surfelOfDetail, surfelFilter, origins);
     }
 
+    /** Replaces keys by numbers, as {@link ReflectionLinks#finish}. */
+    public void finish(CellTable cells, CellTable details, int surfels, Progress part) {
+        links.finish(cells, details, surfels, repeated, workers, part);
+    }
+
     /** Returns the rays of the points, as they find surfels. */
-    public ReflectionRays rays(ReflectionCaster[] itsCasters, boolean details) {
-        return new ReflectionRays(points, links, itsCasters, details, memo, known);
+    public SurfelRays rays(ReflectionCaster[] itsCasters, boolean details) {
+        return new ReflectionRays(points, links, itsCasters, details, repeated);
     }
 
     private void placePoints(List<SeenSurfaces> levels) {
@@ -194,7 +195,7 @@ public final class ReflectionPlacer {
                 point[candidate] = points.count();
                 points.add(candidates, candidate, materialOf[candidates.surfaces.primitive[candidate]],
                         key(candidates, candidate, NONE, level));
-                addKnown(findKnown(points.count() - 1));
+                repeated.addPoint(points);
             }
         }
         cast(first, progress.section(level, LEVELS + 1));
@@ -212,7 +213,7 @@ public final class ReflectionPlacer {
             firstCopy[p] = points.count();
             for (int k = 1; k <= copies[p]; k++) {
                 points.addCopy(p, ReflectionDirections.seed(points.seed[p], k));
-                addKnown(memo == null || known[p] == ReflectionMemo.NONE ? ReflectionMemo.NONE : memo.copy(known[p], k));
+                repeated.addCopy(p, k);
             }
         }
         cast(first, progress.section(LEVELS, LEVELS + 1));
@@ -229,41 +230,19 @@ public final class ReflectionPlacer {
             int to = Math.min(count, from + BATCH);
             casters[worker].findNormals(points, from, to);
             for (int p = from; p < to; p++) {
-                if (known[p] != ReflectionMemo.NONE) {
-                    requireNonNull(memo).write(known[p], links, p);
-                    inverseLengths[p] = firstCopy.length == 0 ? memo.inverseLengths(known[p]) : 0;
+                if (repeated.isKnown(p)) {
+                    repeated.write(p, links);
+                    inverseLengths[p] = firstCopy.length == 0 ? repeated.inverseLengths(p) : 0;
                 }
             }
         }, progress.cancellationOnly());
-        int[] selected = IntStream.range(first, count).filter(p -> known[p] == ReflectionMemo.NONE).toArray();
+        int[] selected = IntStream.range(first, count).filter(p -> !repeated.isKnown(p)).toArray();
         raysCast += (long) selected.length * links.raysPerPoint();
         int batch = casters[0].pointsPerBatch();
         workers.run(Math.ceilDiv(selected.length, batch), (worker, job) -> {
             int from = job * batch;
             casters[worker].cast(points, selected, from, Math.min(selected.length, from + batch), links, inverseLengths);
         }, part);
-    }
-
-    /** Returns the point of the memo that a new point is; {@link ReflectionMemo#NONE} for another one. Points come in the same order again. */
-    private int findKnown(int p) {
-        int m = points.material[p];
-        if (memo == null || foundAgain[m] == memo.count(m)) {
-            return ReflectionMemo.NONE;
-        }
-        int old = memo.point(m, foundAgain[m]);
-        if (!memo.isSame(old, points, p)) {
-            return ReflectionMemo.NONE;
-        }
-        foundAgain[m]++;
-        return old;
-    }
-
-    private void addKnown(int old) {
-        int p = points.count() - 1;
-        if (p >= known.length) {
-            known = Arrays.copyOf(known, Math.max(1024, 2 * p));
-        }
-        known[p] = old;
     }
 
     /** Sets the radius of a cell's point; returns whether the cell must be divided. */

@@ -2,21 +2,18 @@ package lightning.render.gather.reflection;
 
 import lightning.render.gather.cell.CellKeys;
 import lightning.render.gather.cell.SurfaceColumns;
-import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.SurfelRays;
 import lightning.render.trace.HitRows;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Rays of reflection points, as they find surfels or parts of surfels.
  *
  * @param casters one for each thread
  * @param details whether they find parts
- * @param memo    paths before an edit
- * @param known   for each point that of the memo
+ * @param repeated points of paths before an edit
  */
-public record ReflectionRays(ReflectionPoints reflecting, ReflectionLinks links, ReflectionCaster[] casters, boolean details,
-        @Nullable ReflectionMemo memo, int[] known)
+record ReflectionRays(ReflectionPoints reflecting, ReflectionLinks links, ReflectionCaster[] casters, boolean details,
+        RepeatedPoints repeated)
         implements SurfelRays {
     @Override
     public int points() {
@@ -31,6 +28,11 @@ public record ReflectionRays(ReflectionPoints reflecting, ReflectionLinks links,
     @Override
     public boolean isHit(int ray) {
         return links.isHit(ray) && (!details || links.key(ray) != links.detailKey(ray));
+    }
+
+    @Override
+    public boolean mayBeFirst(int ray) {
+        return repeated.mayBeFirst(ray, details);
     }
 
     @Override
@@ -51,8 +53,7 @@ public record ReflectionRays(ReflectionPoints reflecting, ReflectionLinks links,
 
     @Override
     public int knownSurfel(int worker, int ray) {
-        int point = known[ray / raysPerPoint()];
-        return memo == null || point == ReflectionMemo.NONE ? RayLinks.MISS : memo.surfel(point, ray % raysPerPoint(), details);
+        return repeated.surfel(ray, details);
     }
 
     @Override

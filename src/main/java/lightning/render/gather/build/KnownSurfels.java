@@ -1,4 +1,4 @@
-package lightning.render.gather.reflection;
+package lightning.render.gather.build;
 
 import static java.util.Objects.requireNonNull;
 
@@ -14,11 +14,11 @@ import lightning.render.trace.ShapeChange;
  * @param places where they are; primitives have their new numbers, −1 for changed ones
  * @param keys   of the cells after the edit; of a part of a surfel, a key that is not its own
  */
-public record KnownSurfels(SurfaceColumns places, long[] keys) {
+record KnownSurfels(SurfaceColumns places, long[] keys) {
     // Arrays in a record: written once by the factory, never after.
 
     /** @param rows rows of the surfels, in the blocks of the structure */
-    public static KnownSurfels of(GatherStructure before, HitRows[] rows, ShapeChange shapes, CellKeys cells) {
+    static KnownSurfels of(GatherStructure before, HitRows[] rows, ShapeChange shapes, CellKeys cells) {
         int count = before.surfelCount();
         SurfaceColumns places = new SurfaceColumns(count);
         places.count = count;
