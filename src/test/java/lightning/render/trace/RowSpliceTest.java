@@ -20,6 +20,7 @@ import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.material.Anisotropy;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.ShadingModel;
@@ -143,6 +144,7 @@ class RowSpliceTest {
         for (int m = 0; m < MATERIALS; m++) {
             names.add("m" + m);
             materials.add(Material.of("m" + m).withModel(ShadingModel.PRINCIPLED).withRoughness(m == 1 ? 0 : random.nextInt(2))
+                    .withAnisotropy(new Anisotropy(0.5, 0))
                     .withTransmission(m == 1 ? Transmission.NONE.withColor(Rgb.WHITE) : Transmission.NONE)
                     .withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture))));
             for (MaterialAttribute<Optional<TextureMap>> map : MaterialAttribute.MAPS) {

@@ -42,7 +42,7 @@ record MaterialDifference(MaterialTable before, MaterialTable after) {
 
     private boolean changesTexture(int m) {
         // Shapes with their own colors may have joined or left a material without a visible change here.
-        return differs(MaterialTerm.TEXEL, m) || differs(MaterialTerm.HIGHLIGHT_TEXEL, m) || before.isTextured(m) != after.isTextured(m);
+        return differs(MaterialTerm.TEXEL, m) || differs(MaterialTerm.HIGHLIGHT_TEXEL, m) || !before.texels(m).equals(after.texels(m));
     }
 
     private boolean differs(MaterialTerm term, int m) {

@@ -1,5 +1,6 @@
 package lightning.render.shading.explanation;
 
+import lightning.render.shading.AnisotropicHighlight;
 import lightning.render.shading.LightingEquation;
 import lightning.render.shading.PrincipledMaterial;
 import lightning.render.shading.PrincipledWeights;
@@ -34,7 +35,7 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
     }
 
     private float coatedSpecular() {
-        float specular = metallicSpecular(Material.alpha(hit.roughness()));
+        float specular = baseSpecular(Material.alpha(hit.roughness()));
         PrincipledMaterial coated = coated();
         return coated == null ? specular : specular * weights(coated).base();
     }
@@ -49,13 +50,30 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
     }
 
     private float coatedGrazing() {
-        float grazing = metallicGrazing(Material.alpha(hit.roughness()));
+        float grazing = baseGrazing(Material.alpha(hit.roughness()));
         PrincipledMaterial coated = coated();
         if (coated == null) {
             return grazing;
         }
         double alpha = materials.material(hit.material()).coat().alpha();
         return weights(coated).coatedGrazing(coated, grazing, metallicSpecular(alpha), metallicGrazing(alpha));
+    }
+
+    private @Nullable AnisotropicHighlight highlight() {
+        PrincipledMaterial material = PrincipledMaterial.of(materials.material(hit.material()));
+        return material == null ? null : material.highlight();
+    }
+
+    private float baseSpecular(double alpha) {
+        AnisotropicHighlight highlight = highlight();
+        return highlight == null ? metallicSpecular(alpha)
+                : equation.anisotropicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), hit.tangent(), highlight, alpha);
+    }
+
+    private float baseGrazing(double alpha) {
+        AnisotropicHighlight highlight = highlight();
+        return highlight == null ? metallicGrazing(alpha)
+                : equation.anisotropicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), hit.tangent(), highlight, alpha);
     }
 
     private float metallicSpecular(double alpha) {

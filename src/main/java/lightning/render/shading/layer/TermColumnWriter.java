@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
 import lightning.render.shading.AngularMask;
+import lightning.render.shading.AnisotropicHighlight;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.PrincipledMaterial;
 import lightning.render.shading.PrincipledWeights;
@@ -29,7 +30,7 @@ final class TermColumnWriter {
     /** For each material whether its diffuse term is less than the cosine. */
     private final boolean[] losesDiffuse;
     private final PrincipledWeights weights = new PrincipledWeights();
-    /** Widths of the highlights of rows with a roughness map. */
+    /** Widths of the highlights of rows with a roughness map or an anisotropic material. */
     private final double[] widths;
     private final float[] coatSpecular;
     private final float[] coatGrazing;
@@ -46,7 +47,7 @@ final class TermColumnWriter {
         for (int m = 0; m < losesDiffuse.length; m++) {
             losesDiffuse[m] = materials.isMetallic(m) && !materials.isPrincipled(m);
         }
-        boolean isMapped = Arrays.stream(principledMaterials).anyMatch(m -> m != null && m.hasRoughnessMap());
+        boolean isMapped = Arrays.stream(principledMaterials).anyMatch(m -> m != null && (m.hasRoughnessMap() || m.highlight() != null));
         widths = new double[isMapped ? TermKernel.MAX_ROWS : 0];
         boolean isCoated = Arrays.stream(principledMaterials).anyMatch(m -> m != null && m.coat() != null);
         coatSpecular = new float[isCoated ? TermKernel.MAX_ROWS : 0];
@@ -126,7 +127,9 @@ final class TermColumnWriter {
             if (materials.isMetallic(material)) {
                 assert grazing != null;
                 PrincipledMaterial principled = principledMaterials[material];
-                if (principled != null && principled.hasRoughnessMap()) {
+                if (principled != null && principled.highlight() != null) {
+                    writeAnisotropic(rows, r, queried, principled, principled.highlight(), column, grazing);
+                } else if (principled != null && principled.hasRoughnessMap()) {
                     writeMappedSpeculars(rows, r, queried, principled, column, grazing);
                 } else {
                     terms.metallicSpeculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.alpha(material), column, grazing);
@@ -145,10 +148,24 @@ final class TermColumnWriter {
 
     private void writeMappedSpeculars(HitRows rows, int run, int[] queried, PrincipledMaterial material, float[] specular,
             float[] grazing) {
+        writeMappedWidths(rows, run, material);
+        terms.metallicSpeculars(rows, rows.runStart(run), rows.runEnd[run], queried, widths, specular, grazing);
+    }
+
+    private void writeMappedWidths(HitRows rows, int run, PrincipledMaterial material) {
         for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
             widths[i] = material.mappedAlpha(rows, i);
         }
-        terms.metallicSpeculars(rows, rows.runStart(run), rows.runEnd[run], queried, widths, specular, grazing);
+    }
+
+    private void writeAnisotropic(HitRows rows, int run, int[] queried, PrincipledMaterial material, AnisotropicHighlight highlight,
+            float[] specular, float[] grazing) {
+        if (material.hasRoughnessMap()) {
+            writeMappedWidths(rows, run, material);
+        } else {
+            Arrays.fill(widths, rows.runStart(run), rows.runEnd[run], material.material().alpha());
+        }
+        terms.anisotropicSpeculars(rows, rows.runStart(run), rows.runEnd[run], queried, highlight, widths, specular, grazing);
     }
 
     /** Changes the terms of a surface to those of the surface below its coat and of the coat, whose reflection has no color. */

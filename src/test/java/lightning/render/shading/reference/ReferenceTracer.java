@@ -401,9 +401,12 @@ public final class ReferenceTracer {
         if (!materials.isMetallic(hit.material())) {
             return 0;
         }
-        float grazing =
-                equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), Material.alpha(hit.roughness()));
         PrincipledMaterial principled = PrincipledMaterial.of(materials.material(hit.material()));
+        double surface = Material.alpha(hit.roughness());
+        float grazing = principled == null || principled.highlight() == null
+                ? equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), surface)
+                : equation.anisotropicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), hit.tangent(),
+                        principled.highlight(), surface);
         if (principled == null || principled.coat() == null) {
             return grazing;
         }
@@ -438,9 +441,12 @@ public final class ReferenceTracer {
 
     private float specular(LightingEquation equation, SurfacePoint hit) {
         if (materials.isMetallic(hit.material())) {
-            float specular =
-                    equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), Material.alpha(hit.roughness()));
             PrincipledMaterial principled = PrincipledMaterial.of(materials.material(hit.material()));
+            double alpha = Material.alpha(hit.roughness());
+            float specular = principled == null || principled.highlight() == null
+                    ? equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha)
+                    : equation.anisotropicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), hit.tangent(),
+                            principled.highlight(), alpha);
             return principled == null || principled.coat() == null ? specular : specular * weights(principled, hit).base();
         }
         return equation.specular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.shininess(hit.material()));
