@@ -29,8 +29,8 @@ import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
 import lightning.scene.light.Switches;
 import lightning.scene.material.AlphaCutout;
-import lightning.scene.material.Bulb;
 import lightning.scene.material.Anisotropy;
+import lightning.scene.material.Bulb;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
@@ -58,7 +58,8 @@ class AttributePropertiesTest {
                     entry("Cone.dropoff", "edge falloff"), entry("Cone.doors", "barn doors"), entry("Cone.profile", "IES profile"),
                     entry("AreaShape.up", "roll axis"), entry("AreaShape.visibility", "visible to camera"),
                     entry("Transmission.ior", "IOR"), entry("Anisotropy.strength", "anisotropy"),
-                    entry("Anisotropy.rotation", "anisotropy rotation"), entry("Coat.weight", "coat"), entry("Coat.roughness", "coat roughness"),
+                    entry("Anisotropy.rotation", "anisotropy rotation"), entry("Coat.weight", "coat"),
+                    entry("Coat.roughness", "coat roughness"),
                     entry("Coat.ior", "coat IOR"), entry("Sheen.color", "sheen"), entry("Sheen.roughness", "sheen roughness"),
                     entry("Emission.unit", "intensity unit"),
                     entry("Contribution.diffuse", "diffuse gain"), entry("Contribution.specular", "specular gain"),
