@@ -19,7 +19,7 @@ public record Anisotropy(double strength, double rotation) implements Anisotropy
     private static final double STRETCH = 0.9;
 
     private double aspect() {
-        return Math.sqrt(1 - STRETCH * strength);
+        return Math.sqrt(ratio(strength));
     }
 
     /** Returns the width along the direction, at most 1. @param alpha α of the roughness */
@@ -30,6 +30,11 @@ public record Anisotropy(double strength, double rotation) implements Anisotropy
     /** Returns the width across the direction, at least that of the smallest roughness. @param alpha α of the roughness */
     public double across(double alpha) {
         return Math.max(Material.alpha(0), alpha * aspect());
+    }
+
+    /** Returns the width across the direction divided by that along it. @param strength 0 … 1 */
+    public static double ratio(double strength) {
+        return 1 - STRETCH * strength;
     }
 
     /**

@@ -32,6 +32,7 @@ record MaterialDifference(MaterialTable before, MaterialTable after) {
 
     private boolean changesSpecular(int m) {
         return changesModel(m) || before.isPrincipled(m) != after.isPrincipled(m) || before.isSpecular(m) != after.isSpecular(m)
+                || before.material(m).isAnisotropic() != after.material(m).isAnisotropic()
                 || before.material(m).f0UnderSheen() != after.material(m).f0UnderSheen()
                 || after.isSpecular(m) && (differs(MaterialTerm.HIGHLIGHT, m) || differs(MaterialTerm.HIGHLIGHT_TEXEL, m));
     }
