@@ -39,10 +39,16 @@ public final class MeshSolid {
         float[] known = vertexTangents;
         if (known == null) {
             // Threads that come at the same time compute the same.
-            known = VertexTangents.of(mesh);
+            known = VertexTangents.of(mesh, size());
             vertexTangents = known;
         }
         return known;
+    }
+
+    /** Returns the largest side of the mesh's box. */
+    private double size() {
+        float[] b = tree.bounds;
+        return Math.max((double) b[3] - b[0], Math.max((double) b[4] - b[1], (double) b[5] - b[2]));
     }
 
     /** Returns one coordinate of the middle of the mesh's box. */
