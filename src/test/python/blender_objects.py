@@ -48,7 +48,8 @@ assert before == ([state(obj) for obj in scene.objects], [tuple(shader.inputs[na
 edit("Copy.at=1 2 3", "Copy.scale=1 2 3", f"{material.name}.base=0.1 0.2 0.3", f"{material.name}.metalness=0.75",
      f"{material.name}.roughness=0.25", f"{material.name}.glow=2 1 0", f"{material.name}.coat=0.5",
      f"{material.name}.coat_roughness=0.125", f"{material.name}.coat_ior=1.75",
-     f"{material.name}.sheen=0.5 0.25 0", f"{material.name}.sheen_roughness=0.375")
+     f"{material.name}.sheen=0.5 0.25 0", f"{material.name}.sheen_roughness=0.375",
+     f"{material.name}.anisotropy=0.5", f"{material.name}.anisotropy_rotation=90")
 assert_near(copy.location, (1, -3, 2), "location")
 assert_near(copy.scale, (1, 3, 2), "scale")
 assert_near(shader.inputs["Base Color"].default_value, (0.1, 0.2, 0.3, 1), "base color")
@@ -57,6 +58,7 @@ assert_near(shader.inputs["Emission Color"].default_value, (1, 0.5, 0, 1), "emis
 assert_near([shader.inputs[name].default_value for name in ("Coat Weight", "Coat Roughness", "Coat IOR")], (0.5, 0.125, 1.75), "coat")
 assert_near([*shader.inputs["Sheen Tint"].default_value, shader.inputs["Sheen Weight"].default_value, shader.inputs["Sheen Roughness"].default_value],
             (1, 0.5, 0, 1, 0.5, 0.375), "sheen")
+assert_near([shader.inputs[name].default_value for name in ("Anisotropic", "Anisotropic Rotation")], (0.5, 0.25), "anisotropy")
 assert bpy.ops.lightning.send(filepath=str(FILE)) == {"FINISHED"}
 assert "coat 0.5" in FILE.read_text(encoding="utf-8") and "coat_ior 1.75" in FILE.read_text(encoding="utf-8"), "coat, sent again"
 assert "sheen 0.5 0.25 0\n" in FILE.read_text(encoding="utf-8") and "sheen_roughness 0.375" in FILE.read_text(encoding="utf-8"), "sheen, sent again"

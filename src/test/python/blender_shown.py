@@ -263,6 +263,10 @@ def shaders() -> None:
     silk = bpy.data.materials.new("silk")
     for name, value in (("Sheen Weight", 0.5), ("Sheen Tint", (1, 0.5, 0.25, 1)), ("Sheen Roughness", 0.25)):
         silk.node_tree.nodes["Principled BSDF"].inputs[name].default_value = value
+    steel = bpy.data.materials.new("steel")
+    for name, value in (("Anisotropic", 0.5), ("Anisotropic Rotation", 0.125)):
+        steel.node_tree.nodes["Principled BSDF"].inputs[name].default_value = value
+    cube("steel", (-15, 0, 0)).data.materials.append(steel)
     cube("silk", (-12, 0, 0)).data.materials.append(silk)
     skin = bpy.data.materials.new("skin")
     skin.node_tree.nodes["Principled BSDF"].inputs["Subsurface Weight"].default_value = 0.5

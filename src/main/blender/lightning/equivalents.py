@@ -110,10 +110,14 @@ class _Reader:
 
     def _glossy(self, node, path: tuple) -> Lobes:
         name = "Base Color" if "Base Color" in node.inputs else "Color"
-        if self._number(node.inputs["Anisotropy"], path) != 0:
-            self._lose("anisotropy")
-        return self._linked(node, path, Lobes(metal=self._color(node.inputs[name], path), roughness=self._share(node, "Roughness", path)),
-                            {name: "Base Color", "Roughness": "Roughness"})
+        strength, turns = self._number(node.inputs["Anisotropy"], path) or 0.0, self._number(node.inputs["Rotation"], path) or 0.0
+        if name == "Color":
+            # This node's widths are alpha * (1 - a) along the tangent and alpha / (1 - a) across it, or the other way round below 0.
+            turns = (turns + 0.25) % 1 if strength > 0 else turns
+            strength = min((1 - (1 - min(abs(strength), 0.99)) ** 2) / 0.9, 1.0)
+        lobes = Lobes(metal=self._color(node.inputs[name], path), roughness=self._share(node, "Roughness", path), anisotropy=min(max(strength, 0.0), 1.0),
+                      anisotropy_rotation=turns)
+        return self._linked(node, path, lobes, {name: "Base Color", "Roughness": "Roughness"})
 
     def _glass(self, node, path: tuple) -> Lobes:
         index = self._number(node.inputs["IOR"], path) or 1.5
@@ -156,7 +160,8 @@ class _Reader:
                        times(self._color(value["Emission Color"], path), 1.0 if glow is None else max(glow, 0.0)),
                        times(self._color(value["Specular Tint"], path), f0), self._share(node, "Alpha", path), self._share(node, "Roughness", path), index,
                        self._share(node, "Coat Weight", path), self._share(node, "Coat Roughness", path), self._number(value["Coat IOR"], path) or 1.5,
-                       times(self._color(value["Sheen Tint"], path), self._share(node, "Sheen Weight", path)), self._share(node, "Sheen Roughness", path))
+                       times(self._color(value["Sheen Tint"], path), self._share(node, "Sheen Weight", path)), self._share(node, "Sheen Roughness", path),
+                       self._share(node, "Anisotropic", path), self._number(value["Anisotropic Rotation"], path) or 0.0)
         return self._linked(node, path, result, {name: name for name in ("Base Color", "Metallic", "Roughness", "Alpha", "Emission Color")})
 
     def _linked(self, node, path: tuple, lobes: Lobes, names: dict[str, str]) -> Lobes:
@@ -227,7 +232,7 @@ def _build(tree, output, lobes: Lobes) -> None:
         "Specular IOR Level": min(level, 1.0), "Specular Tint": (*times(f0, max(level, 1.0) / max(f0)), 1) if max(f0) > 0 else (1, 1, 1, 1),
         "Coat Weight": lobes.coat, "Coat Roughness": lobes.coat_roughness, "Coat IOR": lobes.coat_index,
         "Sheen Weight": sheen, "Sheen Tint": (*times(lobes.sheen, 1 / max(lobes.sheen)), 1) if sheen > 0 else (1, 1, 1, 1),
-        "Sheen Roughness": lobes.sheen_roughness,
+        "Sheen Roughness": lobes.sheen_roughness, "Anisotropic": lobes.anisotropy, "Anisotropic Rotation": lobes.anisotropy_rotation,
         "Emission Color": (*times(lobes.emitted, 1 / strength), 1), "Emission Strength": strength if any(lobes.emitted) else 0.0,
     }
     for name, value in values.items():

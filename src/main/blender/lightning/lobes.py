@@ -26,6 +26,9 @@ class Lobes:
     coat_index: float = 1.5
     sheen: tuple = BLACK
     sheen_roughness: float = 0.5
+    anisotropy: float = 0.0
+    # Turns.
+    anisotropy_rotation: float = 0.0
     # Sockets that give a color, a roughness, … by its socket of a Principled BSDF, with the weight of the shader that has it.
     links: dict = field(default_factory=dict)
 
@@ -82,7 +85,8 @@ def total(a: Lobes, b: Lobes, first: float, second: float) -> Lobes:
     result = Lobes(*(colors(name) for name in ("diffuse", "metal", "transmitted", "emitted", "f0")), roughness=average("roughness", *shines),
                    index=average("index", first * mean(a.transmitted), second * mean(b.transmitted)), coat=sum(coats),
                    opacity=first * a.opacity + second * b.opacity, coat_roughness=average("coat_roughness", *coats), coat_index=average("coat_index", *coats),
-                   sheen=colors("sheen"), sheen_roughness=average("sheen_roughness", *sheens))
+                   sheen=colors("sheen"), sheen_roughness=average("sheen_roughness", *sheens), anisotropy=average("anisotropy", *shines),
+                   anisotropy_rotation=(a if shines[0] * a.anisotropy >= shines[1] * b.anisotropy else b).anisotropy_rotation)
     for lobes, weight in ((a, first), (b, second)):
         for name, (socket, strength) in lobes.links.items():
             if weight * strength > result.links.get(name, (None, 0.0))[1]:

@@ -43,8 +43,8 @@ def add_glass(root: dict, shapes: list, messages: list[str]) -> None:
 
 
 def add_reflections(entry: dict, material) -> None:
-    """Adds to an exported material what Blender's exporter writes otherwise: its index, those of its coat, its sheen, and a
-    level of its reflection."""
+    """Adds to an exported material what Blender's exporter writes otherwise: its index, those of its coat, its sheen, its
+    anisotropy, and a level of its reflection."""
     node = model.principled(material) if material is not None else None
     if node is not None and not node.inputs["IOR"].is_linked and node.inputs["IOR"].default_value != 1.5:
         # The exporter writes it only beside other extensions.
@@ -64,6 +64,12 @@ def add_reflections(entry: dict, material) -> None:
             sheen["sheenColorFactor"] = [node.inputs["Sheen Weight"].default_value * c for c in sheen.get("sheenColorFactor", (0, 0, 0))]
         if not node.inputs["Sheen Roughness"].is_linked:
             sheen["extras"] = {"roughness": node.inputs["Sheen Roughness"].default_value}
+    anisotropy = extensions.get("KHR_materials_anisotropy")
+    if anisotropy is not None and node is not None and not node.inputs["Anisotropic"].is_linked:
+        # Blender's exporter writes its number as that of glTF, which has another formula.
+        anisotropy["extras"] = {"anisotropy": node.inputs["Anisotropic"].default_value}
+        if not node.inputs["Anisotropic Rotation"].is_linked:
+            anisotropy["anisotropyRotation"] = 2 * math.pi * node.inputs["Anisotropic Rotation"].default_value
     specular = extensions.get("KHR_materials_specular", {})
     if 0 < specular.get("specularFactor", 0) < 1:
         # A level below 1 leaves the reflection at grazing angles, but a factor of glTF does not.

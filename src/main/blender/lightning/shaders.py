@@ -9,10 +9,11 @@ from .left_out import listed
 # Shaders that are exported as they are if they are all of a surface.
 EXPORTED = {"ShaderNodeBsdfPrincipled", "ShaderNodeBsdfGlass", "ShaderNodeBsdfRefraction"}
 # Sockets of a Principled BSDF for what no material of Lightning has.
-MISSING = {"Anisotropic": "anisotropy", "Subsurface Weight": "subsurface scattering, sent as diffuse",
+MISSING = {"Subsurface Weight": "subsurface scattering, sent as diffuse",
            "Thin Film Thickness": "thin films"}
 # Sockets whose textures are left out.
 SHEEN = ("Sheen Weight", "Sheen Tint", "Sheen Roughness")
+ANISOTROPY = ("Anisotropic", "Anisotropic Rotation")
 
 
 def is_exported(kinds: dict[str, str]) -> bool:
@@ -48,7 +49,19 @@ def _missing(material) -> list[str]:
         return []
     found = [title for name, title in MISSING.items() if node.inputs[name].is_linked or node.inputs[name].default_value != 0]
     textures = ["textures of sheen"] if any(node.inputs[name].is_linked for name in SHEEN) else []
+    textures += ["textures of anisotropy"] if any(node.inputs[name].is_linked for name in ANISOTROPY) else []
+    textures += ["tangent of its anisotropy, which is that of the UV map"] if _has_other_tangent(material, node) else []
     return found + textures + (["colors of coats"] if _has_coat_color(node) else [])
+
+
+def _has_other_tangent(material, node) -> bool:
+    """Returns whether anisotropy has a direction that does not follow the UV map of an object."""
+    strength, links = node.inputs["Anisotropic"], node.inputs["Tangent"].links
+    if not strength.is_linked and strength.default_value == 0:
+        return False
+    if links and links[0].from_node.bl_idname == "ShaderNodeTangent" and links[0].from_node.direction_type == "UV_MAP":
+        return False
+    return bool(links) or any(o.type == "MESH" and o.data.uv_layers and material.name in o.data.materials for o in bpy.data.objects)
 
 
 def _has_coat_color(node) -> bool:

@@ -8,7 +8,8 @@ from . import model
 # Sockets of a Principled BSDF for each attribute of Lightning's materials.
 SOCKETS = {"base": ("Base Color",), "metalness": ("Metallic",), "roughness": ("Roughness",), "glow": ("Emission Color", "Emission Strength"),
            "ior": ("IOR",), "coat": ("Coat Weight",), "coat_roughness": ("Coat Roughness",), "coat_ior": ("Coat IOR",),
-           "sheen": ("Sheen Weight", "Sheen Tint"), "sheen_roughness": ("Sheen Roughness",)}
+           "sheen": ("Sheen Weight", "Sheen Tint"), "sheen_roughness": ("Sheen Roughness",), "anisotropy": ("Anisotropic",),
+           "anisotropy_rotation": ("Anisotropic Rotation",)}
 
 
 def send(remembered: dict) -> list[dict]:
@@ -83,6 +84,9 @@ def _show(material, key: str, value) -> bool:
         weight = max(value)
         sockets[0].default_value = weight
         sockets[1].default_value = (*(v / weight for v in value), 1) if weight > 0 else (1, 1, 1, 1)
+    elif key == "anisotropy_rotation":
+        # Blender's number is a share of a turn.
+        sockets[0].default_value = value / 360 % 1
     elif key == "base":
         sockets[0].default_value = (*value, sockets[0].default_value[3])
     else:

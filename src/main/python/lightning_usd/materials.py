@@ -96,7 +96,7 @@ class Materials:
             if kind in SURFACES:
                 self.out.note("MaterialX surfaces, without their less common inputs")
                 self.note_missing(material, shader)
-                return self.keep(material, self.materialx(shader, SURFACES[kind]))
+                return self.keep(material, self.materialx(shader, kind))
         self.out.note("materials without a UsdPreviewSurface, imported as gray or in their display color")
         return -1
 
@@ -114,9 +114,10 @@ class Materials:
         result["presence"] = bool(mode) and mode.Get() == "presence"
         return result
 
-    def materialx(self, shader: UsdShade.Shader, names: dict[str, tuple[str, Any]]) -> dict[str, Any]:
+    def materialx(self, shader: UsdShade.Shader, kind: str) -> dict[str, Any]:
         """Returns a MaterialX surface as a UsdPreviewSurface."""
-        result: dict[str, Any] = {"textures": {}}
+        result: dict[str, Any] = {"textures": {}, "surface": kind.removeprefix("ND_").removesuffix("_surfaceshader")}
+        names = SURFACES[kind]
         for target, (name, fallback) in names.items():
             self.resolve(shader, name, target, fallback, result)
         result["isFuzz"] = int("fuzz_weight" in [name for name, _ in names.values()])

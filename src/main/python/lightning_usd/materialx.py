@@ -15,7 +15,7 @@ STANDARD = {
     "clearcoatRoughness": ("coat_roughness", 0.1), "clearcoatIor": ("coat_IOR", 1.5), "specular": ("specular", 1.0),
     "specularTint": ("specular_color", WHITE),
     "opacity": ("opacity", WHITE), "normal": ("normal", None), "sheen": ("sheen", 0.0), "sheenColor": ("sheen_color", WHITE),
-    "sheenRoughness": ("sheen_roughness", 0.3),
+    "sheenRoughness": ("sheen_roughness", 0.3), "anisotropy": ("specular_anisotropy", 0.0), "anisotropyRotation": ("specular_rotation", 0.0),
 }
 OPEN_PBR = {
     "diffuseColor": ("base_color", [0.8] * 3), "weight": ("base_weight", 1.0), "metallic": ("base_metalness", 0.0),
@@ -26,7 +26,7 @@ OPEN_PBR = {
     "clearcoatRoughness": ("coat_roughness", 0.0), "clearcoatIor": ("coat_ior", 1.6), "specular": ("specular_weight", 1.0),
     "specularTint": ("specular_color", WHITE), "opacity": ("geometry_opacity", 1.0),
     "normal": ("geometry_normal", None), "sheen": ("fuzz_weight", 0.0), "sheenColor": ("fuzz_color", WHITE),
-    "sheenRoughness": ("fuzz_roughness", 0.5),
+    "sheenRoughness": ("fuzz_roughness", 0.5), "anisotropy": ("specular_roughness_anisotropy", 0.0),
 }
 GLTF_PBR = {
     "diffuseColor": ("base_color", WHITE), "metallic": ("metallic", 1.0), "roughness": ("roughness", 1.0), "ior": ("ior", 1.5),
@@ -34,16 +34,19 @@ GLTF_PBR = {
     "clearcoat": ("clearcoat", 0.0), "clearcoatRoughness": ("clearcoat_roughness", 0.0),
     "specular": ("specular", 1.0), "specularTint": ("specular_color", WHITE), "opacity": ("alpha", 1.0), "alphaMode": ("alpha_mode", 0.0),
     "opacityThreshold": ("alpha_cutoff", 0.5), "normal": ("normal", None), "sheenColor": ("sheen_color", [0.0] * 3), "sheenRoughness": ("sheen_roughness", 0.0),
+    "anisotropy": ("anisotropy_strength", 0.0), "anisotropyRotation": ("anisotropy_rotation", 0.0),
 }
 SURFACES = {"ND_standard_surface_surfaceshader": STANDARD, "ND_open_pbr_surface_surfaceshader": OPEN_PBR,
             "ND_gltf_pbr_surfaceshader": GLTF_PBR}
 # What no material of a scene has: its inputs, and the value without effect.
-MISSING = {"anisotropy": (("specular_anisotropy", "coat_anisotropy", "specular_roughness_anisotropy", "coat_roughness_anisotropy"), 0.0),
+MISSING = {"anisotropy of coats": (("coat_anisotropy", "coat_roughness_anisotropy"), 0.0),
+           "directions of anisotropy (geometry_tangent)": (("geometry_tangent", "tangent"), None),
            "thin films": (("thin_film_thickness", "thin_film_weight", "iridescence"), 0.0),
            "diffuse roughness": (("diffuse_roughness", "base_diffuse_roughness"), 0.0), "colors of coats": (("coat_color",), 1.0),
            "normal maps of coats": (("coat_normal", "geometry_coat_normal", "clearcoat_normal"), None)}
 # Inputs of these that another one switches on.
-WEIGHTS = {"coat_color": ("coat", "coat_weight"), "thin_film_thickness": ("thin_film_weight",), "coat_normal": ("coat",),
+WEIGHTS = {"coat_anisotropy": ("coat",), "coat_roughness_anisotropy": ("coat_weight",),
+           "geometry_tangent": ("specular_roughness_anisotropy",), "tangent": ("specular_anisotropy", "anisotropy_strength"), "coat_color": ("coat", "coat_weight"), "thin_film_thickness": ("thin_film_weight",), "coat_normal": ("coat",),
            "geometry_coat_normal": ("coat_weight",), "clearcoat_normal": ("clearcoat",)}
 # Nodes of the surface's own directions.
 DIRECTIONS = ("ND_normal_", "ND_tangent_", "ND_bitangent_", "ND_geompropvalue_")

@@ -149,6 +149,7 @@ final class EffectsCommand implements Callable<Integer> {
         return switch (part) {
             case HIT -> "point, normal, view, position";
             case TEXEL -> "texture colors";
+            case TANGENT -> "tangents";
             case PATTERN -> "anti-aliasing";
             case OWNER -> "shape of each row";
             case TRANSPARENT -> "seen through transparent surfaces";

@@ -15,6 +15,7 @@ import lightning.sample.PythonPrograms;
 import lightning.sample.Slow;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
+import lightning.scene.material.Anisotropy;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.material.Sheen;
@@ -204,6 +205,10 @@ class BlenderShownTest {
         assertThat(material(scene, "velvet").albedo()).isEqualTo(brown);
         assertThat(material(scene, "velvet").sheen()).isEqualTo(new Sheen(new Rgb(1, 0.5, 0.25), 0.375));
         assertThat(material(scene, "silk").sheen()).isEqualTo(new Sheen(new Rgb(0.5, 0.25, 0.125), 0.25));
+        // Widths of 1 ± 0.5 in other terms: their ratio is 1/4.
+        assertThat(material(scene, "brush").anisotropy().strength()).isCloseTo(0.75 / 0.9, within());
+        assertThat(material(scene, "brush").anisotropy().rotation()).isCloseTo(90, within());
+        assertThat(material(scene, "steel").anisotropy()).isEqualTo(new Anisotropy(0.5, 45));
         // Half of the level of plastic, ((1.5 - 1) / (1.5 + 1))².
         assertThat(material(scene, "skin").f0()).isCloseTo(0.02, within());
     }
@@ -226,7 +231,7 @@ class BlenderShownTest {
         send("shaders");
         assertThat(messages()).contains("displacement is not sent: rough",
                 "shaders are not sent exactly: leaf (Translucent BSDF, sent as diffuse), "
-                        + "brush (anisotropy), skin (subsurface scattering, sent as diffuse)");
+                        + "skin (subsurface scattering, sent as diffuse)");
     }
 
     @Test

@@ -90,6 +90,17 @@ public final class IndirectScenes {
                                         sphere bulb { material neon  at -0.1 0.2 0.4  scale 0.1 0.1 0.1 }
                                         """,
                         new IndirectSettings(2, 16, 4, false)));
+        scenes.put("brushed metal",
+                scene("size 32 24  depth 2",
+                        CAMERA + PRINCIPLED + ROOM + LAMP
+                                + """
+                                        material brushed { model principled  base 0.9 0.7 0.3  metalness 1  roughness 0.3  anisotropy 0.8  anisotropy_rotation 20 }
+                                        material grooved { model principled  base 0.1 0.2 0.8  roughness 0.5  anisotropy 1  coat 0.5  coat_roughness 0.2  sheen 0.2 0.2 0.2 }
+                                        sphere ball { material brushed  at 0.4 -0.5 -0.2  scale 0.5 0.4 0.5  rotate 20 0 30 }
+                                        cylinder can { material grooved  at -0.5 -0.9 0.2  scale 0.4 0.6 0.4 }
+                                        sphere bulb { material neon  at -0.1 0.2 0.4  scale 0.1 0.1 0.1 }
+                                        """,
+                        new IndirectSettings(2, 16, 4, false)));
         scenes.put("glass ball", scene("size 33 24  depth 4", CAMERA + ROOM + LAMP + """
                 sphere ball { material glass  at 0.2 -0.5 -0.2  scale 0.5 0.5 0.5 }
                 plane pane { material glass  at -0.4 0 0.3  rotate 90 30 0  scale 0.3 1 0.5 }

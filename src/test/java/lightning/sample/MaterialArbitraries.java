@@ -9,6 +9,7 @@ import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TexturePlacement;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.Anisotropy;
 import lightning.scene.material.Bulb;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Coat;
@@ -75,9 +76,9 @@ final class MaterialArbitraries {
     }
 
     private static Arbitrary<Material> principled(String name) {
-        return Combinators.combine(metallic(name), colorsOrWhite(), coats(), sheens(), surfaceMaps())
-                .as((material, tint, coat, sheen, maps) -> material.withModel(ShadingModel.PRINCIPLED).withSpecularTint(tint).withCoat(coat)
-                        .withSheen(sheen)
+        return Combinators.combine(metallic(name), colorsOrWhite(), anisotropies(), coats(), sheens(), surfaceMaps())
+                .as((material, tint, anisotropy, coat, sheen, maps) -> material.withModel(ShadingModel.PRINCIPLED).withSpecularTint(tint)
+                        .withAnisotropy(anisotropy).withCoat(coat).withSheen(sheen)
                         .withSurfaceMaps(maps));
     }
 
@@ -98,6 +99,16 @@ final class MaterialArbitraries {
     private static Arbitrary<Coat> coats() {
         return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Coat.NONE)),
                 Tuple.of(1, Combinators.combine(unitValues(), roughness(), iors()).as(Coat::new)));
+    }
+
+    /** Returns none in half of the cases. */
+    private static Arbitrary<Anisotropy> anisotropies() {
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Anisotropy.NONE)),
+                Tuple.of(1, Combinators.combine(unitValues(), angles()).as(Anisotropy::new)));
+    }
+
+    private static Arbitrary<Double> angles() {
+        return Arbitraries.of(0.0, 90.0, -30.0, 17.3, 720.5);
     }
 
     /** Returns none in half of the cases. */
@@ -144,6 +155,8 @@ final class MaterialArbitraries {
                 roughness().map(MaterialChange.Roughness::new),
                 unitValues().map(MaterialChange.F0::new),
                 colorsOrWhite().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.SPECULAR_TINT, to)),
+                unitValues().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.ANISOTROPY, to)),
+                angles().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.ANISOTROPY_ROTATION, to)),
                 unitValues().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.COAT, to)),
                 roughness().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.COAT_ROUGHNESS, to)),
                 iors().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.COAT_IOR, to)),

@@ -29,6 +29,7 @@ import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
 import lightning.scene.light.Switches;
 import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.Anisotropy;
 import lightning.scene.material.Bulb;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Coat;
@@ -56,7 +57,9 @@ class AttributePropertiesTest {
                     entry("Cone.angle", "cone half-angle"),
                     entry("Cone.dropoff", "edge falloff"), entry("Cone.doors", "barn doors"), entry("Cone.profile", "IES profile"),
                     entry("AreaShape.up", "roll axis"), entry("AreaShape.visibility", "visible to camera"),
-                    entry("Transmission.ior", "IOR"), entry("Coat.weight", "coat"), entry("Coat.roughness", "coat roughness"),
+                    entry("Transmission.ior", "IOR"), entry("Anisotropy.strength", "anisotropy"),
+                    entry("Anisotropy.rotation", "anisotropy rotation"), entry("Coat.weight", "coat"),
+                    entry("Coat.roughness", "coat roughness"),
                     entry("Coat.ior", "coat IOR"), entry("Sheen.color", "sheen"), entry("Sheen.roughness", "sheen roughness"),
                     entry("Emission.unit", "intensity unit"),
                     entry("Contribution.diffuse", "diffuse gain"), entry("Contribution.specular", "specular gain"),
@@ -113,6 +116,7 @@ class AttributePropertiesTest {
         return component.getType() == AreaShape.class || component.getType() == Cone.class || component.getType() == Switches.class
                 || component.getType() == DistanceFalloff.class || component.getType() == Emission.class
                 || component.getType() == BumpMapping.class
+                || component.getType() == Anisotropy.class
                 || component.getType() == Coat.class
                 || component.getType() == Sheen.class
                 || component.getType() == SurfaceMaps.class

@@ -62,7 +62,7 @@ final class GltfMaterialImport {
                 withGlow(PrincipledImport.material(base, m.metallic() * means.metalness(), m.roughness() * means.roughness()), m)
                         .withTexture(textureMap(m.baseImage(), TextureUsage.COLOR));
         Material surface = withTransmission(withHighlights(material, m), m);
-        return withCutout(withNormalMap(withSurfaceMaps(withSheen(withCoat(surface, m), m), m), m), m);
+        return withCutout(withNormalMap(withAnisotropy(withSurfaceMaps(withSheen(withCoat(surface, m), m), m), m), m), m);
     }
 
     /** Adds the maps of roughness and metalness; a transparent material has their means. */
@@ -107,6 +107,24 @@ final class GltfMaterialImport {
         }
         return principled.withSheen(material, color,
                 sheen.exactRoughness().orElseGet(() -> PrincipledImport.sheenRoughness(sheen.roughness())));
+    }
+
+    /**
+     * Adds the anisotropy. The extension's widths are α across the direction, and along it a mix of α and 1; the extras of a file may have an
+     * anisotropy of scenes.
+     */
+    private Material withAnisotropy(Material material, GltfMaterial m) {
+        GltfMaterial.Anisotropy anisotropy = m.anisotropy();
+        if (material.model() != ShadingModel.PRINCIPLED || anisotropy.strength() == 0 && anisotropy.exactStrength().isEmpty()) {
+            return material;
+        }
+        if (anisotropy.exactStrength().isPresent()) {
+            double strength = SceneAssembler.clamp(anisotropy.exactStrength().getAsDouble(), 1);
+            return principled.withBurleyAnisotropy(material, strength, Math.toDegrees(anisotropy.rotation()));
+        }
+        double alpha = Material.alpha(material.meanRoughness());
+        double square = SceneAssembler.clamp(anisotropy.strength(), 1) * SceneAssembler.clamp(anisotropy.strength(), 1);
+        return principled.withAnisotropy(material, (alpha + (1 - alpha) * square) / alpha, 1, Math.toDegrees(anisotropy.rotation()));
     }
 
     /** Adds transmission; the base color tints the light once at each surface. */

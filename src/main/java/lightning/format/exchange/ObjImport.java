@@ -47,6 +47,8 @@ import lightning.scene.value.SceneLimits;
 
 /** Converter for mesh-only files: OBJ with its material files, and PLY. */
 final class ObjImport {
+    /** Degrees of a turn. */
+    private static final double TURN = 360;
     /** Index of refraction of surfaces whose own is 1 or less, which some writers use for none. */
     private static final double DEFAULT_IOR = 1.5;
     private static final double MIN_REPEAT = 1e-6;
@@ -276,7 +278,8 @@ final class ObjImport {
         MtlMaterial.Physical surface = m.physical().orElse(MtlMaterial.Physical.NONE);
         var principled = new PrincipledImport(assembler);
         Material coated = principled.withCoat(material, surface.coat(), surface.coatRoughness(), Coat.NONE.ior());
-        return principled.withSheen(coated, Rgb.gray(surface.sheen()), Sheen.NONE.roughness());
+        Material layered = principled.withSheen(coated, Rgb.gray(surface.sheen()), Sheen.NONE.roughness());
+        return principled.withBurleyAnisotropy(layered, SceneAssembler.clamp(surface.anisotropy(), 1), TURN * surface.anisotropyRotation());
     }
 
     /** Returns a surface of constant color, independent of lighting. It is ambient light, since the surface is no light source. */

@@ -23,6 +23,7 @@ import lightning.base.math.Rgb;
  * @param transmission transmission through the surface
  * @param clearcoat clear layer over it
  * @param sheen fibers over it
+ * @param anisotropy direction of its roughness
  * @param cutoff threshold for the alpha of base color and image below which the surface is cut out; 0 for none
  * @param alphaFactor alpha of the base color, if it is used for cutouts
  * @param isBlended true if the file blends by alpha instead of cutting out
@@ -30,13 +31,13 @@ import lightning.base.math.Rgb;
 public record GltfMaterial(String name, Rgb base, double metallic, double roughness, Rgb f0, double f90, Rgb emission,
         Optional<GltfImage> emissionImage, boolean isUnlit, GltfImage baseImage, GltfImage metallicRoughnessImage, GltfImage normalImage,
         double normalScale,
-        double opacity, Transmission transmission, Clearcoat clearcoat, Sheen sheen, double cutoff,
+        double opacity, Transmission transmission, Clearcoat clearcoat, Sheen sheen, Anisotropy anisotropy, double cutoff,
         double alphaFactor, boolean isBlended) {
     /** Matte gray material. */
     static final GltfMaterial GRAY =
             new GltfMaterial("", Rgb.gray(0.5), 0, 1, Rgb.gray(0.04), 1, Rgb.BLACK, Optional.empty(), false, GltfImage.NONE,
                     GltfImage.NONE, GltfImage.NONE, 1, 1, new Transmission(0, 1.5, true, Rgb.WHITE, Double.POSITIVE_INFINITY),
-                    Clearcoat.NONE, Sheen.NONE, 0, 1, false);
+                    Clearcoat.NONE, Sheen.NONE, Anisotropy.NONE, 0, 1, false);
 
     /**
      * Transmission through a surface and the volume behind it.
@@ -59,6 +60,17 @@ public record GltfMaterial(String name, Rgb base, double metallic, double roughn
     public record Clearcoat(double factor, double roughness, double ior) {
         static final double DEFAULT_IOR = 1.5;
         static final Clearcoat NONE = new Clearcoat(0, 0, DEFAULT_IOR);
+    }
+
+    /**
+     * Direction of the roughness (KHR_materials_anisotropy).
+     *
+     * @param strength 0 … 1
+     * @param rotation from the tangent, radians, counterclockwise
+     * @param exactStrength strength of a scene's anisotropy, from the extras of the extension; empty for other files
+     */
+    public record Anisotropy(double strength, double rotation, OptionalDouble exactStrength) {
+        static final Anisotropy NONE = new Anisotropy(0, 0, OptionalDouble.empty());
     }
 
     /**

@@ -50,7 +50,8 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
                 emissive.isPresent() ? Optional.of(textureImage(material, emissive)) : Optional.empty(),
                 extensions.get("KHR_materials_unlit").isPresent(), surface.baseImage, surface.metallicRoughnessImage,
                 textureImage(material, normals),
-                normals.get("scale").number(1), opacity, transmission, readClearcoat(extensions), readSheen(material, extensions), cutoff,
+                normals.get("scale").number(1), opacity, transmission, readClearcoat(extensions), readSheen(material, extensions),
+                readAnisotropy(extensions), cutoff,
                 alphaFactor,
                 isBlended);
     }
@@ -62,7 +63,6 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
     /** Notes the properties that no material of a scene has, with the name of the material. */
     private void noteMissing(JsonValue material) throws MeshException {
         JsonValue extensions = material.get("extensions");
-        noteMissing(material, "anisotropy", extensions.get("KHR_materials_anisotropy").get("anisotropyStrength").number(0));
         noteMissing(material, "iridescence", extensions.get("KHR_materials_iridescence").get("iridescenceFactor").number(0));
         noteMissing(material, "dispersion", extensions.get("KHR_materials_dispersion").get("dispersion").number(0));
         noteMissing(material, "diffuse transmission",
@@ -91,6 +91,14 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
         JsonValue exact = sheen.get("extras").get("roughness");
         return new GltfMaterial.Sheen(new Rgb(color[0], color[1], color[2]), textureImage(material, sheen.get("sheenColorTexture")),
                 sheen.get("sheenRoughnessFactor").number(0),
+                exact.isPresent() ? OptionalDouble.of(exact.number(0)) : OptionalDouble.empty());
+    }
+
+    private GltfMaterial.Anisotropy readAnisotropy(JsonValue extensions) throws MeshException {
+        JsonValue anisotropy = extensions.get("KHR_materials_anisotropy");
+        notes.add("anisotropyTexture of materials", anisotropy.get("anisotropyTexture").isPresent() ? 1 : 0);
+        JsonValue exact = anisotropy.get("extras").get("anisotropy");
+        return new GltfMaterial.Anisotropy(anisotropy.get("anisotropyStrength").number(0), anisotropy.get("anisotropyRotation").number(0),
                 exact.isPresent() ? OptionalDouble.of(exact.number(0)) : OptionalDouble.empty());
     }
 

@@ -193,6 +193,9 @@ record PovMaterialWriter(List<String> warnings) {
         if (m.reflectsRoughly()) {
             warn("material " + m.name() + ": its blurred reflections are left out");
         }
+        if (m.isAnisotropic()) {
+            warn("material " + m.name() + ": its anisotropy is left out");
+        }
         if (m.hasSheen()) {
             warn("material " + m.name() + ": its sheen is left out");
         }

@@ -1,5 +1,7 @@
 package lightning.render.gather;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.render.gather.point.Barriers;
 import lightning.render.gather.point.NearPoints;
@@ -67,15 +69,24 @@ final class ReflectionWeigher {
     private void findBest(HitRows rows, int row, ReflectionGroup group, NearPoints its, int count) {
         best.startPlace();
         float roughness = ReflectionGroup.roughness(group.material, rows, row);
+        boolean isAnisotropic = group.material.isAnisotropic();
         ReflectionPoints.mirror(rows.nx[row], rows.ny[row], rows.nz[row], rows.vx[row], rows.vy[row], rows.vz[row], mirrored);
         for (int i = 0; i < count; i++) {
             int p = its.point(its.near[i]);
             float w = ReflectionWeight.at(group, p, group.radius[p], rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row],
                     rows.nz[row], mirrored[0], mirrored[1], mirrored[2], roughness);
+            if (isAnisotropic && w > 0) {
+                w *= alignment(rows, row, group, p);
+            }
             if (best.isAmong(w)) {
                 best.insert(p, w);
             }
         }
+    }
+
+    private static float alignment(HitRows rows, int row, ReflectionGroup group, int p) {
+        return rows.tangentX == null ? 1
+                : group.alignment(p, rows.tangentX[row], requireNonNull(rows.tangentY)[row], requireNonNull(rows.tangentZ)[row]);
     }
 
     private void write(HitRows rows, int row, int material, ReflectionGroup group, short[] index, byte[] weight) {

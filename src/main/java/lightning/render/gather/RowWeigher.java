@@ -45,7 +45,12 @@ public final class RowWeigher {
     /** Returns the weights of one point: those of its row in any level. */
     public RowWeights weigh(SurfacePoint point) {
         float[] roughness = point.maps().get(ColumnGroup.ROUGHNESS_TEXEL);
-        HitRows row = new HitRows(1, roughness == null ? TexelColumns.NONE : TexelColumns.ROUGHNESS);
+        float[] tangent = point.maps().get(ColumnGroup.TANGENT);
+        HitRows row = new HitRows(1, (roughness == null ? TexelColumns.NONE : TexelColumns.ROUGHNESS)
+                .or(tangent == null ? TexelColumns.NONE : TexelColumns.TANGENTS));
+        for (int c = 0; tangent != null && c < tangent.length; c++) {
+            requireNonNull(row.texel(ColumnGroup.TANGENT, c))[0] = tangent[c];
+        }
         if (roughness != null) {
             requireNonNull(row.texel(ColumnGroup.ROUGHNESS_TEXEL, 0))[0] = roughness[0];
         }

@@ -1,6 +1,7 @@
 package lightning.render.lobe;
 
 import java.util.List;
+import lightning.scene.material.Anisotropy;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
@@ -10,14 +11,19 @@ import org.jspecify.annotations.Nullable;
  * has one that reflects and one that lets light pass; its coat, if any, reflects as the surface does.
  *
  * @param alpha     width α of the surface below the coat, with the mean of its map; 0 if it is smooth
+ * @param anisotropy of the surface below the coat; null if its width is the same in all directions
  * @param coatAlpha width α of the coat; 0 if it is smooth or there is none
  * @param coat      coat, smooth or not; null for none
  * @param frost     what lets light pass; null for an opaque material
  * @param fibers    sheen; null for none
  */
-public record RoughLobes(double alpha, double coatAlpha, @Nullable Coat coat, @Nullable Frost frost, @Nullable Fibers fibers) {
+public record RoughLobes(double alpha, @Nullable Anisotropy anisotropy, double coatAlpha, @Nullable Coat coat, @Nullable Frost frost,
+        @Nullable Fibers fibers) {
     /** Width α that stands for that of a sheen, which is wide at any roughness. */
     public static final double SHEEN_ALPHA = 0.4;
+
+    /** Angle between the directions of two lobes at which one does not stand for the other, in ratios of their widths. */
+    private static final double TWIST = 1.5;
 
     /**
      * Surface of a frosted body.
@@ -45,7 +51,7 @@ public record RoughLobes(double alpha, double coatAlpha, @Nullable Coat coat, @N
     /** Returns the lobes of a material; null if it reflects nothing or sharply. */
     public static @Nullable RoughLobes of(Material m) {
         return !m.reflectsRoughly() ? null
-                : new RoughLobes(m.isSmooth() ? 0 : Material.alpha(m.meanRoughness()),
+                : new RoughLobes(m.isSmooth() ? 0 : Material.alpha(m.meanRoughness()), m.isAnisotropic() ? m.anisotropy() : null,
                         m.coat().isVisible() && !m.hasSmoothCoat() && !m.isFrosted() ? m.coat().alpha() : 0,
                         m.coat().isVisible() ? m.coat() : null,
                         m.isFrosted() ? new Frost(m.transmission().thin() ? 1 : m.transmission().ior(), m.f0()) : null,
@@ -66,7 +72,21 @@ public record RoughLobes(double alpha, double coatAlpha, @Nullable Coat coat, @N
     }
 
     private double narrowestBelow() {
-        return alpha == 0 ? coatAlpha : coatAlpha == 0 ? alpha : Math.min(alpha, coatAlpha);
+        double across = narrow(Kind.SURFACE, alpha);
+        return alpha == 0 ? coatAlpha : coatAlpha == 0 ? across : Math.min(across, coatAlpha);
+    }
+
+    /** Returns the width of a lobe across its direction, where it is narrowest. @param width its α */
+    public double narrow(Kind kind, double width) {
+        return anisotropy != null && kind == Kind.SURFACE ? anisotropy.across(width) : width;
+    }
+
+    /**
+     * Returns the largest sine of the angle between the directions of two points of the surface at which their lobes are alike, 0…1.
+     */
+    public double twist() {
+        double round = Math.max(alpha, Material.alpha(0));
+        return anisotropy == null ? 1 : Math.min(1, TWIST * anisotropy.across(round) / anisotropy.along(round));
     }
 
     /**

@@ -8,6 +8,7 @@ import lightning.render.engine.Engine;
 import lightning.render.engine.choice.Engines;
 import lightning.render.gather.cell.DirectionTable;
 import lightning.render.lobe.ReflectionLobe;
+import lightning.render.shading.AnisotropicHighlight;
 import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.PrincipledMaterial;
 import lightning.render.trace.Geometry;
@@ -78,7 +79,7 @@ final class BruteForceReflection {
         Vec3 tangent = side.length() > 1e-6 ? side.normalized()
                 : normal.cross(Math.abs(normal.y()) < 0.6 ? Vec3.Y : new Vec3(1, 0, 0)).normalized();
         Vec3 bitangent = normal.cross(tangent);
-        lobe.aim(cosine, Material.alpha(at.roughness()));
+        aim(material, at, cosine, tangent, bitangent);
         var random = new SplittableRandom(seed);
         double[] sum = new double[8];
         for (int first = 0; first < RAYS; first += RayBatch.MAX_RAYS) {
@@ -95,6 +96,23 @@ final class BruteForceReflection {
             sum[c] /= sum[6 + c / 3];
         }
         return Arrays.copyOf(sum, 6);
+    }
+
+    /** Sets the lobe in the frame of the view. */
+    private void aim(PrincipledMaterial material, SurfacePoint at, double cosine, Vec3 tangent, Vec3 bitangent) {
+        double alpha = Material.alpha(at.roughness());
+        AnisotropicHighlight highlight = material.highlight();
+        if (highlight == null) {
+            lobe.aim(cosine, alpha);
+            return;
+        }
+        float[] t = at.tangent();
+        Vec3 along = new Vec3(t[0], t[1], t[2]);
+        Vec3 turned = along.times(highlight.cos()).plus(new Vec3(at.nx(), at.ny(), at.nz()).cross(along).times(highlight.sin()));
+        double x = turned.dot(tangent);
+        double y = turned.dot(bitangent);
+        double length = Math.sqrt(x * x + y * y);
+        lobe.aim(cosine, highlight.anisotropy().along(alpha), highlight.anisotropy().across(alpha), x / length, y / length);
     }
 
     private void aim(int i, SurfacePoint at, Vec3 direction, Vec3 geometric) {

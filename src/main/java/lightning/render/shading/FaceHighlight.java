@@ -4,6 +4,8 @@ import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.scene.light.AreaShape;
 import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -15,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  * polygonal-light shading with linearly transformed cosines, 2016). The face is a polygon of directions, so its half vectors are nearly one, and the share of
  * facets that mirror it follows from Lambert's formula for the irradiance of a polygon.
  *
- * <p>Only principled materials use it. One instance per thread.
+ * <p>Only principled materials use it, without anisotropy. One instance per thread.
  */
 public final class FaceHighlight {
     /** Corners of the polygon of a face: four on each side of a rectangle. */
@@ -41,6 +43,11 @@ public final class FaceHighlight {
     private double ball;
     /** Area of a face, or its solid angle. */
     private double area;
+
+    /** Returns whether a material shows faces in its highlights: it is principled, and its lobe is round. */
+    public static boolean isShownBy(Material material) {
+        return material.model() == ShadingModel.PRINCIPLED && !material.isAnisotropic();
+    }
 
     /** Returns whether a light has a face with an area. */
     public static boolean hasFace(LightSource light) {

@@ -2,7 +2,6 @@ package lightning.render.shading;
 
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.material.Material;
-import lightning.scene.material.ShadingModel;
 
 /**
  * Factors by which one point's highlights of some samples of an area light are scaled ({@link FaceHighlight}).
@@ -22,7 +21,7 @@ public record HighlightFactor(boolean isActive, float surface, float coat) {
      * @param s       one of the samples
      */
     public static HighlightFactor of(LightSource light, AreaSamples samples, int pattern, int s, SurfacePoint hit, Material material) {
-        if (material.model() != ShadingModel.PRINCIPLED || !FaceHighlight.hasFace(light)) {
+        if (!FaceHighlight.isShownBy(material) || !FaceHighlight.hasFace(light)) {
             return NONE;
         }
         FaceHighlight face = new FaceHighlight();

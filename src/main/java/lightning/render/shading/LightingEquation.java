@@ -116,11 +116,15 @@ public final class LightingEquation {
 
     /** Returns α² of a highlight, widened by the light of one sample (see {@link LightSource#highlightWidening}), at most 1. */
     private double widenedSquare(double alpha) {
+        return widened(alpha * alpha);
+    }
+
+    private double widened(double square) {
         double widening = source.highlightWidening();
         if (widening == 0) {
-            return alpha * alpha;
+            return square;
         }
-        double widened = alpha * alpha + widening / (distance * distance);
+        double widened = square + widening / (distance * distance);
         return widened < 1 ? widened : 1;
     }
 
@@ -179,6 +183,28 @@ public final class LightingEquation {
     /** Returns N·L·D·V·(1 − V·H)⁵: the grazing term of a metallic material, which no color multiplies. */
     public float metallicGrazing(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
         return (float) (microfacetTerm(nx, ny, nz, vx, vy, vz, alpha) * schlick(vx, vy, vz));
+    }
+
+    /**
+     * Returns {@link #metallicSpecular} of an anisotropic material.
+     *
+     * @param tangent x, y, z
+     */
+    public float anisotropicSpecular(float nx, float ny, float nz, float vx, float vy, float vz, float[] tangent,
+            AnisotropicHighlight highlight, double alpha) {
+        return (float) (anisotropicTerm(nx, ny, nz, vx, vy, vz, tangent, highlight, alpha) * (1 - schlick(vx, vy, vz)));
+    }
+
+    /** Returns {@link #metallicGrazing} of an anisotropic material; parameters as above. */
+    public float anisotropicGrazing(float nx, float ny, float nz, float vx, float vy, float vz, float[] tangent,
+            AnisotropicHighlight highlight, double alpha) {
+        return (float) (anisotropicTerm(nx, ny, nz, vx, vy, vz, tangent, highlight, alpha) * schlick(vx, vy, vz));
+    }
+
+    private double anisotropicTerm(float nx, float ny, float nz, float vx, float vy, float vz, float[] t, AnisotropicHighlight highlight,
+            double alpha) {
+        return highlight.term(nx, ny, nz, vx, vy, vz, t[0], t[1], t[2], lx, ly, lz, widened(highlight.squareAlong(alpha)),
+                widened(highlight.squareAcross(alpha)));
     }
 
     /** Returns the sheen term of a principled material, for a row that faces the light: {@link SheenLayer#term}. */

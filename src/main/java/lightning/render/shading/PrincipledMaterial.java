@@ -16,6 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param roughness   of the surface below the coat, 0…1, before its map
  * @param nonmetalF0  largest channel of the reflectance of its nonmetal part at normal incidence
  * @param isSmooth    whether its surface reflects a mirrored ray
+ * @param highlight   highlights below the coat; null if they are isotropic
  * @param coat        coat; null for none
  * @param isCoatSmooth whether the coat reflects a mirrored ray
  * @param hasRoughnessMap whether its rows differ in roughness
@@ -24,7 +25,8 @@ import org.jspecify.annotations.Nullable;
  * @param sheen       fibers; null for none
  * @param passing     color of the light that passes a frosted one: red, green, blue; null for others
  */
-public record PrincipledMaterial(Material material, float roughness, float nonmetalF0, boolean isSmooth, @Nullable Coat coat,
+public record PrincipledMaterial(Material material, float roughness, float nonmetalF0, boolean isSmooth,
+        @Nullable AnisotropicHighlight highlight, @Nullable Coat coat,
         boolean isCoatSmooth, boolean hasRoughnessMap, boolean hasMetalnessMap, PrincipledColors colors,
         @Nullable SheenLayer sheen, float @Nullable [] passing) {
 
@@ -32,7 +34,8 @@ public record PrincipledMaterial(Material material, float roughness, float nonme
     public static @Nullable PrincipledMaterial of(Material m) {
         return !m.isPrincipled() ? null
                 : new PrincipledMaterial(m, (float) m.roughness(), (float) (m.f0() * m.specularTint().max()), m.isSmooth(),
-                        m.coat().isVisible() ? m.coat() : null, m.hasSmoothCoat(), m.surfaceMaps().roughness().isPresent(),
+                        AnisotropicHighlight.of(m), m.coat().isVisible() ? m.coat() : null, m.hasSmoothCoat(),
+                        m.surfaceMaps().roughness().isPresent(),
                         m.surfaceMaps().metalness().isPresent(), new PrincipledColors(m), SheenLayer.of(m),
                         m.isFrosted() ? ClearMaterialShader.channels(m.transmission().color()) : null);
     }

@@ -95,6 +95,14 @@ public interface TermKernel {
     void metallicSpeculars(HitRows rows, int from, int to, int[] rowSet, double[] alpha, float[] gloss, float[] grazing);
 
     /**
+     * Writes {@link LightingEquation#anisotropicSpecular} and {@link LightingEquation#anisotropicGrazing} of rows with tangents, as above.
+     *
+     * @param alpha width α of the roughness of each row
+     */
+    void anisotropicSpeculars(HitRows rows, int from, int to, int[] rowSet, AnisotropicHighlight highlight, double[] alpha, float[] gloss,
+            float[] grazing);
+
+    /**
      * Writes {@link LightingEquation#sheen} of those of the rows {@code from … to − 1} that are in a set. All of them face the light.
      *
      * @param column keeps its values of other rows

@@ -39,6 +39,8 @@ public final class HitRows {
         ROUGHNESS_TEXEL(MaterialAttribute.ROUGHNESS_MAP, MaterialAttribute.ROUGHNESS_CHANNEL),
         /** Present if any row's material has a metalness map. */
         METALNESS_TEXEL(MaterialAttribute.METALNESS_MAP, MaterialAttribute.METALNESS_CHANNEL),
+        /** Present if any row's material is anisotropic. */
+        TANGENT,
         /** Present in rows of finer samples. */
         PATTERN,
         /** Present if a light of the scene illuminates only some shapes. */
@@ -48,6 +50,10 @@ public final class HitRows {
 
         /** Groups for the colors of images of the materials: red, green and blue each, or the one channel that a map reads. */
         public static final List<ColumnGroup> TEXELS = Arrays.stream(values()).filter(group -> group.map != null).toList();
+
+        /** Groups that exist if the material of any row needs them: those of {@link #TEXELS}, and tangents. */
+        static final List<ColumnGroup> BY_MATERIAL =
+                Arrays.stream(values()).filter(group -> group.map != null || group == TANGENT).toList();
 
         /** Image whose colors the columns contain; null if they contain something else. */
         private final @Nullable MaterialAttribute<Optional<TextureMap>> map;
@@ -119,6 +125,9 @@ public final class HitRows {
         GLOW_TEXEL_BLUE(ColumnGroup.GLOW_TEXEL, ElementType.FLOAT),
         ROUGHNESS_TEXEL(ColumnGroup.ROUGHNESS_TEXEL, ElementType.FLOAT),
         METALNESS_TEXEL(ColumnGroup.METALNESS_TEXEL, ElementType.FLOAT),
+        TANGENT_X(ColumnGroup.TANGENT, ElementType.FLOAT),
+        TANGENT_Y(ColumnGroup.TANGENT, ElementType.FLOAT),
+        TANGENT_Z(ColumnGroup.TANGENT, ElementType.FLOAT),
         PARENT(ColumnGroup.HIT, ElementType.SHORT),
         PATTERN(ColumnGroup.PATTERN, ElementType.BYTE),
         OWNER(ColumnGroup.OWNER, ElementType.INT),
@@ -166,6 +175,10 @@ public final class HitRows {
     public final float @Nullable [] texelRed;
     public final float @Nullable [] texelGreen;
     public final float @Nullable [] texelBlue;
+    /** Unit tangents of rows with anisotropic materials, perpendicular to the normals, before any rotation; null if the tile has none. */
+    public final float @Nullable [] tangentX;
+    public final float @Nullable [] tangentY;
+    public final float @Nullable [] tangentZ;
     /** Destination of the row's color: a pixel of the tile at the first level, a row of the previous level at others. */
     public final short[] parent;
     /** Pattern of area light samples of each row of finer samples, unsigned ({@link SamplePattern}); null for pixel centers. */
@@ -219,6 +232,9 @@ public final class HitRows {
         texelRed = (float[]) columns.find(Column.TEXEL_RED);
         texelGreen = (float[]) columns.find(Column.TEXEL_GREEN);
         texelBlue = (float[]) columns.find(Column.TEXEL_BLUE);
+        tangentX = (float[]) columns.find(Column.TANGENT_X);
+        tangentY = (float[]) columns.find(Column.TANGENT_Y);
+        tangentZ = (float[]) columns.find(Column.TANGENT_Z);
         parent = (short[]) columns.get(Column.PARENT);
         pattern = (byte[]) columns.find(Column.PATTERN);
         owner = (int[]) columns.find(Column.OWNER);
@@ -271,7 +287,7 @@ public final class HitRows {
     /** Returns which texels these rows have. */
     TexelColumns texels() {
         TexelColumns found = TexelColumns.NONE;
-        for (ColumnGroup group : ColumnGroup.TEXELS) {
+        for (ColumnGroup group : ColumnGroup.BY_MATERIAL) {
             found = texel(group, 0) == null ? found : found.with(group);
         }
         return found;
@@ -320,7 +336,7 @@ public final class HitRows {
      * Returns red, green or blue of an image for column 0, 1, 2, ≥ 0, in the rows whose materials have it; null if the tile has none. Column
      * 0 of a map that reads one channel has this channel.
      *
-     * @param group one of {@link ColumnGroup#TEXELS}
+     * @param group one of {@link ColumnGroup#TEXELS}, or {@link ColumnGroup#TANGENT} with columns x, y, z
      */
     public float @Nullable [] texel(ColumnGroup group, int column) {
         return (float[]) columns.find(COLUMNS[group.ordinal()][column]);

@@ -91,7 +91,7 @@ public final class RayBatch {
         hasPassableSurfaces =
                 materials.hasTransparent() || geometry.hasLightFaces() || Arrays.stream(mirrors).anyMatch(Objects::nonNull);
         this.tracer = tracer;
-        rowBuilder = new HitRowBuilder(geometry, tracer);
+        rowBuilder = new HitRowBuilder(geometry, tracer, false);
         rays = new RayColumns(new CameraRays(scene.camera(), scene.picture()));
         sorted = new RayColumns(new CameraRays(scene.camera(), scene.picture()));
         directionX = rays.dx;

@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
  * @param backSide start of a ray that passes; null for opaque materials
  * @param texel texture color alone, linear RGB, {@code float[3]}; white if there is none
  * @param maps colors of the material's other images, linear RGB, {@code float[3]} each, or {@code float[1]} of a map that reads one channel; none
- *     for images that it lacks
+ *     for images that it lacks; and the tangent of an anisotropic material, {@code float[3]}
  */
 public record SurfacePoint(int primitive, int material, float px, float py, float pz, float nx, float ny, float nz,
         float vx, float vy, float vz, float[] diffuse, float[] specular, double roughness, float[] texel, Map<ColumnGroup, float[]> maps,
@@ -39,6 +39,11 @@ public record SurfacePoint(int primitive, int material, float px, float py, floa
         public boolean isInside() {
             return insideDistance >= 0;
         }
+    }
+
+    /** Returns the unit tangent of an anisotropic material, {@code float[3]}; 0 for others. */
+    public float[] tangent() {
+        return maps.getOrDefault(ColumnGroup.TANGENT, new float[3]);
     }
 
     /** Returns the back side of a clear material; null for others. */

@@ -8,6 +8,7 @@ import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.SurfaceHit;
+import lightning.render.trace.primitive.SurfaceTangent;
 import lightning.render.trace.primitive.TextureFootprint;
 import lightning.render.trace.primitive.TextureLookup;
 import lightning.scene.asset.TextureMap;
@@ -74,6 +75,12 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
                 int first = group.firstChannel(materials.material(primitives.material[primitive]));
                 texels.put(group, Arrays.copyOfRange(texel, first, first + group.columnCount()));
             }
+        }
+        if (materials.texels(primitives.material[primitive]).has(ColumnGroup.TANGENT)) {
+            float[] tangent = new float[3];
+            new SurfaceTangent().compute(primitives, primitive, part, surface.localX, surface.localY, surface.localZ, surface.nx,
+                    surface.ny, surface.nz, tangent);
+            texels.put(ColumnGroup.TANGENT, tangent);
         }
         return texels;
     }

@@ -6,7 +6,8 @@ import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.scene.material.Material;
 
 /**
- * Which colors of images rows have: some of {@link ColumnGroup#TEXELS}.
+ * Which colors of images rows have: some of {@link ColumnGroup#TEXELS}. Tangents are handled as these are: they depend on the material, and
+ * follow from the place on the surface.
  *
  * @param bits the bit of each group's ordinal is set
  */
@@ -16,7 +17,9 @@ public record TexelColumns(int bits) {
     public static final TexelColumns COLORS = NONE.with(ColumnGroup.TEXEL);
     /** Factors of the roughness. */
     public static final TexelColumns ROUGHNESS = NONE.with(ColumnGroup.ROUGHNESS_TEXEL);
-    public static final TexelColumns ALL = ColumnGroup.TEXELS.stream().map(NONE::with).reduce(NONE, TexelColumns::or);
+    /** Tangents. */
+    public static final TexelColumns TANGENTS = NONE.with(ColumnGroup.TANGENT);
+    public static final TexelColumns ALL = ColumnGroup.BY_MATERIAL.stream().map(NONE::with).reduce(NONE, TexelColumns::or);
 
     /** Returns these and the columns of a group. */
     TexelColumns with(ColumnGroup group) {
@@ -32,9 +35,9 @@ public record TexelColumns(int bits) {
         return found;
     }
 
-    /** Returns which images a material has. */
+    /** Returns which images a material has, and tangents if it is anisotropic. */
     static TexelColumns of(Material material) {
-        TexelColumns found = NONE;
+        TexelColumns found = material.isAnisotropic() ? TANGENTS : NONE;
         for (ColumnGroup group : ColumnGroup.TEXELS) {
             found = group.map(material).isPresent() ? found.with(group) : found;
         }
@@ -56,6 +59,11 @@ public record TexelColumns(int bits) {
         return new TexelColumns(bits & o.bits);
     }
 
+    /** Returns these without tangents. */
+    TexelColumns withoutTangents() {
+        return new TexelColumns(bits & ~TANGENTS.bits);
+    }
+
     /** Returns whether rows have the columns of a group. */
     public boolean has(ColumnGroup group) {
         return (bits >> group.ordinal() & 1) != 0;
@@ -63,7 +71,7 @@ public record TexelColumns(int bits) {
 
     /** Returns the groups of columns. */
     List<ColumnGroup> groups() {
-        return ColumnGroup.TEXELS.stream().filter(this::has).toList();
+        return ColumnGroup.BY_MATERIAL.stream().filter(this::has).toList();
     }
 
     /** Returns the bytes of a row. */

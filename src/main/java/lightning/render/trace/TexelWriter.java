@@ -4,17 +4,22 @@ import static java.util.Objects.requireNonNull;
 
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.primitive.PrimitiveTable;
+import lightning.render.trace.primitive.SurfaceTangent;
 import lightning.render.trace.primitive.TextureFootprint;
 import lightning.render.trace.primitive.TextureLookup;
 import lightning.scene.asset.TextureMap;
 
-/** Writes the colors of vertices and of the materials' images of rows whose surfaces were just computed. Holds scratch memory: use one per thread. */
+/**
+ * Writes the colors of vertices and of the materials' images, and the tangents, of rows whose surfaces were just computed. Holds scratch memory: use one per
+ * thread.
+ */
 final class TexelWriter {
     private final PrimitiveTable primitives;
     private final MaterialTable materials;
     private final float[] texel = new float[3];
     private final TextureLookup lookup = new TextureLookup();
     private final TextureFootprint footprint = new TextureFootprint();
+    private final SurfaceTangent tangent = new SurfaceTangent();
 
     TexelWriter(Geometry geometry) {
         primitives = geometry.primitives();
@@ -28,6 +33,23 @@ final class TexelWriter {
         for (ColumnGroup group : ColumnGroup.TEXELS) {
             if (rows.texel(group, 0) != null) {
                 write(group, rows, row, rays);
+            }
+        }
+        if (rows.tangentX != null) {
+            writeTangents(rows, row, rays);
+        }
+    }
+
+    private void writeTangents(HitRows rows, int row, RayColumns rays) {
+        float[][] columns = rows.texels(ColumnGroup.TANGENT);
+        for (int i = 0; i < rays.hitCount; i++) {
+            int ray = rays.order[i];
+            int primitive = rays.primitive[ray];
+            if (materials.texels(primitives.material[primitive]).has(ColumnGroup.TANGENT)) {
+                int to = row + i;
+                tangent.compute(primitives, primitive, rays.part[ray], rays.localX[i], rays.localY[i], rays.localZ[i], rows.nx[to],
+                        rows.ny[to], rows.nz[to], texel);
+                writeTexel(columns, 0, to);
             }
         }
     }

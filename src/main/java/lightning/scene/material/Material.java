@@ -25,6 +25,7 @@ import org.jspecify.annotations.Nullable;
  * @param roughness    metallic: 0 is smooth; its square is the width α of the highlight
  * @param f0           metallic: reflectance of a nonmetal at normal incidence
  * @param specularTint principled: color of a nonmetal's reflection at normal incidence
+ * @param anisotropy   principled: direction of its roughness below the coat, which a smooth or transparent one ignores
  * @param coat         principled: clear layer over it
  * @param sheen        principled: fibers over it and its coat, which a transparent one ignores
  * @param surfaceMaps  principled: images of its roughness and metalness, which a clear one ignores
@@ -38,7 +39,8 @@ import org.jspecify.annotations.Nullable;
 public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> glowMap, Bulb bulb, ShadingModel model, Rgb diffuse,
         Rgb specular, double shininess,
         Rgb base,
-        double metalness, double roughness, double f0, Rgb specularTint, Coat coat, Sheen sheen, SurfaceMaps surfaceMaps, Rgb reflective,
+        double metalness, double roughness, double f0, Rgb specularTint, Anisotropy anisotropy, Coat coat, Sheen sheen,
+        SurfaceMaps surfaceMaps, Rgb reflective,
         Optional<TextureMap> texture,
         BumpMapping bumpMapping, Transmission transmission, AlphaCutout cutout) implements MaterialBuilder.With {
 
@@ -82,6 +84,8 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         roughness = MaterialAttribute.ROUGHNESS.checkFor(model, roughness);
         f0 = MaterialAttribute.F0.checkFor(model, f0);
         specularTint = MaterialAttribute.SPECULAR_TINT.checkFor(model, specularTint);
+        anisotropy = new Anisotropy(MaterialAttribute.ANISOTROPY.checkFor(model, anisotropy.strength()),
+                MaterialAttribute.ANISOTROPY_ROTATION.checkFor(model, anisotropy.rotation()));
         coat = new Coat(MaterialAttribute.COAT.checkFor(model, coat.weight()),
                 MaterialAttribute.COAT_ROUGHNESS.checkFor(model, coat.roughness()),
                 MaterialAttribute.COAT_IOR.checkFor(model, coat.ior()));
@@ -101,7 +105,7 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
                 MaterialAttribute.MODEL.initial(), MaterialAttribute.DIFFUSE.initial(), MaterialAttribute.SPECULAR.initial(),
                 MaterialAttribute.SHININESS.initial(),
                 MaterialAttribute.BASE.initial(), MaterialAttribute.METALNESS.initial(), MaterialAttribute.ROUGHNESS.initial(),
-                MaterialAttribute.F0.initial(), MaterialAttribute.SPECULAR_TINT.initial(), Coat.NONE, Sheen.NONE,
+                MaterialAttribute.F0.initial(), MaterialAttribute.SPECULAR_TINT.initial(), Anisotropy.NONE, Coat.NONE, Sheen.NONE,
                 SurfaceMaps.NONE,
                 MaterialAttribute.REFLECTIVE.initial(), MaterialAttribute.TEXTURE.initial(),
                 BumpMapping.NONE, Transmission.NONE, AlphaCutout.NONE);
@@ -188,6 +192,11 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         return isPrincipled() && (!isSmooth() || coat.isVisible() && !hasSmoothCoat() || hasSheen());
     }
 
+    /** Returns whether its highlights and blurred reflections depend on a direction along the surface. */
+    public boolean isAnisotropic() {
+        return anisotropy.strength() > 0 && isPrincipled() && !isSmooth() && !isFrosted();
+    }
+
     /** Returns whether it shows fibers. */
     public boolean hasSheen() {
         return sheen.isVisible() && isPrincipled() && !isFrosted();
@@ -204,10 +213,11 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
 
     /**
      * Returns an upper bound of any term of a light of weight 1: 1, or for metallic materials 1/(2α³) plus rounding (see
-     * shading.LightingEquation).
+     * shading.LightingEquation), with the narrower α of an anisotropic one.
      */
     public double maxTerm() {
-        double base = surfaceMaps.roughness().isPresent() ? alpha(0) : alpha();
+        double round = surfaceMaps.roughness().isPresent() ? alpha(0) : alpha();
+        double base = isAnisotropic() ? anisotropy.across(round) : round;
         double alpha = coat.isVisible() ? Math.min(base, coat.alpha()) : base;
         double coated = (model == ShadingModel.PRINCIPLED ? MAX_LAYERS : 1) * (hasSheen() ? MAX_UNDER_SHEEN : 1);
         return isMetallic() ? coated * Math.max(1, (1 + 0x1p-20) / (2 * alpha * alpha * alpha)) : 1;

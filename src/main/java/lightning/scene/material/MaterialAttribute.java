@@ -146,6 +146,15 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     public static final MaterialAttribute<Rgb> SPECULAR_TINT = new MaterialAttribute<>("specular_tint", "specular tint",
             NumericKind.color(1), Rgb.WHITE, "linear red, green, blue", Material::specularTint, Material::withSpecularTint,
             MaterialTerm.COLOR, PRINCIPLED, Section.SURFACE, "Color of a nonmetal's reflection, seen straight on");
+    public static final MaterialAttribute<Double> ANISOTROPY = new MaterialAttribute<>("anisotropy", NumericKind.number(0, 1, 0.05),
+            Anisotropy.NONE.strength(), "", m -> m.anisotropy().strength(),
+            (m, v) -> m.withAnisotropy(m.anisotropy().withStrength(v)), MaterialTerm.HIGHLIGHT, PRINCIPLED, Section.SURFACE,
+            "Stretch of highlights and reflections, as of brushed metal: 0 for none");
+    public static final MaterialAttribute<Double> ANISOTROPY_ROTATION = new MaterialAttribute<>("anisotropy_rotation",
+            "anisotropy rotation", NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5),
+            Anisotropy.NONE.rotation(), "degrees from the horizontal of the texture", m -> m.anisotropy().rotation(),
+            (m, v) -> m.withAnisotropy(m.anisotropy().withRotation(v)), MaterialTerm.HIGHLIGHT, PRINCIPLED, Section.SURFACE,
+            "Direction of the stretch: 0 for the horizontal of the texture, 90 for the vertical");
     public static final MaterialAttribute<Double> COAT = coatAttribute("coat", "coat", NumericKind.number(0, 1, 0.05), Coat.NONE.weight(),
             "share of the surface", Coat::weight, Coat::withWeight, "Clear layer over the surface, as lacquer: 0 for none");
     public static final MaterialAttribute<Double> COAT_ROUGHNESS = coatAttribute("coat_roughness", "coat roughness",
@@ -296,15 +305,16 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
                 (m, v) -> m.withTransmission(with.apply(m.transmission(), v)), term, ANY, Section.CLEAR, help);
     }
 
-    /** Colors are equivalent if equal as floats, the precision of shading, and channels if there is no image. */
+    /** Colors are equivalent if equal as floats, the precision of shading, channels if there is no image, and rotations of no anisotropy. */
     @Override
     public boolean isEquivalent(Material a, Material b) {
-        return super.isEquivalent(a, b) || isChannelOfNothing(a) && isChannelOfNothing(b)
+        return super.isEquivalent(a, b) || isPartOfNothing(a) && isPartOfNothing(b)
                 || get(a) instanceof Rgb before && get(b) instanceof Rgb after && equalsAsFloat(before, after);
     }
 
-    private boolean isChannelOfNothing(Material m) {
-        return this == ROUGHNESS_CHANNEL && m.surfaceMaps().roughness().isEmpty()
+    private boolean isPartOfNothing(Material m) {
+        return this == ANISOTROPY_ROTATION && m.anisotropy().strength() == 0
+                || this == ROUGHNESS_CHANNEL && m.surfaceMaps().roughness().isEmpty()
                 || this == METALNESS_CHANNEL && m.surfaceMaps().metalness().isEmpty();
     }
 

@@ -32,6 +32,7 @@ import lightning.scene.asset.TexturePlacement;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.asset.TextureWrap.Edge;
 import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.Anisotropy;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
@@ -332,6 +333,37 @@ class GltfMaterialImportTest {
         assertThat(imported.scene().materials().getFirst().sheen()).isEqualTo(new Sheen(Rgb.WHITE, 0.25));
     }
 
+    /** The extension has the width α across the direction, and along it a mix of α and 1 by the square of its strength. */
+    @Test
+    void anisotropy_keepsBothWidths() throws Exception {
+        ImportedScene imported = importJson("{'pbrMetallicRoughness': {'roughnessFactor': 0.5}, 'extensions': {'KHR_materials_anisotropy':"
+                + " {'anisotropyStrength': 0.6, 'anisotropyRotation': 1.5707963267948966, 'anisotropyTexture': {'index': 0}}}}");
+        Material material = imported.scene().materials().getFirst();
+        Anisotropy anisotropy = material.anisotropy();
+        assertThat(anisotropy.across(material.alpha())).isCloseTo(0.25, within(1e-6));
+        assertThat(anisotropy.along(material.alpha())).isCloseTo(0.25 + 0.75 * 0.36, within(1e-6));
+        assertThat(anisotropy.rotation()).isEqualTo(90);
+        assertThat(imported.notes()).containsEntry("anisotropyTexture of materials", 1);
+    }
+
+    @Test
+    void anisotropyOfScenes_keepsItsNumbers() throws Exception {
+        ImportedScene imported = importJson("{'pbrMetallicRoughness': {'roughnessFactor': 0.3}, 'extensions': {'KHR_materials_anisotropy':"
+                + " {'anisotropyStrength': 0.8, 'extras': {'anisotropy': 0.8}}}}");
+        Material material = imported.scene().materials().getFirst();
+        assertThat(material.anisotropy()).isEqualTo(new Anisotropy(0.8, 0));
+        assertThat(material.roughness()).isEqualTo(0.3);
+    }
+
+    @Test
+    void anisotropyOfGlass_isNoted() throws Exception {
+        ImportedScene imported = importJson("{'extensions': {'KHR_materials_anisotropy': {'anisotropyStrength': 0.5},"
+                + " 'KHR_materials_transmission': {'transmissionFactor': 1}},"
+                + " 'pbrMetallicRoughness': {'metallicFactor': 0, 'roughnessFactor': 0.3}}");
+        assertThat(imported.scene().materials().getFirst().anisotropy()).isEqualTo(Anisotropy.NONE);
+        assertThat(imported.notes()).containsEntry("anisotropy of transparent materials", 1);
+    }
+
     @Test
     void sheenOfGlass_isNoted() throws Exception {
         ImportedScene imported = importJson("{'extensions': {'KHR_materials_sheen': {'sheenColorFactor': [1, 1, 1]},"
@@ -341,7 +373,7 @@ class GltfMaterialImportTest {
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = ';', value = {"anisotropy; 'anisotropyStrength': 0.5",
+    @CsvSource(delimiter = ';', value = {
         "iridescence; 'iridescenceFactor': 0.5", "diffuse transmission; 'diffuseTransmissionFactor': 0.5"})
     void missingProperty_isNotedWithItsMaterial(String property, String factor) throws Exception {
         String extension = "KHR_materials_" + property.replace(' ', '_');

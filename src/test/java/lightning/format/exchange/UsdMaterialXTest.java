@@ -294,14 +294,50 @@ class UsdMaterialXTest {
         assertThat(sheen.roughness()).isCloseTo(0.7 + 0.1 * (0.2993 - 0.2406) / (0.3106 - 0.2406), offset(0.012));
     }
 
+    /** The mean square of the widths of OpenPBR is α², and their ratio 1 − anisotropy. */
+    @Test
+    void anisotropy_keepsTheWidthsOfOpenPbr() throws Exception {
+        Material material = network("open_pbr_surface", """
+                float inputs:specular_roughness = 0.5
+                float inputs:specular_roughness_anisotropy = 0.6
+                """);
+        double along = material.anisotropy().along(material.alpha());
+        double across = material.anisotropy().across(material.alpha());
+        assertThat((along * along + across * across) / 2).isCloseTo(0.0625, offset(1e-6));
+        assertThat(across / along).isCloseTo(0.4, offset(1e-6));
+    }
+
+    @Test
+    void anisotropy_hasTheRatioAndTheRotationOfStandardSurface() throws Exception {
+        Material material = network("standard_surface", """
+                float inputs:specular_roughness = 0.5
+                float inputs:specular_anisotropy = 0.45
+                float inputs:specular_rotation = 0.25
+                """);
+        assertThat(material.roughness()).isCloseTo(0.5, offset(1e-6));
+        assertThat(material.anisotropy().strength()).isCloseTo(0.5, offset(1e-6));
+        assertThat(material.anisotropy().rotation()).isEqualTo(90);
+    }
+
+    @Test
+    void anisotropyOfGltfSurface_isThatOfItsExtension() throws Exception {
+        Material material = network("gltf_pbr", """
+                float inputs:roughness = 0.5
+                float inputs:anisotropy_strength = 1
+                """);
+        // Widths 1 and 1/4.
+        assertThat(material.alpha()).isCloseTo(0.5, offset(1e-6));
+        assertThat(material.anisotropy().strength()).isCloseTo(0.75 / 0.9, offset(1e-6));
+    }
+
     @Test
     void missingProperties_areNotedWithTheirMaterial() throws Exception {
         network("standard_surface", """
-                float inputs:specular_anisotropy = 0.5
+                float inputs:coat_anisotropy = 0.5
                 float inputs:coat = 1
                 color3f inputs:coat_color = (1, 0.5, 0.25)
                 """);
-        assertThat(imported.notes()).containsEntry("anisotropy of materials: 'look'", 1)
+        assertThat(imported.notes()).containsEntry("anisotropy of coats of materials: 'look'", 1)
                 .containsEntry("colors of coats of materials: 'look'", 1);
     }
 

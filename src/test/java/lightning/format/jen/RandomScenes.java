@@ -24,6 +24,7 @@ import lightning.scene.light.LightGroup;
 import lightning.scene.light.LightRig;
 import lightning.scene.light.LightType;
 import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.Anisotropy;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
@@ -237,6 +238,7 @@ final class RandomScenes {
         return Material.of(name).withModel(ShadingModel.PRINCIPLED).withGlow(color(1e6)).withBase(color(1))
                 .withMetalness(random.nextDouble())
                 .withRoughness(rough()).withF0(random.nextDouble()).withSpecularTint(chance() ? Rgb.WHITE : color(1))
+                .withAnisotropy(chance() ? Anisotropy.NONE : new Anisotropy(random.nextDouble(), 360 * random.nextDouble() - 180))
                 .withCoat(chance() ? Coat.NONE.withRoughness(rough()) : new Coat(random.nextDouble(), rough(), 1 + 3 * random.nextDouble()))
                 .withSheen(chance() ? Sheen.NONE : new Sheen(color(1), random.nextDouble()))
                 .withTexture(texture()).withTransmission(clarity());

@@ -20,6 +20,67 @@ class ReflectionLobeTest {
     }
 
     @ParameterizedTest
+    @CsvSource({"1, 0.3, 0.2, 0", "0.7, 0.6, 0.2, 30", "0.3, 0.9, 0.3, 90", "0.5, 1, 0.4, -70"})
+    void stretchedDensity_integratesToOneOverTheSphere(double cosine, double along, double across, double angle) {
+        var lobe = stretched(cosine, along, across, angle);
+        assertThat(overSphere(lobe, -1, () -> 1)).isCloseTo(1, within(0.003));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 0.3, 0.2, 0", "0.7, 0.6, 0.2, 30", "0.3, 0.9, 0.3, 90", "0.5, 1, 0.4, -70"})
+    void stretchedRays_haveTheMeanOfTheirDensity(double cosine, double along, double across, double angle) {
+        var lobe = stretched(cosine, along, across, angle);
+        double x = overSphere(lobe, -1, lobe::x);
+        double y = overSphere(lobe, -1, lobe::y);
+        double weight = overSphere(lobe, -1, lobe::weight);
+        double[] mean = new double[3];
+        for (int i = 0; i < STEPS; i++) {
+            for (int j = 0; j < STEPS; j++) {
+                double turn = 2 * Math.PI * (j + 0.5) / STEPS;
+                lobe.reflect((i + 0.5) / STEPS, Math.cos(turn), Math.sin(turn));
+                mean[0] += lobe.x();
+                mean[1] += lobe.y();
+                mean[2] += lobe.weight();
+            }
+        }
+        double rays = STEPS * (double) STEPS;
+        assertThat(mean[0] / rays).isCloseTo(x, within(0.005));
+        assertThat(mean[1] / rays).isCloseTo(y, within(0.005));
+        assertThat(mean[2] / rays).isCloseTo(weight, within(0.005));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 0.3", "0.7, 0.3", "0.3, 0.5", "0.9, 0.1"})
+    void equalWidths_reflectAsOne(double cosine, double alpha) {
+        var round = new ReflectionLobe();
+        round.aim(cosine, alpha);
+        var lobe = stretched(cosine, alpha, alpha, 40);
+        double[][] directions = {{0.6, 0, 0.8}, {0, 0.6, 0.8}, {-0.48, 0.36, 0.8}, {0, 0, 1}};
+        for (double[] d : directions) {
+            round.moveTo(d[0], d[1], d[2]);
+            lobe.moveTo(d[0], d[1], d[2]);
+            assertThat(lobe.density()).isCloseTo(round.density(), within(1e-9 * round.density()));
+            assertThat(lobe.weight()).isCloseTo(round.weight(), within(1e-12));
+            assertThat(lobe.schlick()).isCloseTo(round.schlick(), within(1e-12));
+        }
+    }
+
+    @Test
+    void rays_areWiderAlongTheDirection() {
+        var lobe = stretched(1, 0.5, 0.1, 90);
+        double x = overSphere(lobe, -1, () -> lobe.x() * lobe.x());
+        double y = overSphere(lobe, -1, () -> lobe.y() * lobe.y());
+        assertThat(y).isGreaterThan(5 * x);
+    }
+
+    private static ReflectionLobe stretched(double cosine, double along, double across, double degrees) {
+        var lobe = new ReflectionLobe();
+        double angle = Math.toRadians(degrees);
+        lobe.aim(cosine, along, across, Math.cos(angle), Math.sin(angle));
+        return lobe;
+    }
+
+    @ParameterizedTest
     @CsvSource({"1, 0.5", "0.7, 0.5", "0.3, 0.7", "0.5, 1", "0.9, 0.3"})
     void albedo_isTheIntegralOfTheLobe(double cosine, double roughness) {
         var lobe = new ReflectionLobe();

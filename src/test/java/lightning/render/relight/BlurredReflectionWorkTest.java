@@ -17,6 +17,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
+import lightning.scene.material.Anisotropy;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
@@ -121,6 +122,31 @@ class BlurredReflectionWorkTest {
     void roughnessOfSheen_castsReflectedRaysAgain() throws JenException {
         Scene scene = withMaterial(scene(), "table", m -> m.withSheen(new Sheen(Rgb.gray(0.5), 0.5)));
         assertThat(edit(scene, withMaterial(scene, "table", m -> m.withSheen(m.sheen().withRoughness(0.7)))).rays().gather()).isPositive();
+    }
+
+    @Test
+    void anisotropyThatBegins_castsReflectedRaysAgain() throws JenException {
+        Scene scene = scene();
+        assertThat(edit(scene, withMaterial(scene, "table", m -> m.withAnisotropy(new Anisotropy(0.8, 20)))).rays().gather()).isPositive();
+    }
+
+    @Test
+    void anisotropyThatEnds_castsReflectedRaysAgain() throws JenException {
+        Scene scene = withMaterial(scene(), "table", m -> m.withAnisotropy(new Anisotropy(0.8, 20)));
+        assertThat(edit(scene, withMaterial(scene, "table", m -> m.withAnisotropy(Anisotropy.NONE))).rays().gather()).isPositive();
+    }
+
+    @Test
+    void rotationOfAnisotropy_castsReflectedRaysAgain() throws JenException {
+        Scene scene = withMaterial(scene(), "table", m -> m.withAnisotropy(new Anisotropy(0.8, 0)));
+        assertThat(edit(scene, withMaterial(scene, "table", m -> m.withAnisotropy(m.anisotropy().withRotation(90)))).rays().gather())
+                .isPositive();
+    }
+
+    @Test
+    void colorOfAnisotropicNonmetal_castsNoRay() throws JenException {
+        Scene scene = withMaterial(scene(), "table", m -> m.withAnisotropy(new Anisotropy(0.8, 30)));
+        assertThat(edit(scene, withMaterial(scene, "table", m -> m.withBase(new Rgb(0.1, 0.2, 0.3)))).rays().gather()).isZero();
     }
 
     @Test

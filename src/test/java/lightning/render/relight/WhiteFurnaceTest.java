@@ -54,6 +54,12 @@ class WhiteFurnaceTest {
     }
 
     @ParameterizedTest
+    @CsvSource({"0.08, 1", "0.15, 0.5", "0.3, 0.8", "0.3, 1", "0.5, 0.8", "0.7, 0.5", "0.9, 1", "1, 0.8"})
+    void brushedMetal_reflectsAllLight(String roughness, String anisotropy) throws JenException {
+        assertThat(mean(METAL + roughness + "  anisotropy_rotation 30  anisotropy " + anisotropy)).isCloseTo(1, within(0.01));
+    }
+
+    @ParameterizedTest
     @CsvSource({"0.5, 0.03", "0.5, 0.4", "0, 0.03"})
     void coatedSurfaceWithWhiteSheen_sendsAllLightBack(String roughness, String coatRoughness) throws JenException {
         assertThat(mean("base 1 1 1  sheen 1 1 1  coat 1  roughness " + roughness + "  coat_roughness " + coatRoughness))

@@ -18,6 +18,9 @@ import lightning.scene.World;
 import lightning.scene.light.AreaShape;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
+import lightning.scene.material.Anisotropy;
+import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
 import lightning.scene.value.Attenuation;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -98,13 +101,51 @@ class VectorLanesTest {
         }
     }
 
+    @Property(tries = 300)
+    void anisotropicTerms_matchEquationBits(@ForAll Random random, @ForAll LightType type, @ForAll boolean scalar,
+            @ForAll @IntRange(min = 1, max = 200) int count) {
+        HitRows rows = rows(random, count);
+        LightSource source = lamp(random, type, rows);
+        Material material = Material.of("m").withModel(ShadingModel.PRINCIPLED)
+                .withAnisotropy(new Anisotropy(random.nextBoolean() ? 1 : 0.01 + 0.9 * random.nextDouble(), 90 * random.nextGaussian()));
+        AnisotropicHighlight highlight = PrincipledMaterial.of(material).highlight();
+        double[] alpha = new double[1024];
+        float[] specular = new float[1024];
+        float[] grazing = new float[1024];
+        TermKernel terms = (scalar ? Engines.SCALAR : Engines.LANES).terms();
+        terms.aim(rows, source);
+        int from = random.nextInt(count);
+        int[] queried = RowBits.allocate();
+        for (int i = 0; i < count; i++) {
+            alpha[i] = Material.alpha(random.nextDouble());
+            specular[i] = -1;
+            grazing[i] = -2;
+            if (random.nextBoolean()) {
+                RowBits.add(queried, i);
+            }
+        }
+        terms.anisotropicSpeculars(rows, from, count, queried, highlight, alpha, specular, grazing);
+        LightingEquation equation = new LightingEquation(source);
+        for (int i = 0; i < count; i++) {
+            boolean isSelected = i >= from && RowBits.contains(queried, i);
+            equation.moveTo(rows.px[i], rows.py[i], rows.pz[i], rows.nx[i], rows.ny[i], rows.nz[i]);
+            float[] tangent = {rows.tangentX[i], rows.tangentY[i], rows.tangentZ[i]};
+            if (!isSelected || equation.cosine(rows.nx[i], rows.ny[i], rows.nz[i]) > 0) {
+                assertSameBits(specular[i], !isSelected ? -1 : equation.anisotropicSpecular(rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i],
+                        rows.vy[i], rows.vz[i], tangent, highlight, alpha[i]), "specular");
+                assertSameBits(grazing[i], !isSelected ? -2 : equation.anisotropicGrazing(rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i],
+                        rows.vy[i], rows.vz[i], tangent, highlight, alpha[i]), "grazing");
+            }
+        }
+    }
+
     private static void assertSameBits(float actual, float expected, String term) {
         assertThat(Float.floatToRawIntBits(actual)).as(term + " " + actual + ", expected " + expected)
                 .isEqualTo(Float.floatToRawIntBits(expected));
     }
 
     private static HitRows rows(Random random, int count) {
-        HitRows rows = new HitRows(count, TexelColumns.NONE);
+        HitRows rows = new HitRows(count, TexelColumns.TANGENTS);
         rows.count = count;
         for (int i = 0; i < count; i++) {
             rows.px[i] = 10 * random.nextFloat() - 5;
@@ -114,6 +155,10 @@ class VectorLanesTest {
             rows.nx[i] = (float) n.x();
             rows.ny[i] = (float) n.y();
             rows.nz[i] = (float) n.z();
+            Vec3 t = n.cross(Math.abs(n.x()) < 0.6 ? new Vec3(1, 0, 0) : Vec3.Y).normalized();
+            rows.tangentX[i] = (float) t.x();
+            rows.tangentY[i] = (float) t.y();
+            rows.tangentZ[i] = (float) t.z();
             Vec3 v = unit(random);
             rows.vx[i] = (float) v.x();
             rows.vy[i] = (float) v.y();

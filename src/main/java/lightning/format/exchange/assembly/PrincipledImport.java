@@ -1,6 +1,7 @@
 package lightning.format.exchange.assembly;
 
 import lightning.base.math.Rgb;
+import lightning.scene.material.Anisotropy;
 import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
@@ -9,6 +10,9 @@ import lightning.scene.value.SceneLimits;
 
 /** Converter of other programs' reflections to principled materials. */
 public final class PrincipledImport {
+    /** Degrees of two half turns; materials look the same after one. */
+    private static final double HALF_TURNS = 360;
+
     private final SceneAssembler assembler;
 
     public PrincipledImport(SceneAssembler assembler) {
@@ -78,6 +82,41 @@ public final class PrincipledImport {
             return material;
         }
         return material.withSheen(sheen);
+    }
+
+    /**
+     * Adds an anisotropy with two widths of highlights. Changes the roughness, since its α is the mean of both. A transparent material has none, which is
+     * noted.
+     *
+     * @param along    width along the direction divided by α of the roughness with the mean of its map, above 0
+     * @param across   width across the direction divided by that α; a smaller share of {@code along} than materials have counts as the smallest
+     * @param rotation from the tangent, degrees, counterclockwise
+     */
+    public Material withAnisotropy(Material material, double along, double across, double rotation) {
+        double strength = NineDigits.rounded(Anisotropy.strength(across / along));
+        if (!(strength > 0)) {
+            return material;
+        }
+        if (material.transmission().isTransparent()) {
+            assembler.notes.add("anisotropy of transparent materials");
+            return material;
+        }
+        double roughness = NineDigits.rounded(material.roughness() * Math.sqrt(Math.sqrt(along * across)));
+        return material.withRoughness(SceneAssembler.clamp(roughness, 1))
+                .withAnisotropy(new Anisotropy(strength, NineDigits.rounded(rotation % HALF_TURNS)));
+    }
+
+    /**
+     * Adds an anisotropy of scenes, which is that of B. Burley (Physically-based shading at Disney, 2012); a transparent material has none, which is
+     * noted.
+     *
+     * @param strength 0 … 1
+     * @param rotation as above
+     */
+    public Material withBurleyAnisotropy(Material material, double strength, double rotation) {
+        Material anisotropic = withAnisotropy(material, 1, Anisotropy.ratio(strength), rotation);
+        return anisotropic == material ? material
+                : material.withAnisotropy(anisotropic.anisotropy().withStrength(NineDigits.rounded(strength)));
     }
 
     /**

@@ -24,6 +24,10 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
     /** Inputs whose textures are left out. */
     private static final List<String> UNMAPPED = List.of("specularColor", "ior", "clearcoat", "clearcoatRoughness");
     private static final double HALF = 0.5;
+    /** Degrees of a turn. */
+    private static final double TURN = 360;
+    /** Largest anisotropy of a standard surface (MaterialX, roughness_anisotropy). */
+    private static final double STANDARD_LIMIT = 0.98;
 
     Material convert(JsonValue in) throws IOException, MeshException {
         if (in.get("display").isPresent()) {
@@ -41,7 +45,7 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
                 isClear ? surfaceMaps.mean(in, "roughness", HALF) : UsdSurfaceMaps.number(in, "roughness", HALF)).withTexture(texture);
         noteLosses(in);
         Material surface = withOpacity(withNormals(withHighlights(withGlow(material, in), in), images.get("normal")), in);
-        return withSheen(withCoat(isClear ? surface : surfaceMaps.withMaps(surface, in), in), in);
+        return withAnisotropy(withSheen(withCoat(isClear ? surface : surfaceMaps.withMaps(surface, in), in), in), in);
     }
 
     /** Returns whether a material is transparent, unless it is metal. */
@@ -96,6 +100,29 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
         return !color.isPresent() ? material
                 : new PrincipledImport(assembler).withSheen(material, rgb(color),
                         in.get("isFuzz").number(0) == 1 ? UsdNumbers.tidy(roughness) : PrincipledImport.sheenRoughness(roughness));
+    }
+
+    /** Adds the anisotropy of a MaterialX surface by its own widths: α of the roughness in terms of them. */
+    private Material withAnisotropy(Material material, JsonValue in) throws MeshException {
+        double a = SceneAssembler.clamp(in.get("anisotropy").number(0), 1);
+        if (a == 0) {
+            return material;
+        }
+        double rotation = in.get("anisotropyRotation").number(0);
+        var principled = new PrincipledImport(assembler);
+        double alpha = Material.alpha(material.meanRoughness());
+        return switch (in.get("surface").text().orElse("")) {
+            // The mean square of both widths is α².
+            case "open_pbr_surface" -> {
+                double along = Math.sqrt(2 / (1 + (1 - a) * (1 - a)));
+                yield principled.withAnisotropy(material, along, along * (1 - a), TURN * rotation);
+            }
+            case "gltf_pbr" -> principled.withAnisotropy(material, (alpha + (1 - alpha) * a * a) / alpha, 1, Math.toDegrees(rotation));
+            default -> {
+                double aspect = Math.sqrt(1 - Math.min(a, STANDARD_LIMIT));
+                yield principled.withAnisotropy(material, 1 / aspect, aspect, TURN * rotation);
+            }
+        };
     }
 
     private Material withNormals(Material material, JsonValue image) throws IOException, MeshException {

@@ -20,7 +20,7 @@ import lightning.base.math.Rgb;
  * @param emissionMap image that multiplies the emission
  * @param cutout opacity map
  * @param bump map_Bump, bump or norm: a height or normal map
- * @param physical roughness and metalness with their maps, coat and sheen; empty for materials without them
+ * @param physical roughness and metalness with their maps, coat, sheen and anisotropy; empty for materials without them
  */
 public record MtlMaterial(String name, IlluminationModel illumination, Rgb diffuse, Rgb specular, Rgb emission, OptionalDouble shininess,
         double opacity, Rgb filter, double ior, Optional<MtlImage> texture, Optional<MtlImage> emissionMap,
@@ -33,10 +33,13 @@ public record MtlMaterial(String name, IlluminationModel illumination, Rgb diffu
      * @param coat Pc, thickness of the clear layer in the statements, which programs use as its share: 0 … 1
      * @param coatRoughness Pcr, 0 … 1
      * @param sheen Ps, share of a white sheen: 0 … 1
+     * @param anisotropy aniso, 0 … 1
+     * @param anisotropyRotation anisor, in turns: 0 … 1
      * @param roughnessMap map_Pr
      * @param metalnessMap map_Pm
      */
     public record Physical(double roughness, double metalness, double coat, double coatRoughness, double sheen,
+            double anisotropy, double anisotropyRotation,
             Optional<FactorMap> roughnessMap,
             Optional<FactorMap> metalnessMap) {
         /** Statements of a material without any. */
@@ -44,7 +47,7 @@ public record MtlMaterial(String name, IlluminationModel illumination, Rgb diffu
 
         /** Creates statements without maps. */
         public Physical(double roughness, double metalness, double coat, double coatRoughness, double sheen) {
-            this(roughness, metalness, coat, coatRoughness, sheen, Optional.empty(), Optional.empty());
+            this(roughness, metalness, coat, coatRoughness, sheen, 0, 0, Optional.empty(), Optional.empty());
         }
     }
 

@@ -1,7 +1,5 @@
 package lightning.format.mesh.obj;
 
-import static java.util.Objects.requireNonNull;
-
 import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -104,15 +102,9 @@ public final class MtlReader {
             case "Pc" -> current.coat = readNumber();
             case "Pcr" -> current.coatRoughness = readNumber();
             case "Ps" -> current.sheen = readNumber();
-            case "aniso" -> noteMissing("anisotropy (aniso)");
+            case "aniso" -> current.anisotropy = readNumber();
+            case "anisor" -> current.anisotropyRotation = readNumber();
             default -> notes.add(keyword + " of materials");
-        }
-    }
-
-    /** Notes a property that no material of a scene has, with the name of the material. */
-    private void noteMissing(String title) throws IOException, MeshException {
-        if (readNumber() != 0) {
-            notes.addNamed(title + " of materials", requireNonNull(current).name);
         }
     }
 
@@ -152,6 +144,8 @@ public final class MtlReader {
         double coat;
         double coatRoughness;
         double sheen;
+        double anisotropy;
+        double anisotropyRotation;
         Optional<MtlImage> texture = Optional.empty();
         Optional<MtlImage> emissionMap = Optional.empty();
         Optional<MtlImage> cutout = Optional.empty();
@@ -170,10 +164,11 @@ public final class MtlReader {
 
         private Optional<MtlMaterial.Physical> physical() {
             return roughness.isEmpty() && metalness.isEmpty() && roughnessMap.isEmpty() && metalnessMap.isEmpty()
-                    && coat == 0 && sheen == 0 ? Optional.empty()
+                    && coat == 0 && sheen == 0 && anisotropy == 0 ? Optional.empty()
                             : Optional.of(new MtlMaterial.Physical(roughness.orElse(MtlMaterial.Physical.NONE.roughness()),
                                     metalness.orElse(0),
-                                    coat, coatRoughness, sheen, factorMap(roughnessMap, roughness), factorMap(metalnessMap, metalness)));
+                                    coat, coatRoughness, sheen, anisotropy, anisotropyRotation, factorMap(roughnessMap, roughness),
+                                    factorMap(metalnessMap, metalness)));
         }
 
         private static Optional<MtlMaterial.FactorMap> factorMap(Optional<MtlImage> map, OptionalDouble factor) {

@@ -1,10 +1,13 @@
 package lightning.render.engine.lanes;
 
+import static java.util.Objects.requireNonNull;
+
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
+import lightning.render.shading.AnisotropicHighlight;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightingEquation;
@@ -39,6 +42,8 @@ final class LightLanes implements TermKernel {
     private double highlightWidening;
     /** α² of the rows of a word, widened by the light of one sample. */
     private final double[] squaredWidth = new double[RowBits.WIDTH];
+    /** α⊥² of the rows of a word with an anisotropic material, whose α∥² are in {@link #squaredWidth}; both widened. */
+    private final double[] squaredAcross = new double[RowBits.WIDTH];
     /** Cosine from the cone's axis, −1…1. */
     private final double[] axisCosine = new double[MAX_ROWS];
     private final double[] power = new double[MAX_ROWS];
@@ -489,20 +494,89 @@ final class LightLanes implements TermKernel {
     private void writeMetallicSpeculars(HitRows rows, int b, int bits, float[] gloss, float[] grazing) {
         int row = b * RowBits.WIDTH;
         if (highlightWidening != 0) {
-            widenSquares(row);
+            widenSquares(row, squaredWidth);
         }
         writeFacetTerms(rows, row);
         mergeRows(b, bits, specularTerms, row, gloss);
         mergeRows(b, bits, grazingTerms, row, grazing);
     }
 
-    /** Widens {@link #squaredWidth} of a word's rows. */
-    private void widenSquares(int row) {
+    @Override
+    public void anisotropicSpeculars(HitRows rows, int from, int to, int[] rowSet, AnisotropicHighlight highlight, double[] alpha,
+            float[] gloss, float[] grazing) {
+        for (int b = from / RowBits.WIDTH; b * RowBits.WIDTH < to; b++) {
+            int bits = rowSet[b] & RowBits.rangeBits(b, from, to);
+            if (bits != 0) {
+                int row = b * RowBits.WIDTH;
+                for (int i = 0; i < RowBits.WIDTH; i++) {
+                    squaredWidth[i] = highlight.squareAlong(alpha[row + i]);
+                    squaredAcross[i] = highlight.squareAcross(alpha[row + i]);
+                }
+                if (highlightWidening != 0) {
+                    widenSquares(row, squaredWidth);
+                    widenSquares(row, squaredAcross);
+                }
+                for (int i = row; i < row + RowBits.WIDTH; i += LANES) {
+                    writeAnisotropicTerm(rows, i, i - row, highlight.cos(), highlight.sin());
+                    splitBySchlick(rows, i);
+                }
+                mergeRows(b, bits, specularTerms, row, gloss);
+                mergeRows(b, bits, grazingTerms, row, grazing);
+            }
+        }
+    }
+
+    /** Writes N·L·D·V to {@link #power}: {@link AnisotropicHighlight#term}. */
+    private void writeAnisotropicTerm(HitRows rows, int i, int inWord, double cos, double sin) {
+        DoubleVector nx = ColumnLanes.load(rows.nx, i);
+        DoubleVector ny = ColumnLanes.load(rows.ny, i);
+        DoubleVector nz = ColumnLanes.load(rows.nz, i);
+        DoubleVector tx = ColumnLanes.load(requireNonNull(rows.tangentX), i);
+        DoubleVector ty = ColumnLanes.load(requireNonNull(rows.tangentY), i);
+        DoubleVector tz = ColumnLanes.load(requireNonNull(rows.tangentZ), i);
+        DoubleVector bx = ny.mul(tz).sub(nz.mul(ty));
+        DoubleVector by = nz.mul(tx).sub(nx.mul(tz));
+        DoubleVector bz = nx.mul(ty).sub(ny.mul(tx));
+        DoubleVector xx = tx.mul(cos).add(bx.mul(sin));
+        DoubleVector xy = ty.mul(cos).add(by.mul(sin));
+        DoubleVector xz = tz.mul(cos).add(bz.mul(sin));
+        DoubleVector yx = bx.mul(cos).sub(tx.mul(sin));
+        DoubleVector yy = by.mul(cos).sub(ty.mul(sin));
+        DoubleVector yz = bz.mul(cos).sub(tz.mul(sin));
+        DoubleVector x = DoubleVector.fromArray(D, lx, i);
+        DoubleVector y = DoubleVector.fromArray(D, ly, i);
+        DoubleVector z = DoubleVector.fromArray(D, lz, i);
+        DoubleVector nl = nx.mul(x).add(ny.mul(y)).add(nz.mul(z));
+        DoubleVector xl = xx.mul(x).add(xy.mul(y)).add(xz.mul(z));
+        DoubleVector yl = yx.mul(x).add(yy.mul(y)).add(yz.mul(z));
+        DoubleVector vx = ColumnLanes.load(rows.vx, i);
+        DoubleVector vy = ColumnLanes.load(rows.vy, i);
+        DoubleVector vz = ColumnLanes.load(rows.vz, i);
+        DoubleVector nv = nx.mul(vx).add(ny.mul(vy)).add(nz.mul(vz)).neg();
+        DoubleVector xv = xx.mul(vx).add(xy.mul(vy)).add(xz.mul(vz)).neg();
+        DoubleVector yv = yx.mul(vx).add(yy.mul(vy)).add(yz.mul(vz)).neg();
+        DoubleVector nh = nl.add(nv);
+        DoubleVector xh = xl.add(xv);
+        DoubleVector yh = yl.add(yv);
+        DoubleVector a = DoubleVector.fromArray(D, squaredWidth, inWord);
+        DoubleVector b = DoubleVector.fromArray(D, squaredAcross, inWord);
+        DoubleVector xs = xh.mul(xh);
+        DoubleVector ys = yh.mul(yh);
+        DoubleVector ns = nh.mul(nh);
+        DoubleVector c = clampToUnit(xs.add(ys).add(ns).div(xs.div(a).add(ys.div(b)).add(ns)));
+        DoubleVector facing = DoubleVector.zero(D).blend(nv, nv.compare(VectorOperators.GT, 0));
+        DoubleVector gl = nl.add(a.mul(xl.mul(xl)).add(b.mul(yl.mul(yl))).add(nl.mul(nl)).lanewise(VectorOperators.SQRT));
+        DoubleVector gv = facing.add(a.mul(xv.mul(xv)).add(b.mul(yv.mul(yv))).add(facing.mul(facing)).lanewise(VectorOperators.SQRT));
+        nl.mul(c.mul(c)).div(a.mul(b).lanewise(VectorOperators.SQRT).mul(gl.mul(gv))).intoArray(power, i);
+    }
+
+    /** Widens the squares of the widths of a word's rows. */
+    private void widenSquares(int row, double[] squares) {
         for (int i = 0; i < RowBits.WIDTH; i += LANES) {
             DoubleVector d = DoubleVector.fromArray(D, distance, row + i);
             DoubleVector widened =
-                    DoubleVector.broadcast(D, highlightWidening).div(d.mul(d)).add(DoubleVector.fromArray(D, squaredWidth, i));
-            one().blend(widened, widened.compare(VectorOperators.LT, 1)).intoArray(squaredWidth, i);
+                    DoubleVector.broadcast(D, highlightWidening).div(d.mul(d)).add(DoubleVector.fromArray(D, squares, i));
+            one().blend(widened, widened.compare(VectorOperators.LT, 1)).intoArray(squares, i);
         }
     }
 

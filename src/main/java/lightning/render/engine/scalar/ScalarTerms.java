@@ -1,7 +1,10 @@
 package lightning.render.engine.scalar;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.base.math.PowerFunction;
+import lightning.render.shading.AnisotropicHighlight;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightingEquation;
@@ -210,8 +213,28 @@ final class ScalarTerms implements TermKernel {
         }
     }
 
+    @Override
+    public void anisotropicSpeculars(HitRows rows, int from, int to, int[] rowSet, AnisotropicHighlight highlight, double[] alpha,
+            float[] gloss, float[] grazing) {
+        float[] tx = requireNonNull(rows.tangentX);
+        float[] ty = requireNonNull(rows.tangentY);
+        float[] tz = requireNonNull(rows.tangentZ);
+        for (int i = from; i < to; i++) {
+            if (RowBits.contains(rowSet, i)) {
+                writeSplit(rows, i,
+                        highlight.term(rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i], rows.vz[i], tx[i], ty[i], tz[i], lx[i],
+                                ly[i], lz[i], widened(i, highlight.squareAlong(alpha[i])), widened(i, highlight.squareAcross(alpha[i]))),
+                        gloss, grazing);
+            }
+        }
+    }
+
     private void writeMetallicSpecular(HitRows rows, int i, double alpha, float[] gloss, float[] grazing) {
-        double facets = microfacetTerm(rows, i, alpha);
+        writeSplit(rows, i, microfacetTerm(rows, i, alpha), gloss, grazing);
+    }
+
+    /** Splits N·L·D·V by (1 − V·H)⁵. */
+    private void writeSplit(HitRows rows, int i, double facets, float[] gloss, float[] grazing) {
         double schlick = schlick(rows, i);
         gloss[i] = (float) (facets * (1 - schlick));
         grazing[i] = (float) (facets * schlick);
@@ -240,10 +263,14 @@ final class ScalarTerms implements TermKernel {
 
     /** Returns α², widened by the light of one sample. */
     private double widenedSquare(int i, double alpha) {
+        return widened(i, alpha * alpha);
+    }
+
+    private double widened(int i, double square) {
         if (highlightWidening == 0) {
-            return alpha * alpha;
+            return square;
         }
-        double widened = alpha * alpha + highlightWidening / (distance[i] * distance[i]);
+        double widened = square + highlightWidening / (distance[i] * distance[i]);
         return widened < 1 ? widened : 1;
     }
 

@@ -94,6 +94,9 @@ final class CandidateTracer {
         SeenSurfaces sorted = new SeenSurfaces(rows.count);
         for (int row : rowByPixel) {
             if (row != NONE) {
+                if (rows.tangentX != null && rows.tangentY != null && rows.tangentZ != null) {
+                    sorted.tangents.set(sorted.count(), rows.tangentX[row], rows.tangentY[row], rows.tangentZ[row]);
+                }
                 sorted.add(rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row], rows.nz[row], rows.owner[row],
                         rows.vx[row], rows.vy[row], rows.vz[row],
                         roughness(rows, row));

@@ -14,13 +14,15 @@ public final class SeenSurfaces {
     public float[] vz;
     /** Roughness of principled surfaces with their maps, 0…1; otherwise 0. */
     public float[] roughness;
+    public final TangentColumns tangents;
 
     public SeenSurfaces(int capacity) {
-        this(new SurfaceColumns(capacity), capacity);
+        this(new SurfaceColumns(capacity), new TangentColumns(), capacity);
     }
 
-    private SeenSurfaces(SurfaceColumns surfaces, int capacity) {
+    private SeenSurfaces(SurfaceColumns surfaces, TangentColumns tangents, int capacity) {
         this.surfaces = surfaces;
+        this.tangents = tangents;
         vx = new float[capacity];
         vy = new float[capacity];
         vz = new float[capacity];
@@ -29,6 +31,7 @@ public final class SeenSurfaces {
 
     public void writeTo(ColumnWriter out) throws IOException {
         surfaces.writeTo(out);
+        tangents.writeTo(out);
         out.writeArray(Arrays.copyOf(vx, count()));
         out.writeArray(Arrays.copyOf(vy, count()));
         out.writeArray(Arrays.copyOf(vz, count()));
@@ -36,7 +39,7 @@ public final class SeenSurfaces {
     }
 
     public static SeenSurfaces readFrom(ColumnReader in) throws IOException {
-        var seen = new SeenSurfaces(SurfaceColumns.readFrom(in), 0);
+        var seen = new SeenSurfaces(SurfaceColumns.readFrom(in), TangentColumns.readFrom(in), 0);
         seen.vx = in.readFloats();
         seen.vy = in.readFloats();
         seen.vz = in.readFloats();
@@ -60,6 +63,7 @@ public final class SeenSurfaces {
 
     /** Adds surface {@code i} of others. */
     public void add(SeenSurfaces o, int i) {
+        tangents.set(count(), o.tangents, i);
         add(o.surfaces.px[i], o.surfaces.py[i], o.surfaces.pz[i], o.surfaces.nx[i], o.surfaces.ny[i], o.surfaces.nz[i],
                 o.surfaces.primitive[i], o.vx[i], o.vy[i], o.vz[i], o.roughness[i]);
     }
@@ -67,6 +71,7 @@ public final class SeenSurfaces {
     /** Keeps the first surfaces only, and no room for others. */
     public void trim(int count) {
         surfaces.trim(count);
+        tangents.trim(count);
         vx = Arrays.copyOf(vx, count);
         vy = Arrays.copyOf(vy, count);
         vz = Arrays.copyOf(vz, count);

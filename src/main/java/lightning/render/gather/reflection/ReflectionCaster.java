@@ -5,6 +5,7 @@ import static java.util.Objects.requireNonNull;
 import lightning.render.gather.cell.CellKeys;
 import lightning.render.gather.cell.SkyCells;
 import lightning.render.gather.cell.SurfaceColumns;
+import lightning.render.gather.cell.TangentColumns;
 import lightning.render.gather.glow.GlowAim;
 import lightning.render.gather.glow.GlowShapes;
 import lightning.render.gather.ray.InverseLengths;
@@ -19,6 +20,7 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.RayBatch;
 import lightning.render.trace.Tracer;
 import lightning.scene.Scene;
+import lightning.scene.material.Anisotropy;
 import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
@@ -61,6 +63,9 @@ public final class ReflectionCaster {
     /** Frame of the point: the plane of normal and view, and the normal. */
     private final double[] tangent = new double[3];
     private final double[] bitangent = new double[3];
+    /** Direction of an anisotropic material in this frame. */
+    private double turnX;
+    private double turnY;
 
     /**
      * @param lobes by material
@@ -199,7 +204,7 @@ public final class ReflectionCaster {
         }
         RoughLobes its = requireNonNull(lobes[points.material[p]]);
         double alpha = alpha(points, p, its, kind(its, k));
-        return keys.detailLevel(rows.px[row], rows.py[row], rows.pz[row], distance, DETAIL * alpha * distance);
+        return keys.detailLevel(rows.px[row], rows.py[row], rows.pz[row], distance, DETAIL * its.narrow(kind(its, k), alpha) * distance);
     }
 
     /** Moves to a point: its view lies in the plane of the tangent and the normal. */
@@ -232,6 +237,31 @@ public final class ReflectionCaster {
         bitangent[0] = ny * tangent[2] - nz * tangent[1];
         bitangent[1] = nz * tangent[0] - nx * tangent[2];
         bitangent[2] = nx * tangent[1] - ny * tangent[0];
+        if (its.anisotropy() != null) {
+            turnTo(points, p, its.anisotropy());
+        }
+    }
+
+    private void turnTo(ReflectionPoints points, int p, Anisotropy anisotropy) {
+        TangentColumns t = points.seen.tangents;
+        double x = t.x(p) * tangent[0] + t.y(p) * tangent[1] + t.z(p) * tangent[2];
+        double y = t.x(p) * bitangent[0] + t.y(p) * bitangent[1] + t.z(p) * bitangent[2];
+        double angle = Math.toRadians(anisotropy.rotation());
+        double cos = StrictMath.cos(angle);
+        double sin = StrictMath.sin(angle);
+        double length = Math.sqrt(x * x + y * y);
+        turnX = (cos * x - sin * y) / length;
+        turnY = (sin * x + cos * y) / length;
+    }
+
+    /** Sets the lobe of a kind at the present point. @param alpha its width α */
+    private void aim(RoughLobes its, Kind kind, double alpha) {
+        Anisotropy anisotropy = its.anisotropy();
+        if (anisotropy == null || kind != Kind.SURFACE) {
+            lobe.aim(cosine, alpha);
+        } else {
+            lobe.aim(cosine, anisotropy.along(alpha), anisotropy.across(alpha), turnX, turnY);
+        }
     }
 
     /** Writes ray {@code k} of the present point and its weights to the batch. */
@@ -269,7 +299,7 @@ public final class ReflectionCaster {
             white[at] += factor;
             return;
         }
-        lobe.aim(cosine, alpha(points, p, its, kind));
+        aim(its, kind, alpha(points, p, its, kind));
         lobe.reflect(directions.share(place), directions.cos(place), directions.sin(place));
         if (kind == Kind.PASSING) {
             lobe.pass(requireNonNull(its.frost()).ior());
@@ -325,7 +355,7 @@ public final class ReflectionCaster {
     /** Adds the weights of an aimed ray for one lobe, relative to those of the rays of the lobe that has the fewest. */
     private void addAimed(int at, RoughLobes its, Kind kind, double alpha, double x, double y, double z, double angle) {
         if (alpha > 0) {
-            lobe.aim(cosine, alpha);
+            aim(its, kind, alpha);
             lobe.moveTo(x, y, z);
             double own = lobe.density() * angle;
             addWeights(at, its, kind, fewestRays * own / (its.rays(kind, directions.side) * own + 1));

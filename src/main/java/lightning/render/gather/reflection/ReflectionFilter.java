@@ -39,8 +39,9 @@ public record ReflectionFilter(int[][] neighbors, float[][] weights) {
     private static float weight(ReflectionGroup group, int p, int q, float reach) {
         SurfaceColumns s = group.surface;
         float share = group.radius[q] / group.radius[p];
-        return (float) Math.sqrt(ReflectionWeight.at(group, q, reach, s.px[p], s.py[p], s.pz[p], s.nx[p], s.ny[p], s.nz[p], group.rx[p],
-                group.ry[p], group.rz[p], group.roughness[p])) * (share * share);
+        float weight = (float) Math.sqrt(ReflectionWeight.at(group, q, reach, s.px[p], s.py[p], s.pz[p], s.nx[p], s.ny[p], s.nz[p],
+                group.rx[p], group.ry[p], group.rz[p], group.roughness[p])) * (share * share);
+        return weight > 0 && group.material.isAnisotropic() ? weight * group.alignment(p, q) : weight;
     }
 
     /**

@@ -5,7 +5,9 @@ import static java.util.Objects.requireNonNull;
 import java.util.Arrays;
 import java.util.List;
 import lightning.render.gather.cell.SurfaceColumns;
+import lightning.render.gather.cell.TangentColumns;
 import lightning.render.gather.point.PointGroups;
+import lightning.render.lobe.RoughLobes;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.scene.material.Material;
@@ -22,6 +24,9 @@ public final class ReflectionGroup {
     final float[] rz;
     /** Roughness with its map. */
     final float[] roughness;
+    private final TangentColumns tangents = new TangentColumns();
+    /** Largest sine of the angle between tangents, 0…1. */
+    private final double twist;
     /** Width of the cells of directions, about radians. */
     final float step;
     public final PointGroups groups;
@@ -29,6 +34,8 @@ public final class ReflectionGroup {
 
     private ReflectionGroup(ReflectionPoints points, int[] number, float step, Material material) {
         this.material = material;
+        RoughLobes lobes = RoughLobes.of(material);
+        twist = lobes == null ? 1 : lobes.twist();
         this.number = number;
         this.step = step;
         surface = new SurfaceColumns(number.length);
@@ -45,6 +52,7 @@ public final class ReflectionGroup {
             ry[i] = points.ry[p];
             rz[i] = points.rz[p];
             roughness[i] = points.seen.roughness[p];
+            tangents.set(i, points.seen.tangents, p);
         }
         groups = new PointGroups(surface, radius);
     }
@@ -75,6 +83,25 @@ public final class ReflectionGroup {
     public static float roughness(Material material, HitRows rows, int row) {
         return (float) (material.surfaceMaps().roughness().isEmpty() ? material.roughness()
                 : material.mappedRoughness(requireNonNull(rows.texel(ColumnGroup.ROUGHNESS_TEXEL, 0))[row]));
+    }
+
+    /**
+     * Returns the share of its weight that a point of an anisotropic material has at a place with another tangent: 1 for the same tangent, or none.
+     *
+     * @param tx tangent at the place, with {@code ty} and {@code tz}
+     */
+    public float alignment(int p, float tx, float ty, float tz) {
+        if (tx == 0 && ty == 0 && tz == 0) {
+            return 1;
+        }
+        double along = tx * tangents.x(p) + ty * tangents.y(p) + tz * tangents.z(p);
+        double left = 1 - Math.sqrt(Math.max(0, 1 - along * along)) / twist;
+        return left > 0 ? (float) (left * left) : 0;
+    }
+
+    /** Returns the share of its weight that point {@code q} has at the place of point {@code p}. */
+    float alignment(int p, int q) {
+        return alignment(q, tangents.x(p), tangents.y(p), tangents.z(p));
     }
 
     public int count() {

@@ -108,6 +108,6 @@ public final class ReflectionPoints {
     }
 
     long bytes() {
-        return 68L * count();
+        return 68L * count() + seen.tangents.bytes();
     }
 }

@@ -32,6 +32,7 @@ record MaterialDifference(MaterialTable before, MaterialTable after) {
 
     private boolean changesSpecular(int m) {
         return changesModel(m) || before.isPrincipled(m) != after.isPrincipled(m) || before.isSpecular(m) != after.isSpecular(m)
+                || before.material(m).isAnisotropic() != after.material(m).isAnisotropic()
                 || before.material(m).f0UnderSheen() != after.material(m).f0UnderSheen()
                 || after.isSpecular(m) && (differs(MaterialTerm.HIGHLIGHT, m) || differs(MaterialTerm.HIGHLIGHT_TEXEL, m));
     }
@@ -42,7 +43,7 @@ record MaterialDifference(MaterialTable before, MaterialTable after) {
 
     private boolean changesTexture(int m) {
         // Shapes with their own colors may have joined or left a material without a visible change here.
-        return differs(MaterialTerm.TEXEL, m) || differs(MaterialTerm.HIGHLIGHT_TEXEL, m) || before.isTextured(m) != after.isTextured(m);
+        return differs(MaterialTerm.TEXEL, m) || differs(MaterialTerm.HIGHLIGHT_TEXEL, m) || !before.texels(m).equals(after.texels(m));
     }
 
     private boolean differs(MaterialTerm term, int m) {

@@ -1,5 +1,6 @@
 package lightning.render.shading.explanation;
 
+import lightning.render.shading.AnisotropicHighlight;
 import lightning.render.shading.HighlightFactor;
 import lightning.render.shading.LightingEquation;
 import lightning.render.shading.PrincipledMaterial;
@@ -37,7 +38,7 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
 
     private float coatedSpecular() {
         double alpha = Material.alpha(hit.roughness());
-        float specular = factor.surface(metallicSpecular(alpha), alpha);
+        float specular = factor.surface(baseSpecular(alpha), alpha);
         PrincipledMaterial coated = coated();
         return coated == null ? specular : specular * weights(coated).base();
     }
@@ -53,7 +54,7 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
 
     private float coatedGrazing() {
         double width = Material.alpha(hit.roughness());
-        float grazing = factor.surface(metallicGrazing(width), width);
+        float grazing = factor.surface(baseGrazing(width), width);
         PrincipledMaterial coated = coated();
         if (coated == null) {
             return grazing;
@@ -61,6 +62,23 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
         double alpha = materials.material(hit.material()).coat().alpha();
         return weights(coated).coatedGrazing(coated, grazing, factor.coat(metallicSpecular(alpha), alpha),
                 factor.coat(metallicGrazing(alpha), alpha));
+    }
+
+    private @Nullable AnisotropicHighlight highlight() {
+        PrincipledMaterial material = PrincipledMaterial.of(materials.material(hit.material()));
+        return material == null ? null : material.highlight();
+    }
+
+    private float baseSpecular(double alpha) {
+        AnisotropicHighlight highlight = highlight();
+        return highlight == null ? metallicSpecular(alpha)
+                : equation.anisotropicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), hit.tangent(), highlight, alpha);
+    }
+
+    private float baseGrazing(double alpha) {
+        AnisotropicHighlight highlight = highlight();
+        return highlight == null ? metallicGrazing(alpha)
+                : equation.anisotropicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), hit.tangent(), highlight, alpha);
     }
 
     private float metallicSpecular(double alpha) {

@@ -4,6 +4,8 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
 import lightning.render.shading.AngularMask;
+import lightning.render.shading.AnisotropicHighlight;
+import lightning.render.shading.FaceHighlight;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.PrincipledMaterial;
 import lightning.render.shading.PrincipledWeights;
@@ -11,7 +13,6 @@ import lightning.render.shading.SheenLayer;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
-import lightning.scene.material.ShadingModel;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -30,7 +31,7 @@ final class TermColumnWriter {
     /** For each material whether its diffuse term is less than the cosine. */
     private final boolean[] losesDiffuse;
     private final PrincipledWeights weights = new PrincipledWeights();
-    /** Widths of the highlights of rows with a roughness map. */
+    /** Widths of the highlights of rows with a roughness map or an anisotropic material. */
     private final double[] widths;
     /** For each material whether its highlights have the shape of the faces of area lights. */
     private final boolean[] showsFaces;
@@ -51,9 +52,9 @@ final class TermColumnWriter {
         }
         showsFaces = new boolean[materials.count()];
         for (int m = 0; m < showsFaces.length; m++) {
-            showsFaces[m] = materials.material(m).model() == ShadingModel.PRINCIPLED;
+            showsFaces[m] = FaceHighlight.isShownBy(materials.material(m));
         }
-        boolean isMapped = Arrays.stream(principledMaterials).anyMatch(m -> m != null && m.hasRoughnessMap());
+        boolean isMapped = Arrays.stream(principledMaterials).anyMatch(m -> m != null && (m.hasRoughnessMap() || m.highlight() != null));
         widths = new double[isMapped ? TermKernel.MAX_ROWS : 0];
         boolean isCoated = Arrays.stream(principledMaterials).anyMatch(m -> m != null && m.coat() != null);
         coatSpecular = new float[isCoated ? TermKernel.MAX_ROWS : 0];
@@ -134,7 +135,9 @@ final class TermColumnWriter {
             if (materials.isMetallic(material)) {
                 assert grazing != null;
                 PrincipledMaterial principled = principledMaterials[material];
-                if (principled != null && principled.hasRoughnessMap()) {
+                if (principled != null && principled.highlight() != null) {
+                    writeAnisotropic(rows, r, queried, principled, principled.highlight(), column, grazing);
+                } else if (principled != null && principled.hasRoughnessMap()) {
                     writeMappedSpeculars(rows, r, queried, principled, column, grazing);
                 } else {
                     terms.metallicSpeculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.alpha(material), column, grazing);
@@ -157,10 +160,24 @@ final class TermColumnWriter {
 
     private void writeMappedSpeculars(HitRows rows, int run, int[] queried, PrincipledMaterial material, float[] specular,
             float[] grazing) {
+        writeMappedWidths(rows, run, material);
+        terms.metallicSpeculars(rows, rows.runStart(run), rows.runEnd[run], queried, widths, specular, grazing);
+    }
+
+    private void writeMappedWidths(HitRows rows, int run, PrincipledMaterial material) {
         for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
             widths[i] = material.mappedAlpha(rows, i);
         }
-        terms.metallicSpeculars(rows, rows.runStart(run), rows.runEnd[run], queried, widths, specular, grazing);
+    }
+
+    private void writeAnisotropic(HitRows rows, int run, int[] queried, PrincipledMaterial material, AnisotropicHighlight highlight,
+            float[] specular, float[] grazing) {
+        if (material.hasRoughnessMap()) {
+            writeMappedWidths(rows, run, material);
+        } else {
+            Arrays.fill(widths, rows.runStart(run), rows.runEnd[run], material.material().alpha());
+        }
+        terms.anisotropicSpeculars(rows, rows.runStart(run), rows.runEnd[run], queried, highlight, widths, specular, grazing);
     }
 
     private void scaleSurface(HitRows rows, int run, int[] queried, @Nullable PrincipledMaterial material, HighlightFactors factors,

@@ -1,11 +1,14 @@
 package lightning.render.trace.mesh;
 
 import lightning.scene.node.Mesh;
+import org.jspecify.annotations.Nullable;
 
 /** Mesh with its BVH, shared by all shapes that use the mesh. Thread-safe. */
 public final class MeshSolid {
     final Mesh mesh;
     final MeshTree tree;
+    /** Computed on first use: only anisotropic materials need them. */
+    private volatile float @Nullable [] vertexTangents;
 
     public MeshSolid(Mesh mesh) {
         this.mesh = mesh;
@@ -29,6 +32,28 @@ public final class MeshSolid {
 
     public Mesh mesh() {
         return mesh;
+    }
+
+    /** Returns x, y and z of each vertex's tangent, of length 1, or 0 for none. The mesh must have texture coordinates. */
+    public float[] vertexTangents() {
+        float[] known = vertexTangents;
+        if (known == null) {
+            // Threads that come at the same time compute the same.
+            known = VertexTangents.of(mesh, size());
+            vertexTangents = known;
+        }
+        return known;
+    }
+
+    /** Returns the largest side of the mesh's box. */
+    private double size() {
+        float[] b = tree.bounds;
+        return Math.max((double) b[3] - b[0], Math.max((double) b[4] - b[1], (double) b[5] - b[2]));
+    }
+
+    /** Returns one coordinate of the middle of the mesh's box. */
+    public double middle(int axis) {
+        return 0.5 * ((double) tree.bounds[axis] + tree.bounds[axis + 3]);
     }
 
     /**

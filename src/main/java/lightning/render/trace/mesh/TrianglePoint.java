@@ -105,6 +105,18 @@ public final class TrianglePoint {
         return weight[0] * t[4 * vertex[0] + axis] + weight[1] * t[4 * vertex[1] + axis] + weight[2] * t[4 * vertex[2] + axis];
     }
 
+    /** Writes the mean of x, y and z of the vertices, {@code float[3 * vertices]}, at the point, to {@code to[0 … 2]}. */
+    public void interpolate(float[] t, double[] to) {
+        for (int axis = 0; axis < 3; axis++) {
+            to[axis] = weight[0] * t[3 * vertex[0] + axis] + weight[1] * t[3 * vertex[1] + axis] + weight[2] * t[3 * vertex[2] + axis];
+        }
+    }
+
+    /** Writes the unit direction in which u grows over the triangle to {@code to[0 … 2]}; 0 for none. The mesh must have texture coordinates. */
+    public void growthOfU(double[] to) {
+        VertexTangents.writeGrowthOfU(mesh, vertex[0], vertex[1], vertex[2], to);
+    }
+
     /**
      * Returns the signed distance of the point in front of the plane through vertex {@code v} perpendicular to the normal
      * there.

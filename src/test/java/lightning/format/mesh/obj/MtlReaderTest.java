@@ -133,9 +133,11 @@ class MtlReaderTest {
     }
 
     @Test
-    void anisotropy_isNotedWithItsMaterial() throws Exception {
-        read("newmtl a\naniso 0.25\nnewmtl b\naniso 0\n");
-        assertThat(notes.counts()).containsOnly(Map.entry("anisotropy (aniso) of materials: 'a'", 1));
+    void anisotropy_hasARotationInTurns() throws Exception {
+        MtlMaterial.Physical surface = read("newmtl a\nPm 1\naniso 0.25\nanisor 0.5\n").get("a").physical().orElseThrow();
+        assertThat(surface.anisotropy()).isEqualTo(0.25);
+        assertThat(surface.anisotropyRotation()).isEqualTo(0.5);
+        assertThat(read("newmtl b\naniso 0\n").get("b").physical()).isEmpty();
     }
 
     @Test

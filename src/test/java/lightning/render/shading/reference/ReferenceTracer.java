@@ -403,9 +403,13 @@ public final class ReferenceTracer {
         if (!materials.isMetallic(hit.material())) {
             return 0;
         }
-        double width = Material.alpha(hit.roughness());
-        float grazing = factor.surface(equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), width), width);
         PrincipledMaterial principled = PrincipledMaterial.of(materials.material(hit.material()));
+        double surface = Material.alpha(hit.roughness());
+        float grazing = principled == null || principled.highlight() == null
+                ? equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), surface)
+                : equation.anisotropicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), hit.tangent(),
+                        principled.highlight(), surface);
+        grazing = factor.surface(grazing, surface);
         if (principled == null || principled.coat() == null) {
             return grazing;
         }
@@ -440,10 +444,13 @@ public final class ReferenceTracer {
 
     private float specular(LightingEquation equation, SurfacePoint hit, HighlightFactor factor) {
         if (materials.isMetallic(hit.material())) {
-            double alpha = Material.alpha(hit.roughness());
-            float specular =
-                    factor.surface(equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha), alpha);
             PrincipledMaterial principled = PrincipledMaterial.of(materials.material(hit.material()));
+            double alpha = Material.alpha(hit.roughness());
+            float specular = principled == null || principled.highlight() == null
+                    ? equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha)
+                    : equation.anisotropicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), hit.tangent(),
+                            principled.highlight(), alpha);
+            specular = factor.surface(specular, alpha);
             return principled == null || principled.coat() == null ? specular : specular * weights(principled, hit).base();
         }
         return equation.specular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.shininess(hit.material()));
