@@ -39,6 +39,18 @@ public final class HitRows {
         ROUGHNESS_TEXEL(MaterialAttribute.ROUGHNESS_MAP, MaterialAttribute.ROUGHNESS_CHANNEL),
         /** Present if any row's material has a metalness map. */
         METALNESS_TEXEL(MaterialAttribute.METALNESS_MAP, MaterialAttribute.METALNESS_CHANNEL),
+        /** Present if any row's material has a map of f0. */
+        F0_TEXEL(MaterialAttribute.F0_MAP, MaterialAttribute.F0_CHANNEL),
+        /** Present if any row's material has a map of its specular tint. */
+        SPECULAR_TINT_TEXEL(MaterialAttribute.SPECULAR_TINT_MAP),
+        /** Present if any row's material has a map of its coat's weight. */
+        COAT_TEXEL(MaterialAttribute.COAT_MAP, MaterialAttribute.COAT_CHANNEL),
+        /** Present if any row's material has a map of its coat's roughness. */
+        COAT_ROUGHNESS_TEXEL(MaterialAttribute.COAT_ROUGHNESS_MAP, MaterialAttribute.COAT_ROUGHNESS_CHANNEL),
+        /** Present if any row's material has a map of its sheen's color. */
+        SHEEN_TEXEL(MaterialAttribute.SHEEN_MAP),
+        /** Present if any row's material has a map of its sheen's roughness. */
+        SHEEN_ROUGHNESS_TEXEL(MaterialAttribute.SHEEN_ROUGHNESS_MAP, MaterialAttribute.SHEEN_ROUGHNESS_CHANNEL),
         /** Present in rows of finer samples. */
         PATTERN,
         /** Present if a light of the scene illuminates only some shapes. */
@@ -125,7 +137,18 @@ public final class HitRows {
         BACK_X(ColumnGroup.TRANSPARENT, ElementType.FLOAT),
         BACK_Y(ColumnGroup.TRANSPARENT, ElementType.FLOAT),
         BACK_Z(ColumnGroup.TRANSPARENT, ElementType.FLOAT),
-        INSIDE_DISTANCE(ColumnGroup.TRANSPARENT, ElementType.FLOAT);
+        INSIDE_DISTANCE(ColumnGroup.TRANSPARENT, ElementType.FLOAT),
+        // Last, as column sets end with the last column that exists.
+        F0_TEXEL(ColumnGroup.F0_TEXEL, ElementType.FLOAT),
+        SPECULAR_TINT_TEXEL_RED(ColumnGroup.SPECULAR_TINT_TEXEL, ElementType.FLOAT),
+        SPECULAR_TINT_TEXEL_GREEN(ColumnGroup.SPECULAR_TINT_TEXEL, ElementType.FLOAT),
+        SPECULAR_TINT_TEXEL_BLUE(ColumnGroup.SPECULAR_TINT_TEXEL, ElementType.FLOAT),
+        COAT_TEXEL(ColumnGroup.COAT_TEXEL, ElementType.FLOAT),
+        COAT_ROUGHNESS_TEXEL(ColumnGroup.COAT_ROUGHNESS_TEXEL, ElementType.FLOAT),
+        SHEEN_TEXEL_RED(ColumnGroup.SHEEN_TEXEL, ElementType.FLOAT),
+        SHEEN_TEXEL_GREEN(ColumnGroup.SHEEN_TEXEL, ElementType.FLOAT),
+        SHEEN_TEXEL_BLUE(ColumnGroup.SHEEN_TEXEL, ElementType.FLOAT),
+        SHEEN_ROUGHNESS_TEXEL(ColumnGroup.SHEEN_ROUGHNESS_TEXEL, ElementType.FLOAT);
 
         private final ColumnGroup group;
         private final ElementType element;

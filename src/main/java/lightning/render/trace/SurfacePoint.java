@@ -4,6 +4,7 @@ import java.util.Map;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows.ColumnGroup;
+import lightning.scene.material.Material;
 import lightning.scene.material.Transmission;
 import org.jspecify.annotations.Nullable;
 
@@ -39,6 +40,13 @@ public record SurfacePoint(int primitive, int material, float px, float py, floa
         public boolean isInside() {
             return insideDistance >= 0;
         }
+    }
+
+    /** Returns the numbers of its material here, which is principled and not clear. */
+    public MappedSurface mapped(Material m) {
+        var mapped = new MappedSurface();
+        mapped.moveTo(m, maps);
+        return mapped;
     }
 
     /** Returns the back side of a clear material; null for others. */

@@ -44,16 +44,19 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
             specular[c] = materials.metalF0(material, c) * texel[c] + materials.specular(material, c);
         }
         Material look = materials.material(material);
-        if (look.isPrincipled() && maps.containsKey(ColumnGroup.METALNESS_TEXEL)) {
-            var colors = new PrincipledColors(look);
-            double metalness = look.mappedMetalness(maps.get(ColumnGroup.METALNESS_TEXEL)[0]);
-            for (int c = 0; c < 3; c++) {
-                diffuse[c] = colors.diffuse(c, metalness) * texel[c];
-                specular[c] = colors.metalF0(c, metalness) * texel[c] + colors.specular(c, metalness);
+        double roughness = look.roughness();
+        if (look.isPrincipled()) {
+            var mapped = new MappedSurface();
+            mapped.moveTo(look, maps);
+            roughness = mapped.roughness();
+            if (look.surfaceMaps().changeColors()) {
+                var colors = new PrincipledColors(look);
+                for (int c = 0; c < 3; c++) {
+                    diffuse[c] = colors.diffuse(c, mapped) * texel[c];
+                    specular[c] = colors.f0(c, mapped, texel[c]);
+                }
             }
         }
-        double roughness = look.isPrincipled() && maps.containsKey(ColumnGroup.ROUGHNESS_TEXEL)
-                ? look.mappedRoughness(maps.get(ColumnGroup.ROUGHNESS_TEXEL)[0]) : look.roughness();
         SurfacePoint.BackSide backSide = null;
         if (materials.isTransparent(material)) {
             surface.computeBackPoint();

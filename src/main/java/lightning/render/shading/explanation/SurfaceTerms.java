@@ -45,7 +45,8 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
         }
         SheenLayer sheen = sheen();
         return sheen == null ? coatedGrazing()
-                : equation.sheen(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), sheen);
+                : equation.sheen(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(),
+                        hit.mapped(materials.material(hit.material())).sheenRoughness());
     }
 
     private float coatedGrazing() {
@@ -54,7 +55,7 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
         if (coated == null) {
             return grazing;
         }
-        double alpha = materials.material(hit.material()).coat().alpha();
+        double alpha = Material.alpha(hit.mapped(coated.material()).coatRoughness());
         return weights(coated).coatedGrazing(coated, grazing, metallicSpecular(alpha), metallicGrazing(alpha));
     }
 
@@ -78,7 +79,7 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
 
     private PrincipledWeights weights(PrincipledMaterial material) {
         var weights = new PrincipledWeights();
-        weights.moveTo(material, (float) hit.roughness(), hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz());
+        weights.moveTo(material, hit);
         return weights;
     }
 }

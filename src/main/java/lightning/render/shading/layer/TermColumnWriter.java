@@ -10,7 +10,9 @@ import lightning.render.shading.PrincipledWeights;
 import lightning.render.shading.SheenLayer;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.MappedSurface;
 import lightning.render.trace.MaterialTable;
+import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,7 +31,8 @@ final class TermColumnWriter {
     /** For each material whether its diffuse term is less than the cosine. */
     private final boolean[] losesDiffuse;
     private final PrincipledWeights weights = new PrincipledWeights();
-    /** Widths of the highlights of rows with a roughness map. */
+    private final MappedSurface mapped = new MappedSurface();
+    /** Width of the highlight of each row, or roughness of its sheen. */
     private final double[] widths;
     private final float[] coatSpecular;
     private final float[] coatGrazing;
@@ -46,8 +49,9 @@ final class TermColumnWriter {
         for (int m = 0; m < losesDiffuse.length; m++) {
             losesDiffuse[m] = materials.isMetallic(m) && !materials.isPrincipled(m);
         }
-        boolean isMapped = Arrays.stream(principledMaterials).anyMatch(m -> m != null && m.hasRoughnessMap());
-        widths = new double[isMapped ? TermKernel.MAX_ROWS : 0];
+        boolean hasWidths = Arrays.stream(principledMaterials)
+                .anyMatch(m -> m != null && (m.hasRoughnessMap() || m.hasCoatRoughnessMap() || m.sheen() != null));
+        widths = new double[hasWidths ? TermKernel.MAX_ROWS : 0];
         boolean isCoated = Arrays.stream(principledMaterials).anyMatch(m -> m != null && m.coat() != null);
         coatSpecular = new float[isCoated ? TermKernel.MAX_ROWS : 0];
         coatGrazing = new float[coatSpecular.length];
@@ -135,7 +139,7 @@ final class TermColumnWriter {
                     addCoat(rows, r, queried, principled, column, grazing);
                 }
                 if (principled != null && principled.sheen() != null) {
-                    addSheen(rows, r, queried, principled.sheen(), column, grazing);
+                    addSheen(rows, r, queried, principled, column, grazing);
                 }
             } else if (isSpecular(material)) {
                 terms.speculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.shininess(material), column);
@@ -145,8 +149,10 @@ final class TermColumnWriter {
 
     private void writeMappedSpeculars(HitRows rows, int run, int[] queried, PrincipledMaterial material, float[] specular,
             float[] grazing) {
+        mapped.start(material.material(), rows);
         for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
-            widths[i] = material.mappedAlpha(rows, i);
+            mapped.moveTo(i);
+            widths[i] = Material.alpha(mapped.roughness());
         }
         terms.metallicSpeculars(rows, rows.runStart(run), rows.runEnd[run], queried, widths, specular, grazing);
     }
@@ -155,10 +161,20 @@ final class TermColumnWriter {
     private void addCoat(HitRows rows, int run, int[] queried, PrincipledMaterial material, float[] specular, float[] grazing) {
         int from = rows.runStart(run);
         int to = rows.runEnd[run];
-        terms.metallicSpeculars(rows, from, to, queried, requireNonNull(material.coat()).alpha(), coatSpecular, coatGrazing);
+        mapped.start(material.material(), rows);
+        if (material.hasCoatRoughnessMap()) {
+            for (int i = from; i < to; i++) {
+                mapped.moveTo(i);
+                widths[i] = Material.alpha(mapped.coatRoughness());
+            }
+            terms.metallicSpeculars(rows, from, to, queried, widths, coatSpecular, coatGrazing);
+        } else {
+            terms.metallicSpeculars(rows, from, to, queried, requireNonNull(material.coat()).alpha(), coatSpecular, coatGrazing);
+        }
         for (int i = from; i < to; i++) {
             if (RowBits.contains(queried, i)) {
-                weights.moveTo(material, rows, i);
+                mapped.moveTo(i);
+                weights.moveTo(material, mapped, rows, i);
                 specular[i] *= weights.base();
                 grazing[i] = weights.coatedGrazing(material, grazing[i], coatSpecular[i], coatGrazing[i]);
             }
@@ -166,15 +182,19 @@ final class TermColumnWriter {
     }
 
     /** Changes the terms of a surface and its coat to one sum and the term of the fibers over them. */
-    private void addSheen(HitRows rows, int run, int[] queried, SheenLayer sheen, float[] specular, float[] grazing) {
+    private void addSheen(HitRows rows, int run, int[] queried, PrincipledMaterial material, float[] specular, float[] grazing) {
+        SheenLayer sheen = requireNonNull(material.sheen());
         int from = rows.runStart(run);
         int to = rows.runEnd[run];
+        mapped.start(material.material(), rows);
         for (int i = from; i < to; i++) {
             if (RowBits.contains(queried, i)) {
+                mapped.moveTo(i);
+                widths[i] = mapped.sheenRoughness();
                 specular[i] = sheen.below(specular[i], grazing[i]);
             }
         }
-        terms.sheens(rows, from, to, queried, sheen, grazing);
+        terms.sheens(rows, from, to, queried, widths, grazing);
     }
 
     /** Adds the rows to a set that may have a specular term for any sample of a light. */

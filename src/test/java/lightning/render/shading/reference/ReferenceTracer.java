@@ -407,7 +407,7 @@ public final class ReferenceTracer {
         if (principled == null || principled.coat() == null) {
             return grazing;
         }
-        double alpha = principled.coat().alpha();
+        double alpha = Material.alpha(hit.mapped(principled.material()).coatRoughness());
         return weights(principled, hit).coatedGrazing(principled, grazing,
                 equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha),
                 equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha));
@@ -415,7 +415,7 @@ public final class ReferenceTracer {
 
     private static PrincipledWeights weights(PrincipledMaterial material, SurfacePoint hit) {
         PrincipledWeights weights = new PrincipledWeights();
-        weights.moveTo(material, (float) hit.roughness(), hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz());
+        weights.moveTo(material, hit);
         return weights;
     }
 
@@ -431,7 +431,8 @@ public final class ReferenceTracer {
             shine += mirrored * weights.mirrored(material);
             graze += mirrored * weights.mirroredGrazing(material);
         }
-        return weights.color(material, c, emitted(hit, c), hit.diffuse()[c], diffuse, hit.specular()[c], material.colors().square(c, hit),
+        return weights.color(material, c, emitted(hit, c), hit.diffuse()[c], diffuse, hit.specular()[c],
+                material.colors().square(c, hit.mapped(material.material()), hit.texel()[c]),
                 shine, graze,
                 isFrosted ? weights.passing(material, c, light[6 + c]) : 0);
     }
