@@ -11,8 +11,6 @@ EXPORTED = {"ShaderNodeBsdfPrincipled", "ShaderNodeBsdfGlass", "ShaderNodeBsdfRe
 # Sockets of a Principled BSDF for what no material of Lightning has.
 MISSING = {"Anisotropic": "anisotropy", "Subsurface Weight": "subsurface scattering, sent as diffuse",
            "Thin Film Thickness": "thin films"}
-# Sockets whose textures are left out.
-SHEEN = ("Sheen Weight", "Sheen Tint", "Sheen Roughness")
 
 
 def is_exported(kinds: dict[str, str]) -> bool:
@@ -47,8 +45,7 @@ def _missing(material) -> list[str]:
     if node is None:
         return []
     found = [title for name, title in MISSING.items() if node.inputs[name].is_linked or node.inputs[name].default_value != 0]
-    textures = ["textures of sheen"] if any(node.inputs[name].is_linked for name in SHEEN) else []
-    return found + textures + (["colors of coats"] if _has_coat_color(node) else [])
+    return found + (["colors of coats"] if _has_coat_color(node) else [])
 
 
 def _has_coat_color(node) -> bool:

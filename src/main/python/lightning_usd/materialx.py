@@ -48,11 +48,12 @@ WEIGHTS = {"coat_color": ("coat", "coat_weight"), "thin_film_thickness": ("thin_
 # Nodes of the surface's own directions.
 DIRECTIONS = ("ND_normal_", "ND_tangent_", "ND_bitangent_", "ND_geompropvalue_")
 # Inputs whose textures are shown, or become their mean.
-TEXTURED = {"diffuseColor", "metallic", "roughness", "emissiveColor", "opacity", "normal"}
+TEXTURED = {"diffuseColor", "metallic", "roughness", "emissiveColor", "opacity", "normal", "clearcoat", "clearcoatRoughness", "specular",
+            "specularTint", "sheenColor", "sheenRoughness"}
 # Inputs whose textures the importer notes, as those of a UsdPreviewSurface.
-COUNTED = {"clearcoat", "clearcoatRoughness", "ior"}
+COUNTED = {"ior"}
 # Inputs whose textures are numbers, not colors.
-NUMBERS = {"metallic", "roughness", "opacity"}
+NUMBERS = {"metallic", "roughness", "opacity", "clearcoat", "clearcoatRoughness", "specular", "sheenRoughness"}
 IMAGES = ("ND_image_", "ND_tiledimage_", "ND_UsdUVTexture", "ND_gltf_image_", "ND_gltf_colorimage", "ND_gltf_normalmap")
 CHANNELS = {"outr": "r", "outg": "g", "outb": "b", "outx": "r", "outy": "g", "outz": "b", "outa": "a", "outw": "a"}
 MASK, BLEND = 1, 2

@@ -81,7 +81,7 @@ final class GltfMaterialImport {
             return material.withModel(ShadingModel.PHONG).withDiffuse(material.base());
         }
         assembler.notes.add("grazing-angle specular below 1 (specularFactor), imported as 1",
-                material.metalness() < 1 && (m.f90() != 1 || m.specular().level().isPresent()) ? 1 : 0);
+                material.metalness() < 1 && (m.f90() != 1 || !m.specular().keepsGrazing()) ? 1 : 0);
         return principled.withReflectance(material, m.f0());
     }
 

@@ -54,10 +54,11 @@ public record GltfMaterial(String name, Rgb base, double metallic, double roughn
      * Images of KHR_materials_specular.
      *
      * @param level image whose alpha multiplies the reflectance
+     * @param keepsGrazing whether that image leaves the reflectance at grazing incidence, as the extras of the extension may say
      * @param color image that multiplies the reflectance at normal incidence
      */
-    public record Specular(GltfImage level, GltfImage color) {
-        static final Specular NONE = new Specular(GltfImage.NONE, GltfImage.NONE);
+    public record Specular(GltfImage level, boolean keepsGrazing, GltfImage color) {
+        static final Specular NONE = new Specular(GltfImage.NONE, true, GltfImage.NONE);
     }
 
     /**

@@ -129,6 +129,7 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
                 textureImage(material, pbr.get("metallicRoughnessTexture")), new Rgb(Math.min(f0 * tint[0], 1) * weight,
                         Math.min(f0 * tint[1], 1) * weight, Math.min(f0 * tint[2], 1) * weight),
                 weight, new GltfMaterial.Specular(placedImage(material, specular, "specularTexture"),
+                        !specular.get("specularTexture").isPresent() || specular.get("extras").get("level").number(0) == 1,
                         placedImage(material, specular, "specularColorTexture")));
     }
 

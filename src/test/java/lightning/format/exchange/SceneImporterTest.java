@@ -263,6 +263,18 @@ class SceneImporterTest {
     }
 
     @Test
+    void imagesOfCoat_areMaps() throws Exception {
+        var image = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, 0x336699);
+        ImageIO.write(image, "png", to.resolveSibling("coat.png").toFile());
+        Material material = objMaterial("Pr 0.5\nPc 0.5\nmap_Pc coat.png\nmap_Pcr coat.png\n").material();
+        assertThat(material.coat()).as("a roughness of 0 would hide the image").isEqualTo(new Coat(0.5, 1, 1.5));
+        assertThat(material.layerMaps().coat().orElseThrow().image().channel(0, 0, material.layerMaps().coatChannel().ordinal()))
+                .isEqualTo(0x33 / 255f);
+        assertThat(material.layerMaps().coatRoughness()).isPresent();
+    }
+
+    @Test
     void missingRoughnessMap_leavesItsFactor() throws Exception {
         Material material = objMaterial("Pr 0.25\nmap_Pr none.png\nmap_Pm none.png\n").material();
         assertThat(material.roughness()).isEqualTo(0.25);
