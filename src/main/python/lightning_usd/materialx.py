@@ -14,7 +14,7 @@ STANDARD = {
     "subsurface": ("subsurface", 0.0), "subsurfaceColor": ("subsurface_color", WHITE), "clearcoat": ("coat", 0.0),
     "clearcoatRoughness": ("coat_roughness", 0.1), "clearcoatIor": ("coat_IOR", 1.5), "specular": ("specular", 1.0),
     "specularTint": ("specular_color", WHITE),
-    "opacity": ("opacity", WHITE), "normal": ("normal", None), "sheen": ("sheen", 0.0), "sheenColor": ("sheen_color", WHITE),
+    "opacity": ("opacity", WHITE), "normal": ("normal", None), "coatNormal": ("coat_normal", None), "sheen": ("sheen", 0.0), "sheenColor": ("sheen_color", WHITE),
     "sheenRoughness": ("sheen_roughness", 0.3),
 }
 OPEN_PBR = {
@@ -25,7 +25,7 @@ OPEN_PBR = {
     "subsurfaceColor": ("subsurface_color", [0.8] * 3), "clearcoat": ("coat_weight", 0.0),
     "clearcoatRoughness": ("coat_roughness", 0.0), "clearcoatIor": ("coat_ior", 1.6), "specular": ("specular_weight", 1.0),
     "specularTint": ("specular_color", WHITE), "opacity": ("geometry_opacity", 1.0),
-    "normal": ("geometry_normal", None), "sheen": ("fuzz_weight", 0.0), "sheenColor": ("fuzz_color", WHITE),
+    "normal": ("geometry_normal", None), "coatNormal": ("geometry_coat_normal", None), "sheen": ("fuzz_weight", 0.0), "sheenColor": ("fuzz_color", WHITE),
     "sheenRoughness": ("fuzz_roughness", 0.5),
 }
 GLTF_PBR = {
@@ -33,22 +33,20 @@ GLTF_PBR = {
     "emissiveColor": ("emissive", [0.0] * 3), "emission": ("emissive_strength", 1.0), "transmission": ("transmission", 0.0),
     "clearcoat": ("clearcoat", 0.0), "clearcoatRoughness": ("clearcoat_roughness", 0.0),
     "specular": ("specular", 1.0), "specularTint": ("specular_color", WHITE), "opacity": ("alpha", 1.0), "alphaMode": ("alpha_mode", 0.0),
-    "opacityThreshold": ("alpha_cutoff", 0.5), "normal": ("normal", None), "sheenColor": ("sheen_color", [0.0] * 3), "sheenRoughness": ("sheen_roughness", 0.0),
+    "opacityThreshold": ("alpha_cutoff", 0.5), "normal": ("normal", None), "coatNormal": ("clearcoat_normal", None), "sheenColor": ("sheen_color", [0.0] * 3), "sheenRoughness": ("sheen_roughness", 0.0),
 }
 SURFACES = {"ND_standard_surface_surfaceshader": STANDARD, "ND_open_pbr_surface_surfaceshader": OPEN_PBR,
             "ND_gltf_pbr_surfaceshader": GLTF_PBR}
 # What no material of a scene has: its inputs, and the value without effect.
 MISSING = {"anisotropy": (("specular_anisotropy", "coat_anisotropy", "specular_roughness_anisotropy", "coat_roughness_anisotropy"), 0.0),
            "thin films": (("thin_film_thickness", "thin_film_weight", "iridescence"), 0.0),
-           "diffuse roughness": (("diffuse_roughness", "base_diffuse_roughness"), 0.0), "colors of coats": (("coat_color",), 1.0),
-           "normal maps of coats": (("coat_normal", "geometry_coat_normal", "clearcoat_normal"), None)}
+           "diffuse roughness": (("diffuse_roughness", "base_diffuse_roughness"), 0.0), "colors of coats": (("coat_color",), 1.0)}
 # Inputs of these that another one switches on.
-WEIGHTS = {"coat_color": ("coat", "coat_weight"), "thin_film_thickness": ("thin_film_weight",), "coat_normal": ("coat",),
-           "geometry_coat_normal": ("coat_weight",), "clearcoat_normal": ("clearcoat",)}
+WEIGHTS = {"coat_color": ("coat", "coat_weight"), "thin_film_thickness": ("thin_film_weight",)}
 # Nodes of the surface's own directions.
 DIRECTIONS = ("ND_normal_", "ND_tangent_", "ND_bitangent_", "ND_geompropvalue_")
 # Inputs whose textures are shown, or become their mean.
-TEXTURED = {"diffuseColor", "metallic", "roughness", "emissiveColor", "opacity", "normal", "clearcoat", "clearcoatRoughness", "specular",
+TEXTURED = {"diffuseColor", "metallic", "roughness", "emissiveColor", "opacity", "normal", "coatNormal", "clearcoat", "clearcoatRoughness", "specular",
             "specularTint", "sheenColor", "sheenRoughness"}
 # Inputs whose textures the importer notes, as those of a UsdPreviewSurface.
 COUNTED = {"ior"}

@@ -33,7 +33,7 @@ final class MaterialArbitraries {
                     .of(MaterialAttribute.TEXTURE, MaterialAttribute.CUTOUT, MaterialAttribute.BUMP, MaterialAttribute.NORMAL_MAP,
                             MaterialAttribute.ROUGHNESS_MAP, MaterialAttribute.METALNESS_MAP, MaterialAttribute.F0_MAP,
                             MaterialAttribute.SPECULAR_TINT_MAP, MaterialAttribute.COAT_MAP, MaterialAttribute.COAT_ROUGHNESS_MAP,
-                            MaterialAttribute.SHEEN_MAP, MaterialAttribute.SHEEN_ROUGHNESS_MAP)
+                            MaterialAttribute.COAT_NORMAL_MAP, MaterialAttribute.SHEEN_MAP, MaterialAttribute.SHEEN_ROUGHNESS_MAP)
                     .contains(map))
             .toList();
 
@@ -96,7 +96,9 @@ final class MaterialArbitraries {
     private static Arbitrary<LayerMaps> layerMaps() {
         Arbitrary<TextureChannel> channels = Arbitraries.of(TextureChannel.class);
         return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(LayerMaps.NONE)), Tuple.of(1, Combinators
-                .combine(mostMaps(), channels, mostMaps(), channels, mostMaps(), mostMaps(), channels).as(LayerMaps::new)));
+                .combine(mostMaps(), channels, mostMaps(), channels, textures(), mostMaps(), mostMaps(), channels)
+                .as((coat, coatChannel, rough, roughChannel, normal, sheen, sheenRough, sheenChannel) -> new LayerMaps(coat, coatChannel,
+                        rough, roughChannel, normal, 0.75, sheen, sheenRough, sheenChannel))));
     }
 
     /** Returns maps in three of four cases, else none. */
@@ -108,7 +110,7 @@ final class MaterialArbitraries {
     private static Arbitrary<MaterialAttribute<Optional<TextureMap>>> principledMaps() {
         return Arbitraries.of(MaterialAttribute.ROUGHNESS_MAP, MaterialAttribute.METALNESS_MAP, MaterialAttribute.F0_MAP,
                 MaterialAttribute.SPECULAR_TINT_MAP, MaterialAttribute.COAT_MAP, MaterialAttribute.COAT_ROUGHNESS_MAP,
-                MaterialAttribute.SHEEN_MAP, MaterialAttribute.SHEEN_ROUGHNESS_MAP);
+                MaterialAttribute.COAT_NORMAL_MAP, MaterialAttribute.SHEEN_MAP, MaterialAttribute.SHEEN_ROUGHNESS_MAP);
     }
 
     private static Arbitrary<MaterialAttribute<TextureChannel>> channelAttributes() {

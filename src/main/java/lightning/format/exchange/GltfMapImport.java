@@ -13,6 +13,7 @@ import lightning.scene.material.LayerMaps;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.material.SurfaceMaps;
+import lightning.scene.value.SceneLimits;
 
 /** Converter of the textures of KHR_materials_specular, _clearcoat and _sheen to maps; a clear material has none. */
 record GltfMapImport(SceneAssembler assembler, GltfTextures textures) {
@@ -43,7 +44,9 @@ record GltfMapImport(SceneAssembler assembler, GltfTextures textures) {
         return !material.coat().isVisible() ? material : material.withLayerMaps(LayerMaps.NONE
                 .withCoat(noted("clearcoatTexture", coat.image(), TextureUsage.DATA))
                 .withCoatRoughness(coat.roughness() == 0 ? Optional.empty()
-                        : noted("clearcoatRoughnessTexture", coat.roughnessImage(), TextureUsage.DATA)));
+                        : noted("clearcoatRoughnessTexture", coat.roughnessImage(), TextureUsage.DATA))
+                .withCoatNormal(noted("clearcoatNormalTexture", coat.normalImage(), TextureUsage.DATA))
+                .withCoatStrength(Math.clamp(coat.normalScale(), -SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH)));
     }
 
     private Material withSheenMaps(Material material, GltfMaterial.Sheen sheen) throws IOException, MeshException {

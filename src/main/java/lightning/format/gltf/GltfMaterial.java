@@ -68,11 +68,14 @@ public record GltfMaterial(String name, Rgb base, double metallic, double roughn
      * @param image image of the factor
      * @param roughness 0 … 1, multiplied by green of its image
      * @param roughnessImage image of the roughness
+     * @param normalImage normal map
+     * @param normalScale strength of the normal map
      * @param ior index of refraction; that of the extension, unless its extras have another
      */
-    public record Clearcoat(double factor, GltfImage image, double roughness, GltfImage roughnessImage, double ior) {
+    public record Clearcoat(double factor, GltfImage image, double roughness, GltfImage roughnessImage, GltfImage normalImage,
+            double normalScale, double ior) {
         static final double DEFAULT_IOR = 1.5;
-        static final Clearcoat NONE = new Clearcoat(0, GltfImage.NONE, 0, GltfImage.NONE, DEFAULT_IOR);
+        static final Clearcoat NONE = new Clearcoat(0, GltfImage.NONE, 0, GltfImage.NONE, GltfImage.NONE, 1, DEFAULT_IOR);
     }
 
     /**

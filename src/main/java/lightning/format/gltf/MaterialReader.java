@@ -77,9 +77,9 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
 
     private GltfMaterial.Clearcoat readClearcoat(JsonValue material, JsonValue extensions) throws MeshException {
         JsonValue coat = extensions.get("KHR_materials_clearcoat");
-        notes.add("clearcoatNormalTexture of materials", coat.get("clearcoatNormalTexture").isPresent() ? 1 : 0);
         return new GltfMaterial.Clearcoat(coat.get("clearcoatFactor").number(0), placedImage(material, coat, "clearcoatTexture"),
                 coat.get("clearcoatRoughnessFactor").number(0), placedImage(material, coat, "clearcoatRoughnessTexture"),
+                placedImage(material, coat, "clearcoatNormalTexture"), coat.get("clearcoatNormalTexture").get("scale").number(1),
                 coat.get("extras").get("ior").number(GltfMaterial.Clearcoat.DEFAULT_IOR));
     }
 

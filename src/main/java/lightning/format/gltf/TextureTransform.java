@@ -43,6 +43,7 @@ record TextureTransform(int set, Affine2 map) {
         JsonValue sheen = extensions.get("KHR_materials_sheen");
         return Stream.of(pbr.get("baseColorTexture"), material.get("normalTexture"), material.get("emissiveTexture"),
                 pbr.get("metallicRoughnessTexture"), coat.get("clearcoatTexture"), coat.get("clearcoatRoughnessTexture"),
+                coat.get("clearcoatNormalTexture"),
                 specular.get("specularTexture"), specular.get("specularColorTexture"), sheen.get("sheenColorTexture"))
                 .filter(JsonValue::isPresent).findFirst().orElse(sheen.get("sheenRoughnessTexture"));
     }

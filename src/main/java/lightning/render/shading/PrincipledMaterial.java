@@ -14,13 +14,15 @@ import org.jspecify.annotations.Nullable;
  * @param isCoatSmooth whether the coat reflects a mirrored ray
  * @param hasRoughnessMap whether its rows differ in roughness
  * @param hasCoatRoughnessMap whether its rows differ in the roughness of their coat
+ * @param hasCoatNormals whether its coat has other normals than the surface
  * @param hasColorMap whether its rows differ in metalness, or in the reflectance of a nonmetal
  * @param colors      its colors at any metalness
  * @param sheen       fibers; null for none
  * @param passing     color of the light that passes a frosted one: red, green, blue; null for others
  */
 public record PrincipledMaterial(Material material, boolean isSmooth, @Nullable Coat coat,
-        boolean isCoatSmooth, boolean hasRoughnessMap, boolean hasCoatRoughnessMap, boolean hasColorMap, PrincipledColors colors,
+        boolean isCoatSmooth, boolean hasRoughnessMap, boolean hasCoatRoughnessMap, boolean hasCoatNormals, boolean hasColorMap,
+        PrincipledColors colors,
         @Nullable SheenLayer sheen, float @Nullable [] passing) {
 
     /** Returns the properties of a material; null if it is not principled or clear. */
@@ -28,7 +30,7 @@ public record PrincipledMaterial(Material material, boolean isSmooth, @Nullable 
         return !m.isPrincipled() ? null
                 : new PrincipledMaterial(m, m.isSmooth(),
                         m.coat().isVisible() ? m.coat() : null, m.hasSmoothCoat(), m.surfaceMaps().roughness().isPresent(),
-                        m.layerMaps().coatRoughness().isPresent(),
+                        m.layerMaps().coatRoughness().isPresent(), m.hasCoatNormals(),
                         m.surfaceMaps().changeColors(), new PrincipledColors(m), SheenLayer.of(m),
                         m.isFrosted() ? ClearMaterialShader.channels(m.transmission().color()) : null);
     }

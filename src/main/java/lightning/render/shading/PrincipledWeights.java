@@ -74,7 +74,8 @@ public final class PrincipledWeights {
         mirrorGrazing = rest * rest * (rest * rest) * rest;
         multiple = Math.max(0, 1 - a - b) / Math.max(a, MIN_SHARE);
         coatWeight = at.coatWeight();
-        coat = m.coat() == null ? 0 : CoatShare.of(m.coat(), coatWeight, (float) at.coatRoughness(), cosine);
+        coat = m.coat() == null ? 0 : CoatShare.of(m.coat(), coatWeight, (float) at.coatRoughness(),
+                at.coatCosine(vx, vy, vz, cosine));
         base = 1 - coat;
         float f0 = at.largestNonmetalF0();
         diffuse = base * Math.max(0, 1 - (f0 * a + b + multiple * (f0 * f0) * a));

@@ -47,6 +47,8 @@ public final class HitRows {
         COAT_TEXEL(MaterialAttribute.COAT_MAP, MaterialAttribute.COAT_CHANNEL),
         /** Present if any row's material has a map of its coat's roughness. */
         COAT_ROUGHNESS_TEXEL(MaterialAttribute.COAT_ROUGHNESS_MAP, MaterialAttribute.COAT_ROUGHNESS_CHANNEL),
+        /** Present if the coat of any row's material has other normals than the surface: components x, y and z. */
+        COAT_NORMAL(MaterialAttribute.COAT_NORMAL_MAP),
         /** Present if any row's material has a map of its sheen's color. */
         SHEEN_TEXEL(MaterialAttribute.SHEEN_MAP),
         /** Present if any row's material has a map of its sheen's roughness. */
@@ -82,6 +84,11 @@ public final class HitRows {
         /** Returns the attribute whose image the columns contain; empty if they contain something else. */
         public Optional<MaterialAttribute<Optional<TextureMap>>> map() {
             return Optional.ofNullable(map);
+        }
+
+        /** Returns whether rows of a material have the columns of one of {@link #TEXELS}. */
+        boolean isIn(Material material) {
+            return this == COAT_NORMAL ? material.hasCoatNormals() : map(material).isPresent();
         }
 
         /** Returns a material's image for the columns of one of {@link #TEXELS}. */
@@ -145,6 +152,9 @@ public final class HitRows {
         SPECULAR_TINT_TEXEL_BLUE(ColumnGroup.SPECULAR_TINT_TEXEL, ElementType.FLOAT),
         COAT_TEXEL(ColumnGroup.COAT_TEXEL, ElementType.FLOAT),
         COAT_ROUGHNESS_TEXEL(ColumnGroup.COAT_ROUGHNESS_TEXEL, ElementType.FLOAT),
+        COAT_NX(ColumnGroup.COAT_NORMAL, ElementType.FLOAT),
+        COAT_NY(ColumnGroup.COAT_NORMAL, ElementType.FLOAT),
+        COAT_NZ(ColumnGroup.COAT_NORMAL, ElementType.FLOAT),
         SHEEN_TEXEL_RED(ColumnGroup.SHEEN_TEXEL, ElementType.FLOAT),
         SHEEN_TEXEL_GREEN(ColumnGroup.SHEEN_TEXEL, ElementType.FLOAT),
         SHEEN_TEXEL_BLUE(ColumnGroup.SHEEN_TEXEL, ElementType.FLOAT),
@@ -332,6 +342,14 @@ public final class HitRows {
     /** Returns these rows in this order with other parents and another number of reflective rows. */
     HitRows withParents(short[] parents, int newReflectiveCount) {
         return withColumns(columns.with(Column.PARENT, parents), newReflectiveCount);
+    }
+
+    /** Returns these rows with the normals of their coats, in the rows whose materials have some. */
+    public HitRows withCoatNormals() {
+        return withColumns(columns.with(Column.NX, requireNonNull(columns.find(Column.COAT_NX)))
+                .with(Column.NY, requireNonNull(columns.find(Column.COAT_NY)))
+                .with(Column.NZ, requireNonNull(columns.find(Column.COAT_NZ))),
+                reflectiveCount);
     }
 
     /** Returns the length of a float column for {@code rows} rows: a multiple of 16. */

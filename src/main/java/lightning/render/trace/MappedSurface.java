@@ -21,7 +21,9 @@ public final class MappedSurface {
     /** Columns of colors; unread without the map. */
     private final float[][] tintTexels = new float[3][0];
     private final float[][] sheenTexels = new float[3][0];
+    private final float[][] coatNormals = new float[3][0];
     private boolean hasTintMap;
+    private boolean hasCoatNormal;
     private boolean hasSheenMap;
 
     private double roughness;
@@ -31,6 +33,7 @@ public final class MappedSurface {
     private float nonmetalF0;
     private float coatWeight;
     private double coatRoughness;
+    private final float[] coatNormal = new float[3];
     private final float[] sheen = new float[3];
     private double sheenRoughness;
 
@@ -40,11 +43,14 @@ public final class MappedSurface {
         roughness = m.mappedRoughness(number(maps, ColumnGroup.ROUGHNESS_TEXEL));
         metalness = m.mappedMetalness(number(maps, ColumnGroup.METALNESS_TEXEL));
         f0 = m.mappedF0(number(maps, ColumnGroup.F0_TEXEL));
+        float[] normal = maps.get(ColumnGroup.COAT_NORMAL);
+        hasCoatNormal = normal != null;
         float[] tints = maps.get(ColumnGroup.SPECULAR_TINT_TEXEL);
         float[] sheens = maps.get(ColumnGroup.SHEEN_TEXEL);
         for (int c = 0; c < 3; c++) {
             tint[c] = channel(m.specularTint(), c) * (tints == null ? 1 : tints[c]);
             sheen[c] = (float) channel(m.sheen().color(), c) * (sheens == null ? 1 : sheens[c]);
+            coatNormal[c] = normal == null ? 0 : normal[c];
         }
         setNonmetalF0();
         coatWeight = (float) product(m.coat().weight(), number(maps, ColumnGroup.COAT_TEXEL));
@@ -68,9 +74,12 @@ public final class MappedSurface {
         sheenRoughnessTexel = column(rows, ColumnGroup.SHEEN_ROUGHNESS_TEXEL);
         hasTintMap = ColumnGroup.SPECULAR_TINT_TEXEL.map(m).isPresent();
         hasSheenMap = ColumnGroup.SHEEN_TEXEL.map(m).isPresent();
+        // Surfels have none.
+        hasCoatNormal = rows.texel(ColumnGroup.COAT_NORMAL, 0) != null && m.hasCoatNormals();
         for (int c = 0; c < 3; c++) {
             tintTexels[c] = hasTintMap ? requireNonNull(rows.texel(ColumnGroup.SPECULAR_TINT_TEXEL, c)) : tintTexels[c];
             sheenTexels[c] = hasSheenMap ? requireNonNull(rows.texel(ColumnGroup.SHEEN_TEXEL, c)) : sheenTexels[c];
+            coatNormals[c] = hasCoatNormal ? requireNonNull(rows.texel(ColumnGroup.COAT_NORMAL, c)) : coatNormals[c];
         }
     }
 
@@ -118,6 +127,11 @@ public final class MappedSurface {
         }
         if (coatRoughnessTexel != null) {
             coatRoughness = product(material.coat().roughness(), coatRoughnessTexel[row]);
+        }
+        if (hasCoatNormal) {
+            for (int c = 0; c < 3; c++) {
+                coatNormal[c] = coatNormals[c][row];
+            }
         }
         if (hasSheenMap) {
             for (int c = 0; c < 3; c++) {
@@ -179,6 +193,15 @@ public final class MappedSurface {
     /** Returns the roughness of the coat, 0…1. */
     public double coatRoughness() {
         return coatRoughness;
+    }
+
+    /**
+     * Returns the cosine between a direction and the normal of the coat, negated.
+     *
+     * @param otherwise value if the coat has the normals of the surface
+     */
+    public float coatCosine(float x, float y, float z, float otherwise) {
+        return hasCoatNormal ? Math.clamp(-(coatNormal[0] * x + coatNormal[1] * y + coatNormal[2] * z), 0, 1) : otherwise;
     }
 
     /** Returns one channel of the color of the sheen. */

@@ -68,10 +68,26 @@ public record SurfacePoint(int primitive, int material, float px, float py, floa
         return Refraction.fresnelReflectance(backSide.transmission(), backSide.isInside(), nx, ny, nz, vx, vy, vz);
     }
 
+    /** Returns the unit normal of its coat: that of the surface unless it has its own. */
+    public float[] coatNormal() {
+        float[] own = maps.get(ColumnGroup.COAT_NORMAL);
+        return own == null ? new float[] {nx, ny, nz} : own;
+    }
+
+    /** Returns the ray that its material mirrors: along the normal of its coat, if that mirrors by other normals. */
+    public Ray reflectedRay(Material m) {
+        float[] coat = maps.get(ColumnGroup.COAT_NORMAL);
+        return coat == null || !m.coatNormals().mirrors() ? reflectedRay() : reflectedRay(coat[0], coat[1], coat[2]);
+    }
+
     /** Returns the reflected ray with direction V + 2|N·V|N, normalized. It leaves the surface whatever the rounding. */
     public Ray reflectedRay() {
+        return reflectedRay(nx, ny, nz);
+    }
+
+    private Ray reflectedRay(float normalX, float normalY, float normalZ) {
         double[] d = new double[3];
-        writeReflection(nx, ny, nz, vx, vy, vz, d);
+        writeReflection(normalX, normalY, normalZ, vx, vy, vz, d);
         return new Ray(new Vec3(px, py, pz), new Vec3(d[0], d[1], d[2]));
     }
 

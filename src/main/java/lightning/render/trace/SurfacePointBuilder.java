@@ -39,6 +39,9 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
             }
         }
         Map<ColumnGroup, float[]> maps = maps(surface, primitive, part);
+        if (materials.texels(material).has(ColumnGroup.COAT_NORMAL)) {
+            maps.put(ColumnGroup.COAT_NORMAL, coatNormal(primitive, part, ray, t));
+        }
         float[] specular = new float[3];
         for (int c = 0; c < 3; c++) {
             specular[c] = materials.metalF0(material, c) * texel[c] + materials.specular(material, c);
@@ -71,7 +74,7 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
         Map<ColumnGroup, float[]> texels = new EnumMap<>(ColumnGroup.class);
         for (ColumnGroup group : ColumnGroup.TEXELS) {
             TextureMap map = materials.map(group, primitives.material[primitive]);
-            if (map != null && group != ColumnGroup.TEXEL) {
+            if (map != null && group != ColumnGroup.TEXEL && group != ColumnGroup.COAT_NORMAL) {
                 float[] texel = new float[3];
                 new TextureLookup().lookUpMap(primitives, primitive, part, map, surface.localX, surface.localY, surface.localZ, texel);
                 int first = group.firstChannel(materials.material(primitives.material[primitive]));
@@ -79,6 +82,15 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
             }
         }
         return texels;
+    }
+
+    private float[] coatNormal(int primitive, int part, Ray ray, double t) {
+        SurfaceHit surface = hit(primitive, part, ray, t);
+        Vec3 d = ray.direction();
+        surface.computeCoatNormal(primitives, primitive, materials.material(primitives.material[primitive]).coatNormals().map(), d.x(),
+                d.y(),
+                d.z());
+        return new float[] {surface.nx, surface.ny, surface.nz};
     }
 
     /** Returns the point behind the surface that a ray hits at a distance. */

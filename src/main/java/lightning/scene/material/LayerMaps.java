@@ -13,17 +13,20 @@ import lightning.scene.asset.TextureMap;
  * @param coatChannel           channel that has them
  * @param coatRoughness         factors of its roughness
  * @param coatRoughnessChannel  channel that has them
+ * @param coatNormal            tangent-space normal map of the coat
+ * @param coatStrength          factor of its tilt
  * @param sheen                 factors of the color of the sheen
  * @param sheenRoughness        factors of its roughness
  * @param sheenRoughnessChannel channel that has them
  */
 @RecordBuilder
 public record LayerMaps(Optional<TextureMap> coat, TextureChannel coatChannel, Optional<TextureMap> coatRoughness,
-        TextureChannel coatRoughnessChannel, Optional<TextureMap> sheen, Optional<TextureMap> sheenRoughness,
+        TextureChannel coatRoughnessChannel, Optional<TextureMap> coatNormal, double coatStrength, Optional<TextureMap> sheen,
+        Optional<TextureMap> sheenRoughness,
         TextureChannel sheenRoughnessChannel) implements LayerMapsBuilder.With {
     /** No maps. */
     public static final LayerMaps NONE = new LayerMaps(Optional.empty(), TextureChannel.RED, Optional.empty(), TextureChannel.GREEN,
-            Optional.empty(), Optional.empty(), TextureChannel.RED);
+            Optional.empty(), 1, Optional.empty(), Optional.empty(), TextureChannel.RED);
 
     /** Returns a coat with the means of its maps. */
     Coat mean(Coat of) {

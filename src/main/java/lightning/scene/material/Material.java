@@ -100,6 +100,8 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
                 MaterialAttribute.COAT_CHANNEL.checkFor(model, layerMaps.coatChannel()),
                 MaterialAttribute.COAT_ROUGHNESS_MAP.checkFor(model, layerMaps.coatRoughness()),
                 MaterialAttribute.COAT_ROUGHNESS_CHANNEL.checkFor(model, layerMaps.coatRoughnessChannel()),
+                MaterialAttribute.COAT_NORMAL_MAP.checkFor(model, layerMaps.coatNormal()),
+                MaterialAttribute.COAT_STRENGTH.checkFor(model, layerMaps.coatStrength()),
                 MaterialAttribute.SHEEN_MAP.checkFor(model, layerMaps.sheen()),
                 MaterialAttribute.SHEEN_ROUGHNESS_MAP.checkFor(model, layerMaps.sheenRoughness()),
                 MaterialAttribute.SHEEN_ROUGHNESS_CHANNEL.checkFor(model, layerMaps.sheenRoughnessChannel()));
@@ -266,9 +268,27 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
                 : with(m -> m.model(v));
     }
 
+    /**
+     * Returns the normals of its coat; {@link CoatNormals#NONE} if they are those of the surface, or it has none. Bumps of the surface do not
+     * change a coat. If both are smooth, mirrored rays follow the surface.
+     */
+    public CoatNormals coatNormals() {
+        if (!isPrincipled() || isFrosted() || !coat.isVisible() || !bumpMapping.bendsNormals() && layerMaps.coatNormal().isEmpty()) {
+            return CoatNormals.NONE;
+        }
+        return new CoatNormals(BumpMapping.NONE.withNormalMap(layerMaps.coatNormal()).withStrength(layerMaps.coatStrength()),
+                hasSmoothCoat() && !isSmooth());
+    }
+
+    /** Returns whether its coat has other normals than the surface. */
+    public boolean hasCoatNormals() {
+        return coatNormals() != CoatNormals.NONE;
+    }
+
     /** Returns whether cutouts, normals, secondary rays and shadows are the same for both materials. */
     public boolean hasSameRays(Material o) {
-        return isFrosted() == o.isFrosted() && bumpMapping.hasSameNormals(o.bumpMapping) && transmission.refractsLike(o.transmission)
+        return isFrosted() == o.isFrosted() && bumpMapping.hasSameNormals(o.bumpMapping) && coatNormals().areSame(o.coatNormals())
+                && transmission.refractsLike(o.transmission)
                 && transmission.shadows() == o.transmission.shadows()
                 && hasSameShadowTint(o)
                 && cutout.hasSameHoles(o.cutout);

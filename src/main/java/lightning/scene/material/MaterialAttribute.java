@@ -178,6 +178,14 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     public static final MaterialAttribute<Double> COAT_IOR = coatAttribute("coat_ior", "coat IOR",
             NumericKind.number(1, SceneLimits.MAX_IOR, 0.01), Coat.NONE.ior(), "index of refraction", Coat::ior, Coat::withIor,
             "Index of refraction of the coat: 1.5 for lacquer");
+    public static final MaterialAttribute<Optional<TextureMap>> COAT_NORMAL_MAP = layerMapAttribute("coat_normal_map", "coat normals",
+            new ValueKind.TextureKind("coat_normal_repeat", TextureUsage.DATA), LayerMaps.NONE.coatNormal(), LayerMaps::coatNormal,
+            LayerMaps::withCoatNormal, MaterialTerm.NORMAL, Section.COAT,
+            "Tangent-space normal map of the coat, which the bumps of the surface do not change");
+    public static final MaterialAttribute<Double> COAT_STRENGTH = layerMapAttribute("coat_strength", "coat strength",
+            NumericKind.number(-SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH, 0.1), LayerMaps.NONE.coatStrength(),
+            LayerMaps::coatStrength, LayerMaps::withCoatStrength, MaterialTerm.NORMAL, Section.COAT,
+            "Strength of the normal map of the coat");
     public static final MaterialAttribute<Rgb> SHEEN = new MaterialAttribute<>("sheen", NumericKind.color(1), Sheen.NONE.color(),
             "linear red, green, blue", m -> m.sheen().color(), (m, v) -> m.withSheen(m.sheen().withColor(v)), MaterialTerm.COLOR,
             PRINCIPLED,

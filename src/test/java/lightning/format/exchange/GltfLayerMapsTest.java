@@ -81,6 +81,15 @@ class GltfLayerMapsTest {
     }
 
     @Test
+    void clearcoatNormalTexture_isNormalMapOfCoat() throws Exception {
+        Material material =
+                extended("KHR_materials_clearcoat", "'clearcoatFactor': 1, 'clearcoatNormalTexture': {'index': 1, 'scale': 0.5}");
+        assertThat(value(material.layerMaps().coatNormal(), TextureChannel.GREEN)).isEqualTo(GREEN / 255f);
+        assertThat(material.layerMaps().coatStrength()).isEqualTo(0.5);
+        assertThat(material.bumpMapping().isFlat()).isTrue();
+    }
+
+    @Test
     void specularTextures_areLevelInAlphaAndTint() throws Exception {
         Material material = extended("KHR_materials_specular", "'specularTexture': {'index': 0}, 'specularColorTexture': {'index': 0}");
         SurfaceMaps maps = material.surfaceMaps();

@@ -309,6 +309,17 @@ class UsdMaterialXTest {
     }
 
     @Test
+    void normalMapOfCoat_isThatOfTheCoat() throws Exception {
+        Material material =
+                network("standard_surface", "float inputs:coat = 1\nfloat3 inputs:coat_normal.connect = </look/bumps.outputs:out>");
+        assertThat(material.layerMaps().coatNormal()).isPresent();
+        assertThat(material.layerMaps().coatStrength()).isEqualTo(0.5);
+        assertThat(material.bumpMapping().isFlat()).isTrue();
+        assertThat(network("standard_surface", "float3 inputs:coat_normal.connect = </look/bumps.outputs:out>").layerMaps().coatNormal())
+                .as("without a coat").isEmpty();
+    }
+
+    @Test
     void roughnessTextureOfAnotherSheen_isItsMean() throws Exception {
         Material material = network("standard_surface", """
                 float inputs:sheen = 1
@@ -353,9 +364,7 @@ class UsdMaterialXTest {
                 """);
         assertThat(imported.notes()).doesNotContainKey("clearcoat textures of materials")
                 .containsEntry("transmission textures of MaterialX surfaces", 1).containsEntry("sheen textures of MaterialX surfaces", 1)
-                .containsEntry("colors of coats of materials: 'look'", 1).containsEntry("normal maps of coats of materials: 'look'", 1);
-        network("standard_surface", "float3 inputs:coat_normal.connect = </look/bumps.outputs:out>");
-        assertThat(imported.notes()).as("without a coat").doesNotContainKey("normal maps of coats of materials: 'look'");
+                .containsEntry("colors of coats of materials: 'look'", 1);
     }
 
     @Test

@@ -30,6 +30,7 @@ import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.light.LightType;
+import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Coat;
 import lightning.scene.material.LayerMaps;
 import lightning.scene.material.Material;
@@ -258,6 +259,21 @@ class MaterialWorkTest {
             assertThat(edit(studio, MATT, m -> m.withLayerMaps(LayerMaps.NONE.withSheen(CHECKS))).plan().steps())
                     .contains("matt: texture");
             assertExact(studio, "sheen-map");
+        }
+    }
+
+    /** A smooth coat mirrors along its normals, so an edit of them, and of what mirrors, traces rays again. */
+    @Test
+    void editsOfCoatNormals_areExact() {
+        try (StudioRenderer studio = principledStudio()) {
+            edit(studio, MATT, m -> m.withBumpMapping(BumpMapping.NONE.withNormalMap(CHECKS)));
+            for (UnaryOperator<Material> edit : List.<UnaryOperator<Material>>of(m -> m.withCoat(new Coat(1, 0, 1.5)),
+                    m -> m.withLayerMaps(LayerMaps.NONE.withCoatNormal(CHECKS).withCoatStrength(0.5)), m -> m.withRoughness(0),
+                    m -> m.withRoughness(0.5), m -> m.withCoat(new Coat(1, 0.5, 1.5)), m -> m.withBumpMapping(BumpMapping.NONE),
+                    m -> m.withCoat(Coat.NONE))) {
+                edit(studio, MATT, edit);
+                assertExact(studio, "coat-normals");
+            }
         }
     }
 

@@ -120,7 +120,8 @@ class LayerMapsTest {
     @Test
     void otherModels_haveNoMaps() {
         Material mapped = SHEEN.withLayerMaps(
-                new LayerMaps(gray(0), TextureChannel.GREEN, gray(0), TextureChannel.RED, gray(0), gray(0), TextureChannel.BLUE));
+                new LayerMaps(gray(0), TextureChannel.GREEN, gray(0), TextureChannel.RED, gray(0), 0.5, gray(0), gray(0),
+                        TextureChannel.BLUE));
         assertThat(mapped.withModel(ShadingModel.METALLIC).layerMaps()).isEqualTo(LayerMaps.NONE);
     }
 }

@@ -20,6 +20,7 @@ import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.ShadingModel;
@@ -65,10 +66,12 @@ class RowSpliceTest {
         }
     }
 
-    /** Returns all columns, with those of refraction if they exist. */
+    /** Returns all columns, with those of refraction and of coats if they exist. */
     private static List<HitRows.Column> columns(HitRows rows) {
         return Arrays.stream(HitRows.Column.values())
-                .filter(column -> rows.clearCount > 0 || !HitRows.ColumnGroup.TRANSPARENT.columns().contains(column)).toList();
+                .filter(column -> rows.clearCount > 0 || !HitRows.ColumnGroup.TRANSPARENT.columns().contains(column))
+                // Only clear rows may be left, which have no coat.
+                .filter(column -> rows.columns().has(column) || !HitRows.ColumnGroup.COAT_NORMAL.columns().contains(column)).toList();
     }
 
     @Test
@@ -143,6 +146,7 @@ class RowSpliceTest {
         for (int m = 0; m < MATERIALS; m++) {
             names.add("m" + m);
             materials.add(Material.of("m" + m).withModel(ShadingModel.PRINCIPLED).withRoughness(m == 1 ? 0 : random.nextInt(2))
+                    .withCoat(new Coat(1, 0.5, 1.5))
                     .withTransmission(m == 1 ? Transmission.NONE.withColor(Rgb.WHITE) : Transmission.NONE)
                     .withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture))));
             for (MaterialAttribute<Optional<TextureMap>> map : MaterialAttribute.MAPS) {
@@ -150,6 +154,7 @@ class RowSpliceTest {
                     materials.set(m, map.with(materials.get(m), Optional.of(new TextureMap("t.png", 1, 1, texture))));
                 }
             }
+            materials.set(m, MaterialAttribute.COAT_NORMAL_MAP.with(materials.get(m), Optional.of(new TextureMap("t.png", 1, 1, texture))));
         }
         var plane = new Shape(Solid.PLANE, "p", "m0", Placement.IDENTITY);
         Camera camera = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);

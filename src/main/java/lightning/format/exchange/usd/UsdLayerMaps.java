@@ -60,7 +60,9 @@ record UsdLayerMaps(SceneAssembler assembler, UsdTextures textures, UsdSurfaceMa
             maps = maps.withCoatRoughness(Optional.of(roughness.get().map()))
                     .withCoatRoughnessChannel(roughness.get().channel().orElse(maps.coatRoughnessChannel()));
         }
-        return coated.withLayerMaps(maps);
+        JsonValue normal = image(in, "coatNormal");
+        Optional<TextureMap> normals = coated.coat().isVisible() ? textures.map(normal, TextureUsage.DATA) : Optional.empty();
+        return coated.withLayerMaps(normals.isEmpty() ? maps : maps.withCoatNormal(normals).withCoatStrength(colors.strength(normal)));
     }
 
     /** Adds the sheen of a MaterialX surface. OpenPBR has the lobe of scenes; a texture of the roughness of another lobe becomes its mean. */

@@ -20,8 +20,9 @@ import lightning.scene.value.SceneLimits;
 /** Converter from UsdPreviewSurface to principled materials. */
 record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
     /** Inputs whose textures the scene shows, besides the emission. */
-    private static final List<String> MAPPED = List.of("diffuseColor", "normal", "opacity", "roughness", "metallic", "clearcoat",
-            "clearcoatRoughness", "specular", "specularColor", "specularTint", "sheenColor", "sheenRoughness");
+    private static final List<String> MAPPED =
+            List.of("diffuseColor", "normal", "opacity", "roughness", "metallic", "coatNormal", "clearcoat",
+                    "clearcoatRoughness", "specular", "specularColor", "specularTint", "sheenColor", "sheenRoughness");
     /** Inputs whose textures are left out. */
     private static final List<String> UNMAPPED = List.of("ior");
     private static final double HALF = 0.5;
@@ -78,15 +79,17 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
 
     private Material withNormals(Material material, JsonValue image) throws IOException, MeshException {
         Optional<TextureMap> normals = textures.map(image, TextureUsage.DATA);
-        if (normals.isEmpty()) {
-            return material;
-        }
+        return normals.isEmpty() ? material
+                : material.withBumpMapping(BumpMapping.NONE.withNormalMap(normals).withStrength(strength(image)));
+    }
+
+    /** Returns the strength of a normal map. */
+    double strength(JsonValue image) throws MeshException {
         double[] scale = image.get("scale").numbers(2, 2, 2, 1);
         double strength = image.get("strength").number(scale[0] == 1 ? 1 : scale[0] / 2);
         // A scale of 2 and a bias of −1 decode 0 … 1 to −1 … 1.
         assembler.notes.add("normal maps with y downwards", scale[0] * scale[1] < 0 ? 1 : 0);
-        return material.withBumpMapping(BumpMapping.NONE.withNormalMap(normals)
-                .withStrength(Math.clamp(UsdNumbers.tidy(strength), -SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH)));
+        return Math.clamp(UsdNumbers.tidy(strength), -SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH);
     }
 
     private Material withOpacity(Material material, JsonValue in) throws IOException, MeshException {

@@ -56,7 +56,11 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
             return grazing;
         }
         double alpha = Material.alpha(hit.mapped(coated.material()).coatRoughness());
-        return weights(coated).coatedGrazing(coated, grazing, metallicSpecular(alpha), metallicGrazing(alpha));
+        float[] n = hit.coatNormal();
+        boolean isLit = equation.cosine(n[0], n[1], n[2]) > 0;
+        return weights(coated).coatedGrazing(coated, grazing,
+                isLit ? equation.metallicSpecular(n[0], n[1], n[2], hit.vx(), hit.vy(), hit.vz(), alpha) : 0,
+                isLit ? equation.metallicGrazing(n[0], n[1], n[2], hit.vx(), hit.vy(), hit.vz(), alpha) : 0);
     }
 
     private float metallicSpecular(double alpha) {

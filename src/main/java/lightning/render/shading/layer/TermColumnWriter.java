@@ -36,6 +36,8 @@ final class TermColumnWriter {
     private final double[] widths;
     private final float[] coatSpecular;
     private final float[] coatGrazing;
+    /** Cosine of the light over the coat of each row. */
+    private final float[] coatCosine;
 
     /** @param diffuseOnly whether rows get no specular terms */
     TermColumnWriter(MaterialTable materials, TermKernel terms, RequiredWork required, boolean diffuseOnly) {
@@ -55,6 +57,7 @@ final class TermColumnWriter {
         boolean isCoated = Arrays.stream(principledMaterials).anyMatch(m -> m != null && m.coat() != null);
         coatSpecular = new float[isCoated ? TermKernel.MAX_ROWS : 0];
         coatGrazing = new float[coatSpecular.length];
+        coatCosine = new float[coatSpecular.length];
     }
 
     /** Returns the diffuse terms of lit rows: the cosine, except for metallic materials that are not principled. */
@@ -161,15 +164,23 @@ final class TermColumnWriter {
     private void addCoat(HitRows rows, int run, int[] queried, PrincipledMaterial material, float[] specular, float[] grazing) {
         int from = rows.runStart(run);
         int to = rows.runEnd[run];
+        HitRows over = material.hasCoatNormals() ? rows.withCoatNormals() : rows;
         mapped.start(material.material(), rows);
         if (material.hasCoatRoughnessMap()) {
             for (int i = from; i < to; i++) {
                 mapped.moveTo(i);
                 widths[i] = Material.alpha(mapped.coatRoughness());
             }
-            terms.metallicSpeculars(rows, from, to, queried, widths, coatSpecular, coatGrazing);
+            terms.metallicSpeculars(over, from, to, queried, widths, coatSpecular, coatGrazing);
         } else {
-            terms.metallicSpeculars(rows, from, to, queried, requireNonNull(material.coat()).alpha(), coatSpecular, coatGrazing);
+            terms.metallicSpeculars(over, from, to, queried, requireNonNull(material.coat()).alpha(), coatSpecular, coatGrazing);
+        }
+        if (material.hasCoatNormals()) {
+            terms.cosines(over, coatCosine);
+            for (int i = from; i < to; i++) {
+                coatSpecular[i] = coatCosine[i] > 0 ? coatSpecular[i] : 0;
+                coatGrazing[i] = coatCosine[i] > 0 ? coatGrazing[i] : 0;
+            }
         }
         for (int i = from; i < to; i++) {
             if (RowBits.contains(queried, i)) {

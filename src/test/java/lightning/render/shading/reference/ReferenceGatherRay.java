@@ -57,7 +57,8 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
     private static Map<ColumnGroup, float[]> meanMaps(Geometry geometry, int primitive, Ray ray, double side) {
         Map<ColumnGroup, float[]> means = new EnumMap<>(ColumnGroup.class);
         for (ColumnGroup group : ColumnGroup.TEXELS) {
-            float[] mean = group == ColumnGroup.TEXEL ? null : geometry.meanMapTexelBruteForce(group, primitive, ray, side);
+            float[] mean = group == ColumnGroup.TEXEL || group == ColumnGroup.COAT_NORMAL ? null
+                    : geometry.meanMapTexelBruteForce(group, primitive, ray, side);
             if (mean != null) {
                 means.put(group, mean);
             }

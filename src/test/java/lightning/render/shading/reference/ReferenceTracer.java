@@ -183,7 +183,7 @@ public final class ReferenceTracer {
         int material = hit.material();
         float[] mirrored = {0, 0, 0};
         if (materials.isReflective(material) && depth > 0) {
-            mirrored = mirrorTracer.color(hit.reflectedRay(), depth - 1, pattern);
+            mirrored = mirrorTracer.color(hit.reflectedRay(materials.material(material)), depth - 1, pattern);
         }
         Ray through = materials.isClear(material) && depth > 0 ? hit.refractedRay() : null;
         float[] refracted = through == null ? new float[3] : mirrorTracer.color(through, depth - 1, pattern);
@@ -408,9 +408,11 @@ public final class ReferenceTracer {
             return grazing;
         }
         double alpha = Material.alpha(hit.mapped(principled.material()).coatRoughness());
+        float[] n = hit.coatNormal();
+        boolean isLit = equation.cosine(n[0], n[1], n[2]) > 0;
         return weights(principled, hit).coatedGrazing(principled, grazing,
-                equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha),
-                equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha));
+                isLit ? equation.metallicSpecular(n[0], n[1], n[2], hit.vx(), hit.vy(), hit.vz(), alpha) : 0,
+                isLit ? equation.metallicGrazing(n[0], n[1], n[2], hit.vx(), hit.vy(), hit.vz(), alpha) : 0);
     }
 
     private static PrincipledWeights weights(PrincipledMaterial material, SurfacePoint hit) {
