@@ -4,8 +4,9 @@
 from . import links, model, node_values
 
 # Sockets that glTF has a texture for, which the exporter writes.
-TEXTURED = ("Base Color", "Alpha", "Specular IOR Level", "Specular Tint", "Transmission Weight", "Coat Weight", "Coat Roughness", "Emission Color")
-SOCKETS = (*TEXTURED, "IOR", "Coat IOR", "Emission Strength")
+TEXTURED = ("Base Color", "Alpha", "Specular IOR Level", "Specular Tint", "Transmission Weight", "Coat Weight", "Coat Roughness", "Sheen Tint", "Sheen Roughness",
+            "Emission Color")
+SOCKETS = (*TEXTURED, "Sheen Weight", "IOR", "Coat IOR", "Emission Strength")
 NORMALS = ("Normal", "Coat Normal")
 # Nodes that the exporter writes as colors of vertices.
 VERTEX_COLORS = {"Color Attribute", "Attribute"}

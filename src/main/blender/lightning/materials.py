@@ -62,8 +62,8 @@ def add_reflections(entry: dict, material) -> None:
         # Blender's exporter leaves the weight out, and glTF has another lobe.
         if not node.inputs["Sheen Weight"].is_linked:
             sheen["sheenColorFactor"] = [node.inputs["Sheen Weight"].default_value * c for c in sheen.get("sheenColorFactor", (0, 0, 0))]
-        if not node.inputs["Sheen Roughness"].is_linked:
-            sheen["extras"] = {"roughness": node.inputs["Sheen Roughness"].default_value}
+        roughness = node.inputs["Sheen Roughness"]
+        sheen["extras"] = {"roughness": sheen.get("sheenRoughnessFactor", 0) if roughness.is_linked else roughness.default_value}
     anisotropy = extensions.get("KHR_materials_anisotropy")
     if anisotropy is not None and node is not None and not node.inputs["Anisotropic"].is_linked:
         # Blender's exporter writes its number as that of glTF, which has another formula.
@@ -71,6 +71,10 @@ def add_reflections(entry: dict, material) -> None:
         if not node.inputs["Anisotropic Rotation"].is_linked:
             anisotropy["anisotropyRotation"] = 2 * math.pi * node.inputs["Anisotropic Rotation"].default_value
     specular = extensions.get("KHR_materials_specular", {})
+    if "specularTexture" in specular:
+        # A level of 0.5 is that of the index, and the reflection at grazing angles stays.
+        specular["specularColorFactor"] = [2 * c for c in specular.get("specularColorFactor", (1, 1, 1))]
+        specular["extras"] = {"level": 1}
     if 0 < specular.get("specularFactor", 0) < 1:
         # A level below 1 leaves the reflection at grazing angles, but a factor of glTF does not.
         factor = specular.pop("specularFactor")

@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Images of roughness and metalness as Blender's glTF exporter writes them: it takes a channel of an image and leaves out what nodes do to it."""
+"""Images of numbers and reflected colors as Blender's glTF exporter writes them: it takes an image and leaves out what nodes do to it."""
 
 import bpy
 import numpy
 
 from . import links, model, node_values
 
-# Channels in which glTF has these sockets.
-CHANNELS = {"Roughness": "Green", "Metallic": "Blue"}
+# Channels from which the exporter takes these sockets; it writes those of levels and of sheens to alpha.
+CHANNELS = {"Roughness": "Green", "Metallic": "Blue", "Coat Weight": "Red", "Coat Roughness": "Green", "Specular IOR Level": "Red",
+            "Sheen Roughness": "Red"}
+# Sockets whose image glTF has in one file.
+PACKED = ("Roughness", "Metallic")
+# Sockets whose product is the color of a sheen.
+SHEEN = ("Sheen Weight", "Sheen Tint")
 
 
 def of_material(material, copy, lost: dict, images: list):
@@ -20,12 +25,14 @@ def of_material(material, copy, lost: dict, images: list):
     """
     node = model.principled(copy or material)
     names = [name for name in CHANNELS if node is not None and not _is_exported(node.inputs[name])]
-    if not names:
+    has_colors = node is not None and any(node.inputs[name].is_linked for name in ("Specular Tint", *SHEEN))
+    if not names and not has_colors:
         return copy
     copy = copy or material.copy()
     node = model.principled(copy)
     notes = [note for note in (_simplify(copy.node_tree, node.inputs[name], images) for name in names) if note]
-    if len({node_values.placement(found) for found in (_first_image(node.inputs[name]) for name in CHANNELS) if found is not None}) > 1:
+    notes += _simplify_colors(copy.node_tree, node, images)
+    if len({node_values.placement(found) for found in (_first_image(node.inputs[name]) for name in PACKED) if found is not None}) > 1:
         notes.append("coordinates of the image of Roughness, if they differ from those of Metallic")
     if notes:
         lost[material.name] = ", ".join([*filter(None, [lost.get(material.name)]), *notes])
@@ -37,6 +44,9 @@ def _is_exported(socket) -> bool:
     output, path = links.source(socket, ())
     if output is None or output.node.bl_idname == "ShaderNodeValue":
         return True
+    if socket.name == "Specular IOR Level":
+        # The exporter doubles the factors of some images only.
+        return False
     node = output.node
     if node.bl_idname == "ShaderNodeMath" and node.operation == "MULTIPLY" and not path:
         factors = [s for s in node.inputs[:2] if not s.is_linked]
@@ -72,20 +82,55 @@ def _simplify(tree, socket, images: list) -> str:
     if values.unknown or source is None:
         socket.default_value = float(numbers.mean())
         return f"{', '.join(values.unknown)} for {socket.name}, sent as the mean" if values.unknown else ""
-    image = bpy.data.images.new(f"{source.image.name} {socket.name.lower()}", *source.image.size)
-    images.append(image)
-    pixels = numpy.ones((len(numbers), 4), dtype=numpy.float32)
-    pixels[:, :3] = numbers[:, None]
-    image.pixels.foreach_set(pixels.reshape(-1))
-    _link(tree, socket, source, image)
+    channels = tree.nodes.new("ShaderNodeSeparateColor")
+    tree.links.new(_image_node(tree, source, socket.name, numbers[:, None], images).outputs["Color"], channels.inputs[0])
+    tree.links.new(channels.outputs[CHANNELS[socket.name]], socket)
     return ""
 
 
-def _link(tree, socket, source, image) -> None:
-    """Links an image to a socket, placed like another one."""
-    texture, channels = tree.nodes.new("ShaderNodeTexImage"), tree.nodes.new("ShaderNodeSeparateColor")
+def _simplify_colors(tree, node, images: list) -> list[str]:
+    """Links images of their values to the colors of a reflection and of a sheen, or gives them their mean; returns notes about means."""
+    notes = []
+    tint = node.inputs["Specular Tint"]
+    if tint.is_linked and tint.links[0].from_node.bl_idname != "ShaderNodeTexImage":
+        values = node_values.Values()
+        notes.append(_set_color(tree, tint, values.color(tint, (), 0), values, images))
+    weight, color = (node.inputs[name] for name in SHEEN)
+    if weight.is_linked or color.is_linked:
+        values = node_values.Values()
+        product = values.number(weight)[:, None] * values.color(color, (), 0)
+        if not values.is_unreadable:
+            for link in (*weight.links, *color.links):
+                tree.links.remove(link)
+            weight.default_value = 1
+            notes.append(_set_color(tree, color, product, values, images))
+    return [note for note in notes if note]
+
+
+def _set_color(tree, socket, colors, values, images: list) -> str:
+    """Links an image of colors to a socket, or gives it their mean; returns a note about the mean."""
+    if values.is_unreadable:
+        return ""
+    for link in socket.links:
+        tree.links.remove(link)
+    colors = numpy.clip(colors, 0, 1)
+    if values.unknown or values.image_node is None:
+        socket.default_value = (*map(float, colors.mean(axis=0)), 1.0)
+        return f"{', '.join(values.unknown)} for {socket.name}, sent as the mean" if values.unknown else ""
+    curved = numpy.where(colors <= 0.0031308, colors * 12.92, 1.055 * numpy.maximum(colors, 0.0031308) ** (1 / 2.4) - 0.055)
+    tree.links.new(_image_node(tree, values.image_node, socket.name, curved, images).outputs["Color"], socket)
+    return ""
+
+
+def _image_node(tree, source, name: str, colors, images: list):
+    """Returns a new node with an image of colors or grays, placed like another one."""
+    image = bpy.data.images.new(f"{source.image.name} {name.lower()}", *source.image.size)
+    images.append(image)
+    pixels = numpy.ones((len(colors), 4), dtype=numpy.float32)
+    pixels[:, :3] = colors
+    image.pixels.foreach_set(pixels.reshape(-1))
+    texture = tree.nodes.new("ShaderNodeTexImage")
     texture.image, texture.extension, texture.interpolation = image, source.extension, source.interpolation
     if source.inputs["Vector"].is_linked:
         tree.links.new(source.inputs["Vector"].links[0].from_socket, texture.inputs["Vector"])
-    tree.links.new(texture.outputs["Color"], channels.inputs[0])
-    tree.links.new(channels.outputs[CHANNELS[socket.name]], socket)
+    return texture

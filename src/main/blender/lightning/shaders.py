@@ -12,7 +12,6 @@ EXPORTED = {"ShaderNodeBsdfPrincipled", "ShaderNodeBsdfGlass", "ShaderNodeBsdfRe
 MISSING = {"Subsurface Weight": "subsurface scattering, sent as diffuse",
            "Thin Film Thickness": "thin films"}
 # Sockets whose textures are left out.
-SHEEN = ("Sheen Weight", "Sheen Tint", "Sheen Roughness")
 ANISOTROPY = ("Anisotropic", "Anisotropic Rotation")
 
 
@@ -48,8 +47,7 @@ def _missing(material) -> list[str]:
     if node is None:
         return []
     found = [title for name, title in MISSING.items() if node.inputs[name].is_linked or node.inputs[name].default_value != 0]
-    textures = ["textures of sheen"] if any(node.inputs[name].is_linked for name in SHEEN) else []
-    textures += ["textures of anisotropy"] if any(node.inputs[name].is_linked for name in ANISOTROPY) else []
+    textures = ["textures of anisotropy"] if any(node.inputs[name].is_linked for name in ANISOTROPY) else []
     textures += ["tangent of its anisotropy, which is that of the UV map"] if _has_other_tangent(material, node) else []
     return found + textures + (["colors of coats"] if _has_coat_color(node) else [])
 

@@ -158,6 +158,8 @@ class Materials:
             return
         attribute = self.constant(attributes[0])
         if is_output(attribute):
+            if str(UsdShade.Shader(attribute.GetPrim()).GetIdAttr().Get() or "").startswith(DIRECTIONS):
+                return
             texture = self.texture(UsdShade.Shader(attribute.GetPrim()), attribute.GetName().split(":")[-1], target in NUMBERS, result)
             if texture:
                 result["textures"][target] = texture

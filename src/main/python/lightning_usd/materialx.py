@@ -14,7 +14,7 @@ STANDARD = {
     "subsurface": ("subsurface", 0.0), "subsurfaceColor": ("subsurface_color", WHITE), "clearcoat": ("coat", 0.0),
     "clearcoatRoughness": ("coat_roughness", 0.1), "clearcoatIor": ("coat_IOR", 1.5), "specular": ("specular", 1.0),
     "specularTint": ("specular_color", WHITE),
-    "opacity": ("opacity", WHITE), "normal": ("normal", None), "sheen": ("sheen", 0.0), "sheenColor": ("sheen_color", WHITE),
+    "opacity": ("opacity", WHITE), "normal": ("normal", None), "coatNormal": ("coat_normal", None), "sheen": ("sheen", 0.0), "sheenColor": ("sheen_color", WHITE),
     "sheenRoughness": ("sheen_roughness", 0.3), "anisotropy": ("specular_anisotropy", 0.0), "anisotropyRotation": ("specular_rotation", 0.0),
 }
 OPEN_PBR = {
@@ -25,7 +25,7 @@ OPEN_PBR = {
     "subsurfaceColor": ("subsurface_color", [0.8] * 3), "clearcoat": ("coat_weight", 0.0),
     "clearcoatRoughness": ("coat_roughness", 0.0), "clearcoatIor": ("coat_ior", 1.6), "specular": ("specular_weight", 1.0),
     "specularTint": ("specular_color", WHITE), "opacity": ("geometry_opacity", 1.0),
-    "normal": ("geometry_normal", None), "sheen": ("fuzz_weight", 0.0), "sheenColor": ("fuzz_color", WHITE),
+    "normal": ("geometry_normal", None), "coatNormal": ("geometry_coat_normal", None), "sheen": ("fuzz_weight", 0.0), "sheenColor": ("fuzz_color", WHITE),
     "sheenRoughness": ("fuzz_roughness", 0.5), "anisotropy": ("specular_roughness_anisotropy", 0.0),
 }
 GLTF_PBR = {
@@ -33,7 +33,7 @@ GLTF_PBR = {
     "emissiveColor": ("emissive", [0.0] * 3), "emission": ("emissive_strength", 1.0), "transmission": ("transmission", 0.0),
     "clearcoat": ("clearcoat", 0.0), "clearcoatRoughness": ("clearcoat_roughness", 0.0),
     "specular": ("specular", 1.0), "specularTint": ("specular_color", WHITE), "opacity": ("alpha", 1.0), "alphaMode": ("alpha_mode", 0.0),
-    "opacityThreshold": ("alpha_cutoff", 0.5), "normal": ("normal", None), "sheenColor": ("sheen_color", [0.0] * 3), "sheenRoughness": ("sheen_roughness", 0.0),
+    "opacityThreshold": ("alpha_cutoff", 0.5), "normal": ("normal", None), "coatNormal": ("clearcoat_normal", None), "sheenColor": ("sheen_color", [0.0] * 3), "sheenRoughness": ("sheen_roughness", 0.0),
     "anisotropy": ("anisotropy_strength", 0.0), "anisotropyRotation": ("anisotropy_rotation", 0.0),
 }
 SURFACES = {"ND_standard_surface_surfaceshader": STANDARD, "ND_open_pbr_surface_surfaceshader": OPEN_PBR,
@@ -42,20 +42,19 @@ SURFACES = {"ND_standard_surface_surfaceshader": STANDARD, "ND_open_pbr_surface_
 MISSING = {"anisotropy of coats": (("coat_anisotropy", "coat_roughness_anisotropy"), 0.0),
            "directions of anisotropy (geometry_tangent)": (("geometry_tangent", "tangent"), None),
            "thin films": (("thin_film_thickness", "thin_film_weight", "iridescence"), 0.0),
-           "diffuse roughness": (("diffuse_roughness", "base_diffuse_roughness"), 0.0), "colors of coats": (("coat_color",), 1.0),
-           "normal maps of coats": (("coat_normal", "geometry_coat_normal", "clearcoat_normal"), None)}
+           "diffuse roughness": (("diffuse_roughness", "base_diffuse_roughness"), 0.0), "colors of coats": (("coat_color",), 1.0)}
 # Inputs of these that another one switches on.
 WEIGHTS = {"coat_anisotropy": ("coat",), "coat_roughness_anisotropy": ("coat_weight",),
-           "geometry_tangent": ("specular_roughness_anisotropy",), "tangent": ("specular_anisotropy", "anisotropy_strength"), "coat_color": ("coat", "coat_weight"), "thin_film_thickness": ("thin_film_weight",), "coat_normal": ("coat",),
-           "geometry_coat_normal": ("coat_weight",), "clearcoat_normal": ("clearcoat",)}
+           "geometry_tangent": ("specular_roughness_anisotropy",), "tangent": ("specular_anisotropy", "anisotropy_strength"), "coat_color": ("coat", "coat_weight"), "thin_film_thickness": ("thin_film_weight",)}
 # Nodes of the surface's own directions.
 DIRECTIONS = ("ND_normal_", "ND_tangent_", "ND_bitangent_", "ND_geompropvalue_")
 # Inputs whose textures are shown, or become their mean.
-TEXTURED = {"diffuseColor", "metallic", "roughness", "emissiveColor", "opacity", "normal"}
+TEXTURED = {"diffuseColor", "metallic", "roughness", "emissiveColor", "opacity", "normal", "coatNormal", "clearcoat", "clearcoatRoughness", "specular",
+            "specularTint", "sheenColor", "sheenRoughness"}
 # Inputs whose textures the importer notes, as those of a UsdPreviewSurface.
-COUNTED = {"clearcoat", "clearcoatRoughness", "ior"}
+COUNTED = {"ior"}
 # Inputs whose textures are numbers, not colors.
-NUMBERS = {"metallic", "roughness", "opacity"}
+NUMBERS = {"metallic", "roughness", "opacity", "clearcoat", "clearcoatRoughness", "specular", "sheenRoughness"}
 IMAGES = ("ND_image_", "ND_tiledimage_", "ND_UsdUVTexture", "ND_gltf_image_", "ND_gltf_colorimage", "ND_gltf_normalmap")
 CHANNELS = {"outr": "r", "outg": "g", "outb": "b", "outx": "r", "outy": "g", "outz": "b", "outa": "a", "outw": "a"}
 MASK, BLEND = 1, 2

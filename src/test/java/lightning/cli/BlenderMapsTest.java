@@ -15,6 +15,7 @@ import lightning.scene.Scene;
 import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TexturePlacement;
+import lightning.scene.material.LayerMaps;
 import lightning.scene.material.Material;
 import lightning.scene.node.Mesh;
 import lightning.scene.node.Solid;
@@ -25,7 +26,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Images of roughness and metalness in Blender. Their left pixel is 0.2, 0.4, 0.6 with an alpha of 0.8, the right one is 0. */
+/** Images of numbers and reflected colors in Blender. Their left pixel is 0.2, 0.4, 0.6 with an alpha of 0.8, the right one is 0. */
 @Slow
 @DisabledOnOs(OS.WINDOWS)
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
@@ -61,6 +62,45 @@ class BlenderMapsTest {
         Optional<TextureMap> map = material.surfaceMaps().metalness();
         assertThat(material.mappedMetalness(texel(map, material.surfaceMaps().metalnessChannel(), 0))).isCloseTo(left, offset(PRECISION));
         assertThat(material.mappedMetalness(texel(map, material.surfaceMaps().metalnessChannel(), 1))).isCloseTo(right, offset(PRECISION));
+    }
+
+    /** Asserts a number whose map has two pixels. */
+    private static void assertNumber(double factor, Optional<TextureMap> map, TextureChannel channel, double left, double right) {
+        assertThat(factor * texel(map, channel, 0)).isCloseTo(left, offset(PRECISION));
+        assertThat(factor * texel(map, channel, 1)).isCloseTo(right, offset(PRECISION));
+    }
+
+    @Test
+    void weightAndRoughnessOfCoat_areSent() {
+        Material lacquer = scene.material("lacquer").orElseThrow();
+        LayerMaps maps = lacquer.layerMaps();
+        assertNumber(lacquer.coat().weight(), maps.coat(), maps.coatChannel(), 0.6, 0);
+        assertNumber(lacquer.coat().roughness(), maps.coatRoughness(), maps.coatRoughnessChannel(), 0.6, 1);
+    }
+
+    /** A level of 0.5 is a reflectance of 0.04 at an index of 1.5. */
+    @Test
+    void levelOfReflection_isSent() {
+        Material level = scene.material("level").orElseThrow();
+        assertNumber(level.f0(), level.surfaceMaps().f0(), level.surfaceMaps().f0Channel(), 0.08 * 0.4, 0);
+        assertThat(level.f0()).isCloseTo(0.08, offset(1e-9));
+    }
+
+    @Test
+    void tintOfReflection_isSent() {
+        Optional<TextureMap> map = scene.material("tinted").orElseThrow().surfaceMaps().specularTint();
+        assertThat(texel(map, TextureChannel.RED, 0)).isCloseTo(0.6f, offset(0.01f));
+        assertThat(texel(map, TextureChannel.BLUE, 1)).isCloseTo(0.5f, offset(0.01f));
+    }
+
+    @Test
+    void colorAndRoughnessOfSheen_areSent() {
+        Material fibers = scene.material("fibers").orElseThrow();
+        LayerMaps maps = fibers.layerMaps();
+        assertNumber(fibers.sheen().color().r(), maps.sheen(), TextureChannel.RED, 0.2, 0);
+        assertNumber(fibers.sheen().color().g(), maps.sheen(), TextureChannel.GREEN, 0.1, 0);
+        assertNumber(fibers.sheen().roughness(), maps.sheenRoughness(), maps.sheenRoughnessChannel(), 0.6, 0);
+        assertThat(messages).noneMatch(message -> message.contains("sheen"));
     }
 
     @Test

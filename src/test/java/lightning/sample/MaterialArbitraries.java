@@ -13,6 +13,7 @@ import lightning.scene.material.Anisotropy;
 import lightning.scene.material.Bulb;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Coat;
+import lightning.scene.material.LayerMaps;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.ShadingModel;
@@ -31,7 +32,9 @@ final class MaterialArbitraries {
     private static final List<MaterialAttribute<Optional<TextureMap>>> OTHER_MAPS = MaterialAttribute.MAPS.stream()
             .filter(map -> !List
                     .of(MaterialAttribute.TEXTURE, MaterialAttribute.CUTOUT, MaterialAttribute.BUMP, MaterialAttribute.NORMAL_MAP,
-                            MaterialAttribute.ROUGHNESS_MAP, MaterialAttribute.METALNESS_MAP)
+                            MaterialAttribute.ROUGHNESS_MAP, MaterialAttribute.METALNESS_MAP, MaterialAttribute.F0_MAP,
+                            MaterialAttribute.SPECULAR_TINT_MAP, MaterialAttribute.COAT_MAP, MaterialAttribute.COAT_ROUGHNESS_MAP,
+                            MaterialAttribute.COAT_NORMAL_MAP, MaterialAttribute.SHEEN_MAP, MaterialAttribute.SHEEN_ROUGHNESS_MAP)
                     .contains(map))
             .toList();
 
@@ -76,19 +79,43 @@ final class MaterialArbitraries {
     }
 
     private static Arbitrary<Material> principled(String name) {
-        return Combinators.combine(metallic(name), colorsOrWhite(), anisotropies(), coats(), sheens(), surfaceMaps())
-                .as((material, tint, anisotropy, coat, sheen, maps) -> material.withModel(ShadingModel.PRINCIPLED).withSpecularTint(tint)
-                        .withAnisotropy(anisotropy).withCoat(coat).withSheen(sheen)
-                        .withSurfaceMaps(maps));
+        return Combinators.combine(metallic(name), colorsOrWhite(), anisotropies(), coats(), sheens(), surfaceMaps(), layerMaps())
+                .as((material, tint, anisotropy, coat, sheen, maps, layers) -> material.withModel(ShadingModel.PRINCIPLED)
+                        .withSpecularTint(tint).withAnisotropy(anisotropy).withCoat(coat).withSheen(sheen)
+                        .withSurfaceMaps(maps).withLayerMaps(layers));
     }
 
     /** Returns none in half of the cases. */
     private static Arbitrary<SurfaceMaps> surfaceMaps() {
-        Arbitrary<Optional<TextureMap>> mostly =
-                Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Optional.<TextureMap>empty())), Tuple.of(3, maps().map(Optional::of)));
         Arbitrary<TextureChannel> channels = Arbitraries.of(TextureChannel.class);
-        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(SurfaceMaps.NONE)),
-                Tuple.of(1, Combinators.combine(mostly, channels, mostly, channels).as(SurfaceMaps::new)));
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(SurfaceMaps.NONE)), Tuple.of(1, Combinators
+                .combine(mostMaps(), channels, mostMaps(), channels, mostMaps(), channels, mostMaps()).as(SurfaceMaps::new)));
+    }
+
+    /** Returns none in half of the cases. */
+    private static Arbitrary<LayerMaps> layerMaps() {
+        Arbitrary<TextureChannel> channels = Arbitraries.of(TextureChannel.class);
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(LayerMaps.NONE)), Tuple.of(1, Combinators
+                .combine(mostMaps(), channels, mostMaps(), channels, textures(), mostMaps(), mostMaps(), channels)
+                .as((coat, coatChannel, rough, roughChannel, normal, sheen, sheenRough, sheenChannel) -> new LayerMaps(coat, coatChannel,
+                        rough, roughChannel, normal, 0.75, sheen, sheenRough, sheenChannel))));
+    }
+
+    /** Returns maps in three of four cases, else none. */
+    private static Arbitrary<Optional<TextureMap>> mostMaps() {
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Optional.<TextureMap>empty())),
+                Tuple.of(3, maps().map(Optional::of)));
+    }
+
+    private static Arbitrary<MaterialAttribute<Optional<TextureMap>>> principledMaps() {
+        return Arbitraries.of(MaterialAttribute.ROUGHNESS_MAP, MaterialAttribute.METALNESS_MAP, MaterialAttribute.F0_MAP,
+                MaterialAttribute.SPECULAR_TINT_MAP, MaterialAttribute.COAT_MAP, MaterialAttribute.COAT_ROUGHNESS_MAP,
+                MaterialAttribute.COAT_NORMAL_MAP, MaterialAttribute.SHEEN_MAP, MaterialAttribute.SHEEN_ROUGHNESS_MAP);
+    }
+
+    private static Arbitrary<MaterialAttribute<TextureChannel>> channelAttributes() {
+        return Arbitraries.of(MaterialAttribute.ROUGHNESS_CHANNEL, MaterialAttribute.METALNESS_CHANNEL, MaterialAttribute.F0_CHANNEL,
+                MaterialAttribute.COAT_CHANNEL, MaterialAttribute.COAT_ROUGHNESS_CHANNEL, MaterialAttribute.SHEEN_ROUGHNESS_CHANNEL);
     }
 
     private static Arbitrary<Rgb> colorsOrWhite() {
@@ -162,12 +189,11 @@ final class MaterialArbitraries {
                 iors().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.COAT_IOR, to)),
                 colorsOrBlack().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.SHEEN, to)),
                 unitValues().map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.SHEEN_ROUGHNESS, to)),
-                surfaceMaps().map(SurfaceMaps::roughness).map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.ROUGHNESS_MAP, to)),
-                surfaceMaps().map(SurfaceMaps::metalness).map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.METALNESS_MAP, to)),
-                Arbitraries.of(TextureChannel.class)
-                        .map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.ROUGHNESS_CHANNEL, to)),
-                Arbitraries.of(TextureChannel.class)
-                        .map(to -> new MaterialChange.SetAttribute<>(MaterialAttribute.METALNESS_CHANNEL, to)),
+                principledMaps().flatMap(map -> mostMaps().map(to -> new MaterialChange.SetAttribute<>(map, to))),
+                principledMaps().flatMap(map -> mostMaps().map(to -> new MaterialChange.SetAttribute<>(map, to))),
+                channelAttributes()
+                        .flatMap(channel -> Arbitraries.of(TextureChannel.class)
+                                .map(to -> new MaterialChange.SetAttribute<>(channel, to))),
                 colorsOrBlack().map(MaterialChange.Reflective::new),
                 colorsOrBlack().map(MaterialChange.Reflective::new),
                 Arbitraries.of(Rgb.BLACK).map(MaterialChange.Reflective::new),

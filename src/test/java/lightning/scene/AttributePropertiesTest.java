@@ -33,6 +33,7 @@ import lightning.scene.material.Anisotropy;
 import lightning.scene.material.Bulb;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Coat;
+import lightning.scene.material.LayerMaps;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.Sheen;
@@ -54,6 +55,11 @@ class AttributePropertiesTest {
             String> KEYWORDS = Map.ofEntries(entry("World.lightCount", "lamps"), entry("Transmission.color", "transparency"),
                     entry("BumpMapping.normalMap", "normals"),
                     entry("SurfaceMaps.roughness", "roughness map"), entry("SurfaceMaps.metalness", "metalness map"),
+                    entry("SurfaceMaps.f0", "f0 map"), entry("SurfaceMaps.f0Channel", "f0 channel"),
+                    entry("SurfaceMaps.specularTint", "specular tint map"),
+                    entry("LayerMaps.coat", "coat map"), entry("LayerMaps.coatNormal", "coat normals"),
+                    entry("LayerMaps.coatRoughness", "coat roughness map"),
+                    entry("LayerMaps.sheen", "sheen map"), entry("LayerMaps.sheenRoughness", "sheen roughness map"),
                     entry("Cone.angle", "cone half-angle"),
                     entry("Cone.dropoff", "edge falloff"), entry("Cone.doors", "barn doors"), entry("Cone.profile", "IES profile"),
                     entry("AreaShape.up", "roll axis"), entry("AreaShape.visibility", "visible to camera"),
@@ -120,6 +126,7 @@ class AttributePropertiesTest {
                 || component.getType() == Coat.class
                 || component.getType() == Sheen.class
                 || component.getType() == SurfaceMaps.class
+                || component.getType() == LayerMaps.class
                 || component.getType() == Transmission.class
                 || component.getType() == Contribution.class
                         ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(keyword(component));

@@ -4,14 +4,11 @@ import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
-import lightning.base.math.Affine2;
 import lightning.base.math.Rgb;
-import lightning.format.exchange.assembly.PlacedTexture;
 import lightning.format.exchange.assembly.PrincipledImport;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.assembly.TextureMeans;
 import lightning.format.exchange.assembly.TransmissionImport;
-import lightning.format.gltf.GltfImage;
 import lightning.format.gltf.GltfMaterial;
 import lightning.format.gltf.GltfScene;
 import lightning.format.jen.asset.TextureDecoder;
@@ -22,7 +19,6 @@ import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
-import lightning.scene.material.SurfaceMaps;
 import lightning.scene.value.SceneLimits;
 
 /** Converter from glTF materials to principled materials; notes unsupported properties. */
@@ -30,11 +26,8 @@ final class GltfMaterialImport {
 
     private final SceneAssembler assembler;
     private final PrincipledImport principled;
-    private final GltfScene file;
-    private final String meshFile;
+    private final GltfTextures textures;
     private final Map<Integer, TextureMeans> textureMeans = new HashMap<>();
-    /** Names of embedded images, by their index. */
-    private final Map<Integer, String> stems = new HashMap<>();
 
     /**
      * Creates a converter.
@@ -44,14 +37,13 @@ final class GltfMaterialImport {
     GltfMaterialImport(SceneAssembler assembler, GltfScene file, String meshFile) {
         this.assembler = assembler;
         principled = new PrincipledImport(assembler);
-        this.file = file;
-        this.meshFile = meshFile;
+        textures = new GltfTextures(assembler, file, meshFile);
     }
 
     Material convert(GltfMaterial m) throws IOException, MeshException {
         Rgb base = assembler.clampColor(m.base(), 1, "base colors of materials");
         if (m.isUnlit()) {
-            Optional<TextureMap> map = textureMap(m.baseImage(), TextureUsage.COLOR);
+            Optional<TextureMap> map = textures.map(m.baseImage(), TextureUsage.COLOR);
             // Ambient light has no map, glow has.
             Material unlit = Material.of("material").withDiffuse(Rgb.BLACK);
             return withCutout(map.isEmpty() ? unlit.withAmbient(base) : unlit.withGlow(base).withGlowMap(map), m);
@@ -60,9 +52,10 @@ final class GltfMaterialImport {
                 ? metallicRoughnessMeans(m.metallicRoughnessImage().index()) : TextureMeans.NONE;
         Material material =
                 withGlow(PrincipledImport.material(base, m.metallic() * means.metalness(), m.roughness() * means.roughness()), m)
-                        .withTexture(textureMap(m.baseImage(), TextureUsage.COLOR));
+                        .withTexture(textures.map(m.baseImage(), TextureUsage.COLOR));
         Material surface = withTransmission(withHighlights(material, m), m);
-        return withCutout(withNormalMap(withAnisotropy(withSurfaceMaps(withSheen(withCoat(surface, m), m), m), m), m), m);
+        Material layered = withAnisotropy(withSurfaceMaps(withSheen(withCoat(surface, m), m), m), m);
+        return withCutout(withNormalMap(new GltfMapImport(assembler, textures).withMaps(layered, m), m), m);
     }
 
     /** Adds the maps of roughness and metalness; a transparent material has their means. */
@@ -75,10 +68,10 @@ final class GltfMaterialImport {
             assembler.notes.add(isRead ? "metallicRoughnessTexture of materials, averaged" : "metallicRoughnessTexture of materials");
             return material;
         }
-        Optional<TextureMap> map = textureMap(m.metallicRoughnessImage(), TextureUsage.DATA);
+        Optional<TextureMap> map = textures.map(m.metallicRoughnessImage(), TextureUsage.DATA);
         assembler.notes.add("metallicRoughnessTexture of materials", map.isEmpty() ? 1 : 0);
         return material.withMetalness(SceneAssembler.clamp(m.metallic(), 1)).withRoughness(SceneAssembler.clamp(m.roughness(), 1))
-                .withSurfaceMaps(SurfaceMaps.NONE.withRoughness(map).withMetalness(map.filter(_ -> m.metallic() > 0)));
+                .withSurfaceMaps(material.surfaceMaps().withRoughness(map).withMetalness(map.filter(_ -> m.metallic() > 0)));
     }
 
     /** Adds the reflection of a nonmetal, with full reflection at grazing angles. */
@@ -88,7 +81,7 @@ final class GltfMaterialImport {
             return material.withModel(ShadingModel.PHONG).withDiffuse(material.base());
         }
         assembler.notes.add("grazing-angle specular below 1 (specularFactor), imported as 1",
-                material.metalness() < 1 && m.f90() != 1 ? 1 : 0);
+                material.metalness() < 1 && (m.f90() != 1 || !m.specular().keepsGrazing()) ? 1 : 0);
         return principled.withReflectance(material, m.f0());
     }
 
@@ -96,16 +89,9 @@ final class GltfMaterialImport {
         return principled.withCoat(material, m.clearcoat().factor(), m.clearcoat().roughness(), m.clearcoat().ior());
     }
 
-    /** Adds the sheen. Its texture becomes its mean, since the factor alone is mostly white. */
-    private Material withSheen(Material material, GltfMaterial m) throws IOException, MeshException {
+    private Material withSheen(Material material, GltfMaterial m) {
         GltfMaterial.Sheen sheen = m.sheen();
-        Rgb color = sheen.color();
-        if (!color.isBlack() && sheen.colorImage().isPresent()) {
-            Optional<Rgb> mean = imageBytes(sheen.colorImage().index()).flatMap(TextureMeans::color);
-            assembler.notes.add(mean.isPresent() ? "sheenColorTexture of materials, averaged" : "sheenColorTexture of materials");
-            color = mean.map(color::times).orElse(color);
-        }
-        return principled.withSheen(material, color,
+        return principled.withSheen(material, sheen.color(),
                 sheen.exactRoughness().orElseGet(() -> PrincipledImport.sheenRoughness(sheen.roughness())));
     }
 
@@ -151,7 +137,7 @@ final class GltfMaterialImport {
         if (glow.isBlack() || m.emissionImage().isEmpty()) {
             return material.withGlow(glow);
         }
-        Optional<TextureMap> map = textureMap(m.emissionImage().get(), TextureUsage.COLOR);
+        Optional<TextureMap> map = textures.map(m.emissionImage().get(), TextureUsage.COLOR);
         assembler.notes.add("emissiveTexture of materials", map.isEmpty() ? 1 : 0);
         return map.isEmpty() ? material : material.withGlow(glow).withGlowMap(map);
     }
@@ -164,14 +150,14 @@ final class GltfMaterialImport {
     private TextureMeans metallicRoughnessMeans(int image) throws IOException, MeshException {
         TextureMeans cached = textureMeans.get(image);
         if (cached == null) {
-            cached = imageBytes(image).flatMap(TextureMeans::of).orElse(TextureMeans.NONE);
+            cached = textures.bytes(image).flatMap(TextureMeans::of).orElse(TextureMeans.NONE);
             textureMeans.put(image, cached);
         }
         return cached;
     }
 
     private Material withNormalMap(Material material, GltfMaterial m) throws IOException, MeshException {
-        Optional<TextureMap> normals = textureMap(m.normalImage(), TextureUsage.DATA);
+        Optional<TextureMap> normals = textures.map(m.normalImage(), TextureUsage.DATA);
         return normals.isEmpty() ? material : material.withBumpMapping(BumpMapping.NONE.withNormalMap(normals)
                 .withStrength(Math.clamp(m.normalScale(), -SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH)));
     }
@@ -180,67 +166,13 @@ final class GltfMaterialImport {
     private Material withCutout(Material material, GltfMaterial m) throws IOException, MeshException {
         Optional<TextureMap> opacity =
                 m.cutoff() > 0 && m.baseImage().isPresent()
-                        && imageBytes(m.baseImage().index()).filter(TextureDecoder::hasAlpha).isPresent()
-                                ? textureMap(m.baseImage(), TextureUsage.OPACITY) : Optional.empty();
+                        && textures.bytes(m.baseImage().index()).filter(TextureDecoder::hasAlpha).isPresent()
+                                ? textures.map(m.baseImage(), TextureUsage.OPACITY) : Optional.empty();
         if (opacity.isEmpty()) {
             assembler.notes.add("materials invisible by their alpha cutoff, imported as visible", m.cutoff() > m.alphaFactor() ? 1 : 0);
             return material;
         }
         assembler.notes.add("alpha-blended textures, imported as cutouts at half opacity", m.isBlended() ? 1 : 0);
         return material.withCutout(new AlphaCutout(opacity, Math.min(m.cutoff() / m.alphaFactor(), 1)));
-    }
-
-    /** Returns an image as a texture; empty if there is none or it cannot be used. */
-    private Optional<TextureMap> textureMap(GltfImage image, TextureUsage usage) throws IOException, MeshException {
-        return image.isPresent() ? textureMap(image.index(), usage).map(map -> placed(map.withWrap(image.wrap()), image.map()))
-                : Optional.empty();
-    }
-
-    private TextureMap placed(TextureMap texture, Affine2 map) {
-        if (map.equals(Affine2.IDENTITY)) {
-            return texture;
-        }
-        Optional<TextureMap> placed = PlacedTexture.of(texture, map);
-        assembler.notes.add("textures with another scale and rotation than others of their material, placed like them",
-                placed.isEmpty() ? 1 : 0);
-        return placed.orElse(texture);
-    }
-
-    private Optional<TextureMap> textureMap(int image, TextureUsage usage) throws IOException, MeshException {
-        Optional<String> reference = file.imageReference(image);
-        return reference.isPresent() ? assembler.images.file(reference.get(), usage)
-                : embeddedBytes(image).isEmpty() ? Optional.empty()
-                : assembler.images.embedded(stem(image), embeddedBytes(image).get(), usage);
-    }
-
-    /** Returns the content of an image; empty if it is missing. */
-    private Optional<byte[]> imageBytes(int image) throws IOException, MeshException {
-        Optional<String> reference = file.imageReference(image);
-        return reference.isPresent() ? assembler.images.bytes(reference.get()) : embeddedBytes(image);
-    }
-
-    private Optional<byte[]> embeddedBytes(int image) throws IOException {
-        try {
-            return Optional.of(file.imageBytes(image));
-        } catch (MeshException e) {
-            assembler.notes.add("embedded textures that are damaged");
-            return Optional.empty();
-        }
-    }
-
-    /** Returns the name for the file of an embedded image, another one for each image. */
-    private String stem(int image) throws MeshException {
-        String known = stems.get(image);
-        if (known != null) {
-            return known;
-        }
-        String name = file.imageName(image);
-        String base = meshFile.replaceFirst("\\.[^.]*$", "") + "-" + (name.isEmpty() ? "image" + image : name);
-        String stem = base;
-        for (int i = 2; stems.containsValue(stem); i++) {
-            stem = base + " " + i;
-        }
-        stems.put(image, stem);
-        return stem;
     }
 }

@@ -38,9 +38,9 @@ import lightning.scene.asset.TextureWrap;
 import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Coat;
+import lightning.scene.material.LayerMaps;
 import lightning.scene.material.Material;
 import lightning.scene.material.Sheen;
-import lightning.scene.material.SurfaceMaps;
 import lightning.scene.node.Mesh;
 import lightning.scene.value.Placement;
 import lightning.scene.value.SceneLimits;
@@ -138,8 +138,9 @@ final class ObjImport {
 
     private static Stream<MtlImage> images(MtlMaterial m) {
         MtlMaterial.Physical surface = m.physical().orElse(MtlMaterial.Physical.NONE);
-        return Stream.of(m.texture(), m.bump(), m.emissionMap(), m.cutout(), surface.roughnessMap().map(MtlMaterial.FactorMap::image),
-                surface.metalnessMap().map(MtlMaterial.FactorMap::image)).flatMap(Optional::stream);
+        Stream<MtlImage> numbers = Stream.of(surface.roughnessMap(), surface.metalnessMap(), surface.coatMap(), surface.coatRoughnessMap())
+                .flatMap(Optional::stream).map(MtlMaterial.FactorMap::image);
+        return Stream.concat(Stream.of(m.texture(), m.bump(), m.emissionMap(), m.cutout()).flatMap(Optional::stream), numbers);
     }
 
     /** Returns a mesh whose coordinates have an image's offset, in units of its repetitions; empty, with a note, if they would be too large. */
@@ -265,20 +266,31 @@ final class ObjImport {
             assembler.notes.add("map_Pm of transparent materials", surface.metalnessMap().isPresent() ? 1 : 0);
             return material;
         }
-        Optional<TextureMap> roughness = textureMap(surface.roughnessMap().map(MtlMaterial.FactorMap::image), TextureUsage.DATA);
-        Optional<TextureMap> metalness = textureMap(surface.metalnessMap().map(MtlMaterial.FactorMap::image), TextureUsage.DATA);
+        Optional<TextureMap> roughness = map(surface.roughnessMap());
+        Optional<TextureMap> metalness = map(surface.metalnessMap());
         Material rough = roughness.isEmpty() ? material
                 : material.withRoughness(SceneAssembler.clamp(surface.roughnessMap().get().factor(), 1));
         Material metallic = metalness.isEmpty() ? rough
                 : rough.withMetalness(SceneAssembler.clamp(surface.metalnessMap().get().factor(), 1));
-        return metallic.withSurfaceMaps(SurfaceMaps.NONE.withRoughness(roughness).withMetalness(metalness));
+        return metallic.withSurfaceMaps(metallic.surfaceMaps().withRoughness(roughness).withMetalness(metalness));
     }
 
-    private Material withLayers(MtlMaterial m, Material material) {
+    private Optional<TextureMap> map(Optional<MtlMaterial.FactorMap> map) throws IOException {
+        return textureMap(map.map(MtlMaterial.FactorMap::image), TextureUsage.DATA);
+    }
+
+    /** Adds the coat with its maps, map_Pc and map_Pcr, and the sheen. */
+    private Material withLayers(MtlMaterial m, Material material) throws IOException {
         MtlMaterial.Physical surface = m.physical().orElse(MtlMaterial.Physical.NONE);
         var principled = new PrincipledImport(assembler);
-        Material coated = principled.withCoat(material, surface.coat(), surface.coatRoughness(), Coat.NONE.ior());
-        Material layered = principled.withSheen(coated, Rgb.gray(surface.sheen()), Sheen.NONE.roughness());
+        Optional<TextureMap> coat = map(surface.coatMap());
+        Optional<TextureMap> roughness = map(surface.coatRoughnessMap());
+        double weight = coat.isPresent() ? surface.coatMap().orElseThrow().factor() : surface.coat();
+        double blur = roughness.isPresent() ? surface.coatRoughnessMap().orElseThrow().factor() : surface.coatRoughness();
+        Material coated = principled.withCoat(material, weight, blur, Coat.NONE.ior());
+        Material mapped = coated.coat().isVisible()
+                ? coated.withLayerMaps(LayerMaps.NONE.withCoat(coat).withCoatRoughness(roughness)) : coated;
+        Material layered = principled.withSheen(mapped, Rgb.gray(surface.sheen()), Sheen.NONE.roughness());
         return principled.withBurleyAnisotropy(layered, SceneAssembler.clamp(surface.anisotropy(), 1), TURN * surface.anisotropyRotation());
     }
 

@@ -1,6 +1,5 @@
 package lightning.format.gltf;
 
-import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import lightning.base.math.Affine2;
@@ -46,11 +45,11 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
         Surface surface =
                 glossy.isPresent() && !pbr.isPresent() ? glossySurface(material, glossy) : metallicSurface(material, pbr, extensions);
         return new GltfMaterial(material.get("name").text().orElse(""), surface.base, surface.metallic, surface.roughness,
-                surface.f0, surface.f90, new Rgb(emission[0], emission[1], emission[2]).times(strength),
+                surface.f0, surface.f90, surface.specular, new Rgb(emission[0], emission[1], emission[2]).times(strength),
                 emissive.isPresent() ? Optional.of(textureImage(material, emissive)) : Optional.empty(),
                 extensions.get("KHR_materials_unlit").isPresent(), surface.baseImage, surface.metallicRoughnessImage,
                 textureImage(material, normals),
-                normals.get("scale").number(1), opacity, transmission, readClearcoat(extensions), readSheen(material, extensions),
+                normals.get("scale").number(1), opacity, transmission, readClearcoat(material, extensions), readSheen(material, extensions),
                 readAnisotropy(extensions), cutoff,
                 alphaFactor,
                 isBlended);
@@ -75,22 +74,20 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
         }
     }
 
-    private GltfMaterial.Clearcoat readClearcoat(JsonValue extensions) throws MeshException {
+    private GltfMaterial.Clearcoat readClearcoat(JsonValue material, JsonValue extensions) throws MeshException {
         JsonValue coat = extensions.get("KHR_materials_clearcoat");
-        for (String texture : List.of("clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture")) {
-            notes.add(texture + " of materials", coat.get(texture).isPresent() ? 1 : 0);
-        }
-        return new GltfMaterial.Clearcoat(coat.get("clearcoatFactor").number(0), coat.get("clearcoatRoughnessFactor").number(0),
+        return new GltfMaterial.Clearcoat(coat.get("clearcoatFactor").number(0), placedImage(material, coat, "clearcoatTexture"),
+                coat.get("clearcoatRoughnessFactor").number(0), placedImage(material, coat, "clearcoatRoughnessTexture"),
+                placedImage(material, coat, "clearcoatNormalTexture"), coat.get("clearcoatNormalTexture").get("scale").number(1),
                 coat.get("extras").get("ior").number(GltfMaterial.Clearcoat.DEFAULT_IOR));
     }
 
     private GltfMaterial.Sheen readSheen(JsonValue material, JsonValue extensions) throws MeshException {
         JsonValue sheen = extensions.get("KHR_materials_sheen");
-        notes.add("sheenRoughnessTexture of materials", sheen.get("sheenRoughnessTexture").isPresent() ? 1 : 0);
         double[] color = sheen.get("sheenColorFactor").numbers(0, 0, 0);
         JsonValue exact = sheen.get("extras").get("roughness");
-        return new GltfMaterial.Sheen(new Rgb(color[0], color[1], color[2]), textureImage(material, sheen.get("sheenColorTexture")),
-                sheen.get("sheenRoughnessFactor").number(0),
+        return new GltfMaterial.Sheen(new Rgb(color[0], color[1], color[2]), placedImage(material, sheen, "sheenColorTexture"),
+                sheen.get("sheenRoughnessFactor").number(0), placedImage(material, sheen, "sheenRoughnessTexture"),
                 exact.isPresent() ? OptionalDouble.of(exact.number(0)) : OptionalDouble.empty());
     }
 
@@ -121,7 +118,7 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
 
     /** Reflection properties of a material, as in {@link GltfMaterial}. */
     private record Surface(Rgb base, GltfImage baseImage, double metallic, double roughness,
-            GltfImage metallicRoughnessImage, Rgb f0, double f90) {}
+            GltfImage metallicRoughnessImage, Rgb f0, double f90, GltfMaterial.Specular specular) {}
 
     /**
      * Reads the metallic-roughness model: appendix B of glTF 2.0; KHR_materials_ior; KHR_materials_specular, which clamps
@@ -131,9 +128,6 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
         double[] base = pbr.get("baseColorFactor").numbers(1, 1, 1, 1);
         double ior = ior(extensions);
         JsonValue specular = extensions.get("KHR_materials_specular");
-        for (String texture : List.of("specularTexture", "specularColorTexture")) {
-            notes.add(texture + " of materials", specular.get(texture).isPresent() ? 1 : 0);
-        }
         double[] tint = specular.get("specularColorFactor").numbers(1, 1, 1);
         double weight = specular.get("specularFactor").number(1);
         double f0 = (ior - 1) * (ior - 1) / ((ior + 1) * (ior + 1));
@@ -141,7 +135,9 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
                 pbr.get("metallicFactor").number(1), pbr.get("roughnessFactor").number(1),
                 textureImage(material, pbr.get("metallicRoughnessTexture")), new Rgb(Math.min(f0 * tint[0], 1) * weight,
                         Math.min(f0 * tint[1], 1) * weight, Math.min(f0 * tint[2], 1) * weight),
-                weight);
+                weight, new GltfMaterial.Specular(placedImage(material, specular, "specularTexture"),
+                        !specular.get("specularTexture").isPresent() || specular.get("extras").get("level").number(0) == 1,
+                        placedImage(material, specular, "specularColorTexture")));
     }
 
     /** Reads the older specular-glossiness model, in which nothing is metallic; its use is noted as an extension. */
@@ -153,7 +149,15 @@ record MaterialReader(GltfFile file, ConversionNotes notes) {
         // The factor multiplied by such an image is not meaningful alone: most files use 1.
         return new Surface(new Rgb(diffuse[0], diffuse[1], diffuse[2]), textureImage(material, glossiness.get("diffuseTexture")), 0,
                 hasTexture ? 0.5 : 1 - glossiness.get("glossinessFactor").number(1), GltfImage.NONE,
-                hasTexture ? Rgb.gray(0.04) : new Rgb(specular[0], specular[1], specular[2]), 1);
+                hasTexture ? Rgb.gray(0.04) : new Rgb(specular[0], specular[1], specular[2]), 1,
+                GltfMaterial.Specular.NONE);
+    }
+
+    /** Returns the image of a texture of an extension; notes one with texture coordinates of its own. */
+    private GltfImage placedImage(JsonValue material, JsonValue extension, String texture) throws MeshException {
+        notePlacement(material, extension.get(texture),
+                texture + " of materials with texture coordinates of its own, placed like other textures");
+        return textureImage(material, extension.get(texture));
     }
 
     private GltfImage textureImage(JsonValue material, JsonValue texture) throws MeshException {

@@ -7,7 +7,7 @@ import lightning.format.mesh.MeshException;
 
 /**
  * Texture coordinate set and transform (KHR_texture_transform) of a material's base color image; if there is none, of its normal map, of its
- * emission image or of its metallic-roughness image.
+ * emission image, of its metallic-roughness image, or of an extension.
  *
  * @param set index of the primitive's texture coordinates
  * @param map of coordinates whose v points down
@@ -37,8 +37,15 @@ record TextureTransform(int set, Affine2 map) {
     /** Returns the texture of a material whose placement all of its textures share here; an absent value without textures. */
     static JsonValue placingTexture(JsonValue material) throws MeshException {
         JsonValue pbr = material.get("pbrMetallicRoughness");
-        return Stream.of(pbr.get("baseColorTexture"), material.get("normalTexture"), material.get("emissiveTexture"))
-                .filter(JsonValue::isPresent).findFirst().orElse(pbr.get("metallicRoughnessTexture"));
+        JsonValue extensions = material.get("extensions");
+        JsonValue coat = extensions.get("KHR_materials_clearcoat");
+        JsonValue specular = extensions.get("KHR_materials_specular");
+        JsonValue sheen = extensions.get("KHR_materials_sheen");
+        return Stream.of(pbr.get("baseColorTexture"), material.get("normalTexture"), material.get("emissiveTexture"),
+                pbr.get("metallicRoughnessTexture"), coat.get("clearcoatTexture"), coat.get("clearcoatRoughnessTexture"),
+                coat.get("clearcoatNormalTexture"),
+                specular.get("specularTexture"), specular.get("specularColorTexture"), sheen.get("sheenColorTexture"))
+                .filter(JsonValue::isPresent).findFirst().orElse(sheen.get("sheenRoughnessTexture"));
     }
 
     /** Returns whether two placements are the same. */

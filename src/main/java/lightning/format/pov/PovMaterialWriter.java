@@ -11,6 +11,7 @@ import lightning.scene.asset.TexturePlacement;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.material.Bulb;
 import lightning.scene.material.BumpMapping;
+import lightning.scene.material.LayerMaps;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.ShadingModel;
@@ -33,7 +34,8 @@ record PovMaterialWriter(List<String> warnings) {
     private static final List<MaterialAttribute<Optional<TextureMap>>> WRITTEN =
             List.of(MaterialAttribute.TEXTURE, MaterialAttribute.CUTOUT,
                     MaterialAttribute.BUMP, MaterialAttribute.NORMAL_MAP, MaterialAttribute.GLOW_MAP, MaterialAttribute.ROUGHNESS_MAP,
-                    MaterialAttribute.METALNESS_MAP);
+                    MaterialAttribute.METALNESS_MAP, MaterialAttribute.F0_MAP, MaterialAttribute.SPECULAR_TINT_MAP,
+                    MaterialAttribute.COAT_MAP, MaterialAttribute.COAT_ROUGHNESS_MAP);
 
     /**
      * Returns the texture of a shape, on one or several lines.
@@ -96,15 +98,18 @@ record PovMaterialWriter(List<String> warnings) {
         return m.withGlow(times(m.glow(), mean)).withBulb(bulb).withGlowMap(Optional.empty());
     }
 
-    /** Returns a material whose roughness and metalness have the means of their maps, if it has some. */
+    /** Returns a material whose numbers and reflected colors have the means of their maps, if it has some. */
     private Material withMeanSurface(Material m) {
         SurfaceMaps maps = m.surfaceMaps();
-        if (!m.isPrincipled() || maps.roughness().isEmpty() && maps.metalness().isEmpty()) {
+        LayerMaps layers = m.layerMaps();
+        boolean hasCoatMap = layers.coat().isPresent() || layers.coatRoughness().isPresent();
+        if (!m.isPrincipled() || maps.roughness().isEmpty() && !maps.changeColors() && !hasCoatMap) {
             return m;
         }
-        warn("material " + m.name() + ": maps of roughness and metalness are replaced by their means");
-        return m.withRoughness(m.mappedRoughness(maps.meanRoughness()))
-                .withMetalness(m.mappedMetalness(maps.meanMetalness())).withSurfaceMaps(SurfaceMaps.NONE);
+        warn("material " + m.name() + ": maps of roughness, metalness, f0, specular tint and coat are replaced by their means");
+        return m.withRoughness(m.meanRoughness()).withMetalness(m.meanMetalness()).withF0(m.meanF0())
+                .withSpecularTint(m.meanSpecularTint()).withSurfaceMaps(SurfaceMaps.NONE).withCoat(m.meanCoat())
+                .withLayerMaps(layers.withCoat(Optional.empty()).withCoatRoughness(Optional.empty()));
     }
 
     /**

@@ -12,8 +12,11 @@ public final class CoatShare {
      * @param cosine between the normal and the view, 0…1
      */
     public static float of(Coat coat, float cosine) {
-        float roughness = (float) coat.roughness();
-        return (float) coat.weight()
-                * ((float) coat.f0() * DirectionalAlbedo.ofF0(cosine, roughness) + DirectionalAlbedo.grazing(cosine, roughness));
+        return of(coat, (float) coat.weight(), (float) coat.roughness(), cosine);
+    }
+
+    /** Returns the share where maps give the coat another weight and roughness, 0…1 each. */
+    public static float of(Coat coat, float weight, float roughness, float cosine) {
+        return weight * ((float) coat.f0() * DirectionalAlbedo.ofF0(cosine, roughness) + DirectionalAlbedo.grazing(cosine, roughness));
     }
 }

@@ -12,8 +12,8 @@ import org.jspecify.annotations.Nullable;
  *
  * @param alpha     width α of the surface below the coat, with the mean of its map; 0 if it is smooth
  * @param anisotropy of the surface below the coat; null if its width is the same in all directions
- * @param coatAlpha width α of the coat; 0 if it is smooth or there is none
- * @param coat      coat, smooth or not; null for none
+ * @param coatAlpha width α of the coat, with the mean of its map; 0 if it is smooth or there is none
+ * @param coat      coat with the means of its maps, smooth or not; null for none
  * @param frost     what lets light pass; null for an opaque material
  * @param fibers    sheen; null for none
  */
@@ -36,10 +36,10 @@ public record RoughLobes(double alpha, @Nullable Anisotropy anisotropy, double c
     /**
      * Sheen of a surface.
      *
-     * @param lobe its lobe
+     * @param roughness its roughness, with the mean of its map
      * @param f0   reflectance at normal incidence for which the mean of the lobes below it is computed
      */
-    public record Fibers(SheenLobe lobe, double f0) {}
+    public record Fibers(double roughness, double f0) {}
 
     /** Kind of a lobe. */
     public enum Kind {
@@ -52,10 +52,10 @@ public record RoughLobes(double alpha, @Nullable Anisotropy anisotropy, double c
     public static @Nullable RoughLobes of(Material m) {
         return !m.reflectsRoughly() ? null
                 : new RoughLobes(m.isSmooth() ? 0 : Material.alpha(m.meanRoughness()), m.isAnisotropic() ? m.anisotropy() : null,
-                        m.coat().isVisible() && !m.hasSmoothCoat() && !m.isFrosted() ? m.coat().alpha() : 0,
-                        m.coat().isVisible() ? m.coat() : null,
+                        m.coat().isVisible() && !m.hasSmoothCoat() && !m.isFrosted() ? m.meanCoat().alpha() : 0,
+                        m.coat().isVisible() ? m.meanCoat() : null,
                         m.isFrosted() ? new Frost(m.transmission().thin() ? 1 : m.transmission().ior(), m.f0()) : null,
-                        m.hasSheen() ? new Fibers(new SheenLobe(m.sheen().roughness()), m.f0UnderSheen()) : null);
+                        m.hasSheen() ? new Fibers(m.meanSheen().roughness(), m.f0UnderSheen()) : null);
     }
 
     private boolean areTwo() {

@@ -2,16 +2,21 @@ package lightning.render.lobe;
 
 /** Directions of a {@link SheenLobe}, in the frame of {@link ReflectionLobe}. All have the same weight. One instance per thread. */
 public final class SheenDirections {
-    private SheenLobe lobe = new SheenLobe(1);
+    private double roughness = 1;
     private double cosine;
     private double sine;
     private double x;
     private double y;
     private double z;
 
-    /** @param cosine of the angle between the normal and the view, above 0 */
-    public void aim(SheenLobe its, double cosine) {
-        lobe = its;
+    /**
+     * Sets the sheen and the view.
+     *
+     * @param itsRoughness of the sheen, 0…1
+     * @param cosine of the angle between the normal and the view, above 0
+     */
+    public void aim(double itsRoughness, double cosine) {
+        roughness = itsRoughness;
         this.cosine = cosine;
         sine = Math.sqrt(Math.max(0, 1 - cosine * cosine));
     }
@@ -24,9 +29,9 @@ public final class SheenDirections {
      */
     public void scatter(double share, double cos, double sin) {
         double radius = Math.sqrt(share);
-        double a = lobe.a(cosine);
+        double a = SheenLobe.a(roughness, cosine);
         z = Math.sqrt(Math.max(0, 1 - share));
-        x = (radius * cos - lobe.slant(cosine) * sine * z) / a;
+        x = (radius * cos - SheenLobe.slant(roughness, cosine) * sine * z) / a;
         y = radius * sin / a;
         double length = Math.sqrt(x * x + y * y + z * z);
         x /= length;
@@ -43,7 +48,7 @@ public final class SheenDirections {
 
     /** Returns the density of the directions of {@link #scatter}, per steradian. */
     public double density() {
-        return lobe.shape(cosine, z, sine * x + cosine * z) / Math.PI;
+        return SheenLobe.shape(roughness, cosine, z, sine * x + cosine * z) / Math.PI;
     }
 
     /** Returns component x of the unit direction. */

@@ -8,18 +8,20 @@ import lightning.base.math.PowerFunction;
  * to (A·x + B·z, A·y, z), which is distributed as a cosine. R is the albedo. A, B and R are polynomials that were fitted to pictures of planes
  * in Cycles (Blender 5.0), 12 roughnesses and 13 views; R differs by at most 0.011, and the values of the lobe by 2.3 % of its largest one on average.
  *
- * @param roughness 0…1; below {@value #MIN_ROUGHNESS} it counts as that, as nearly nothing is visible
+ * <p>Roughnesses are 0…1; those below {@value #MIN_ROUGHNESS} count as that, as nearly nothing is visible.
  */
-public record SheenLobe(double roughness) {
+public final class SheenLobe {
     static final double MIN_ROUGHNESS = 0.2;
 
+    private SheenLobe() {}
+
     /** Returns the share of light that the fibers scatter, 0…1. @param cosine between the normal and the view, 0…1 */
-    public float albedo(float cosine) {
+    public static float albedo(double roughness, float cosine) {
         return SheenAlbedo.at(cosine, (float) roughness);
     }
 
     /** Returns the mean albedo in uniform light from all sides, 0…1. */
-    public float meanAlbedo() {
+    public static float meanAlbedo(double roughness) {
         return SheenAlbedo.mean((float) roughness);
     }
 
@@ -31,14 +33,14 @@ public record SheenLobe(double roughness) {
      * @param nl N·L, above 0
      * @param vl V·L
      */
-    public double term(double nv, double nl, double vl) {
-        return albedo((float) nv) * shape(nv, nl, vl);
+    public static double term(double roughness, double nv, double nl, double vl) {
+        return albedo(roughness, (float) nv) * shape(roughness, nv, nl, vl);
     }
 
     /** Returns π times the density of the lobe per steradian. */
-    double shape(double nv, double nl, double vl) {
-        double a = a(nv);
-        double b = slant(nv);
+    static double shape(double roughness, double nv, double nl, double vl) {
+        double a = a(roughness, nv);
+        double b = slant(roughness, nv);
         double square = a * a;
         // |(A·x + B·z, A·y, z)|² of a unit vector, where B = b·sin and x·sin = V·L − N·V·N·L.
         double length = square + 2 * a * b * (vl - nv * nl) * nl + (1 + b * b * (1 - nv * nv) - square) * (nl * nl);
@@ -46,19 +48,19 @@ public record SheenLobe(double roughness) {
     }
 
     /** Returns A. */
-    double a(double nv) {
-        double r = clamped();
+    static double a(double roughness, double nv) {
+        double r = clamped(roughness);
         double constant = 0.0358 + r * (-0.181 + r * (1.5055 + r * -0.6416));
         return constant + nv * (0.6094 + r * (1.1279 + r * -0.8926) + nv * (-1.2498 + r * -0.1922 + nv * 0.7518));
     }
 
     /** Returns B, relative to the sine of the angle between normal and view. */
-    double slant(double nv) {
-        double r = clamped();
+    static double slant(double roughness, double nv) {
+        double r = clamped(roughness);
         return (1 - r) * (0.0715 + r * -0.7828 + nv * 0.3408);
     }
 
-    private double clamped() {
+    private static double clamped(double roughness) {
         return roughness < MIN_ROUGHNESS ? MIN_ROUGHNESS : roughness;
     }
 

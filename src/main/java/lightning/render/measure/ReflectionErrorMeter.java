@@ -99,7 +99,7 @@ public final class ReflectionErrorMeter implements AutoCloseable {
         SurfacePoint at = geometry.surface(geometry.nearest(ray), ray);
         PrincipledMaterial material = requireNonNull(PrincipledMaterial.of(geometry.materials().material(at.material())));
         var weights = new PrincipledWeights();
-        weights.moveTo(material, (float) at.roughness(), at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz());
+        weights.moveTo(material, at);
         double[] factors = new double[6];
         for (int c = 0; c < 3; c++) {
             double luminance = BruteForceGather.luminance(c == 0 ? 1 : 0, c == 1 ? 1 : 0, c == 2 ? 1 : 0);

@@ -27,12 +27,16 @@ public record HighlightFactor(boolean isActive, float surface, float coat) {
         FaceHighlight face = new FaceHighlight();
         face.aim(light);
         int first = s / samples.samples() * samples.samples();
-        return new HighlightFactor(true, factor(face, samples, pattern, first, hit, Material.alpha(hit.roughness())),
-                material.coat().isVisible() ? factor(face, samples, pattern, first, hit, material.coat().alpha()) : 1);
+        return new HighlightFactor(true, factor(face, samples, pattern, first, hit, new float[] {hit.nx(), hit.ny(), hit.nz()},
+                Material.alpha(hit.roughness())),
+                !material.coat().isVisible() || !material.isPrincipled() ? 1
+                        : factor(face, samples, pattern, first, hit, hit.coatNormal(),
+                                Material.alpha(hit.mapped(material).coatRoughness())));
     }
 
-    private static float factor(FaceHighlight face, AreaSamples samples, int pattern, int first, SurfacePoint hit, double alpha) {
-        return face.factor(samples, pattern, first, hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(),
+    private static float factor(FaceHighlight face, AreaSamples samples, int pattern, int first, SurfacePoint hit, float[] n,
+            double alpha) {
+        return face.factor(samples, pattern, first, hit.px(), hit.py(), hit.pz(), n[0], n[1], n[2], hit.vx(), hit.vy(),
                 hit.vz(),
                 alpha);
     }

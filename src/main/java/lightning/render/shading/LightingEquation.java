@@ -207,9 +207,9 @@ public final class LightingEquation {
                 widened(highlight.squareAcross(alpha)));
     }
 
-    /** Returns the sheen term of a principled material, for a row that faces the light: {@link SheenLayer#term}. */
-    public float sheen(float nx, float ny, float nz, float vx, float vy, float vz, SheenLayer sheen) {
-        return sheen.term(nx, ny, nz, vx, vy, vz, lx, ly, lz);
+    /** Returns the sheen term of a principled material, for a row that faces the light: {@link SheenLayer#term}. @param roughness of the sheen */
+    public float sheen(float nx, float ny, float nz, float vx, float vy, float vz, double roughness) {
+        return SheenLayer.term(roughness, nx, ny, nz, vx, vy, vz, lx, ly, lz);
     }
 
     /** Returns atten·spot·doors: 1 for a directional light. */

@@ -4,7 +4,10 @@ import static java.util.Objects.requireNonNull;
 
 import lightning.render.lobe.CoatShare;
 import lightning.render.lobe.DirectionalAlbedo;
+import lightning.render.lobe.SheenLobe;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.MappedSurface;
+import lightning.render.trace.SurfacePoint;
 
 /**
  * Weights of what a principled surface reflects, seen from one direction.
@@ -43,22 +46,25 @@ public final class PrincipledWeights {
     private float base;
     private float mirrorGrazing;
     private float coat;
+    private float coatWeight;
     private float sheen;
+    private final float[] sheenColor = new float[3];
     /** Share of light that reaches the surface below the fibers, and what the surface reflects if its reflectance is f. */
     private float left;
     private float below;
 
-    /** Moves to a row of a material. */
-    public void moveTo(PrincipledMaterial m, HitRows rows, int row) {
-        moveTo(m, m.roughness(rows, row), rows.nx[row], rows.ny[row], rows.nz[row], rows.vx[row], rows.vy[row], rows.vz[row]);
+    /** Moves to a row of a material. @param at numbers of the row */
+    public void moveTo(PrincipledMaterial m, MappedSurface at, HitRows rows, int row) {
+        moveTo(m, at, rows.nx[row], rows.ny[row], rows.nz[row], rows.vx[row], rows.vy[row], rows.vz[row]);
     }
 
-    /**
-     * Moves to a surface with this unit normal and unit direction of the ray that hit it.
-     *
-     * @param roughness of the surface below the coat, including its map
-     */
-    public void moveTo(PrincipledMaterial m, float roughness, float nx, float ny, float nz, float vx, float vy, float vz) {
+    /** Moves to a point. */
+    public void moveTo(PrincipledMaterial m, SurfacePoint point) {
+        moveTo(m, point.mapped(m.material()), point.nx(), point.ny(), point.nz(), point.vx(), point.vy(), point.vz());
+    }
+
+    private void moveTo(PrincipledMaterial m, MappedSurface at, float nx, float ny, float nz, float vx, float vy, float vz) {
+        float roughness = (float) at.roughness();
         float cosine = Math.clamp(-(nx * vx + ny * vy + nz * vz), 0, 1);
         float a = DirectionalAlbedo.ofF0(cosine, roughness);
         float b = DirectionalAlbedo.grazing(cosine, roughness);
@@ -67,12 +73,18 @@ public final class PrincipledWeights {
         float rest = 1 - cosine;
         mirrorGrazing = rest * rest * (rest * rest) * rest;
         multiple = Math.max(0, 1 - a - b) / Math.max(a, MIN_SHARE);
-        coat = m.coat() == null ? 0 : CoatShare.of(m.coat(), cosine);
+        coatWeight = at.coatWeight();
+        coat = m.coat() == null ? 0 : CoatShare.of(m.coat(), coatWeight, (float) at.coatRoughness(),
+                at.coatCosine(vx, vy, vz, cosine));
         base = 1 - coat;
-        diffuse = base * Math.max(0, 1 - (m.nonmetalF0() * a + b + multiple * (m.nonmetalF0() * m.nonmetalF0()) * a));
+        float f0 = at.largestNonmetalF0();
+        diffuse = base * Math.max(0, 1 - (f0 * a + b + multiple * (f0 * f0) * a));
         if (m.sheen() != null) {
-            sheen = m.sheen().lobe().albedo(cosine);
-            left = 1 - sheen * m.sheen().largest();
+            sheen = SheenLobe.albedo(at.sheenRoughness(), cosine);
+            for (int c = 0; c < 3; c++) {
+                sheenColor[c] = at.sheen(c);
+            }
+            left = 1 - sheen * at.largestSheen();
             diffuse *= left;
             below = Math.max(MIN_BELOW, base * m.sheen().below(a, b) + coat);
         }
@@ -146,7 +158,7 @@ public final class PrincipledWeights {
      */
     public float coatedGrazing(PrincipledMaterial m, float grazing, float coatSpecular, float coatGrazing) {
         var layer = requireNonNull(m.coat());
-        return base * grazing + (float) layer.weight() * ((float) layer.f0() * coatSpecular + coatGrazing);
+        return base * grazing + coatWeight * ((float) layer.f0() * coatSpecular + coatGrazing);
     }
 
     /**
@@ -167,7 +179,7 @@ public final class PrincipledWeights {
             float passing) {
         if (m.sheen() != null) {
             float surface = base * (f0 * colored + this.grazing + multiple * square * colored) + coat;
-            return emitted + kd * lit * diffuse + (left * (surface / below) * specular + m.sheen().color()[c] * grazing);
+            return emitted + kd * lit * diffuse + (left * (surface / below) * specular + sheenColor[c] * grazing);
         }
         return emitted + (kd * lit * diffuse + passing) + ((f0 + multiple * square) * specular + grazing);
     }

@@ -1,6 +1,7 @@
 package lightning.render.shading;
 
 import lightning.render.lobe.SheenLobe;
+import lightning.render.trace.MappedSurface;
 import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
@@ -9,41 +10,38 @@ import org.jspecify.annotations.Nullable;
  * one is theirs, and the first one is that of the whole surface at a reflectance of its own, Σ (f·Ispec + Igraz). Rows scale it by their albedo
  * ({@link PrincipledWeights}). This is exact for a gray reflectance of f, and keeps the energy of others.
  *
- * @param lobe    lobe of the fibers
- * @param color   share of the light that they scatter: red, green, blue
- * @param largest largest channel of the color
- * @param f0      f
+ * @param f0 f
  */
-public record SheenLayer(SheenLobe lobe, float[] color, float largest, float f0) {
-    // The array is written once by its creator, never after.
+public record SheenLayer(float f0) {
 
     /** Returns the fibers of a material; null for none. */
     static @Nullable SheenLayer of(Material m) {
-        return !m.hasSheen() ? null
-                : new SheenLayer(new SheenLobe(m.sheen().roughness()), ClearMaterialShader.channels(m.sheen().color()),
-                        (float) m.sheen().color().max(), (float) m.f0UnderSheen());
+        return m.hasSheen() ? new SheenLayer((float) m.f0UnderSheen()) : null;
     }
 
     /**
      * Returns the term of a light, for a surface that faces it: {@link SheenLobe#term}.
      *
-     * @param vx component x of the unit direction of the ray that hit the surface
-     * @param lx component x of the unit vector to the light
+     * @param roughness of the fibers
+     * @param vx        component x of the unit direction of the ray that hit the surface
+     * @param lx        component x of the unit vector to the light
      */
-    public float term(double nx, double ny, double nz, double vx, double vy, double vz, double lx, double ly, double lz) {
+    public static float term(double roughness, double nx, double ny, double nz, double vx, double vy, double vz, double lx, double ly,
+            double lz) {
         double nv = -(nx * vx + ny * vy + nz * vz);
         double nl = nx * lx + ny * ly + nz * lz;
-        return (float) lobe.term(Math.clamp(nv, 0, 1), nl, -(vx * lx + vy * ly + vz * lz));
+        return (float) SheenLobe.term(roughness, Math.clamp(nv, 0, 1), nl, -(vx * lx + vy * ly + vz * lz));
     }
 
     /**
-     * Returns one channel of the share of light that the surface sends back in all directions.
+     * Returns one channel of the share of light that a surface with fibers sends back in all directions.
      *
+     * @param at    numbers of the surface
      * @param below share without the fibers
      */
-    public float meanAlbedo(int channel, float below) {
-        float mean = lobe.meanAlbedo();
-        return below * (1 - largest * mean) + color[channel] * mean;
+    public static float meanAlbedo(MappedSurface at, int channel, float below) {
+        float mean = SheenLobe.meanAlbedo(at.sheenRoughness());
+        return below * (1 - at.largestSheen() * mean) + at.sheen(channel) * mean;
     }
 
     /** Returns the first sum of the surface below the fibers from the terms of a light with its coat. */

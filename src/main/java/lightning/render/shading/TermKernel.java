@@ -105,9 +105,10 @@ public interface TermKernel {
     /**
      * Writes {@link LightingEquation#sheen} of those of the rows {@code from … to − 1} that are in a set. All of them face the light.
      *
+     * @param roughness of the sheen of each row, {@code double[MAX_ROWS]}; unread for rows that are not in the set
      * @param column keeps its values of other rows
      */
-    void sheens(HitRows rows, int from, int to, int[] rowSet, SheenLayer sheen, float[] column);
+    void sheens(HitRows rows, int from, int to, int[] rowSet, double[] roughness, float[] column);
 
     /**
      * Writes {@link LightingEquation#falloff} of all rows; expects {@link #computeDistances} for a point light, {@link

@@ -2,6 +2,8 @@ package lightning.render.trace;
 
 import static java.util.Objects.requireNonNull;
 
+import lightning.render.trace.HitRows.ColumnGroup;
+
 /** Kind of secondary ray that leaves a hit row: reflected or refracted. */
 public enum BounceKind {
     /** Reflected ray, cast from every row of a reflective or transparent material. */
@@ -13,7 +15,13 @@ public enum BounceKind {
 
         @Override
         public boolean writeDirection(HitRows from, int row, MaterialTable materials, double[] to) {
-            SurfacePoint.writeReflection(from.nx[row], from.ny[row], from.nz[row], from.vx[row], from.vy[row], from.vz[row], to);
+            float[] coatX = from.texel(ColumnGroup.COAT_NORMAL, 0);
+            if (coatX != null && materials.material(from.material(row)).coatNormals().mirrors()) {
+                SurfacePoint.writeReflection(coatX[row], requireNonNull(from.texel(ColumnGroup.COAT_NORMAL, 1))[row],
+                        requireNonNull(from.texel(ColumnGroup.COAT_NORMAL, 2))[row], from.vx[row], from.vy[row], from.vz[row], to);
+            } else {
+                SurfacePoint.writeReflection(from.nx[row], from.ny[row], from.nz[row], from.vx[row], from.vy[row], from.vz[row], to);
+            }
             return true;
         }
 

@@ -41,6 +41,20 @@ public final class HitRows {
         METALNESS_TEXEL(MaterialAttribute.METALNESS_MAP, MaterialAttribute.METALNESS_CHANNEL),
         /** Present if any row's material is anisotropic. */
         TANGENT,
+        /** Present if any row's material has a map of f0. */
+        F0_TEXEL(MaterialAttribute.F0_MAP, MaterialAttribute.F0_CHANNEL),
+        /** Present if any row's material has a map of its specular tint. */
+        SPECULAR_TINT_TEXEL(MaterialAttribute.SPECULAR_TINT_MAP),
+        /** Present if any row's material has a map of its coat's weight. */
+        COAT_TEXEL(MaterialAttribute.COAT_MAP, MaterialAttribute.COAT_CHANNEL),
+        /** Present if any row's material has a map of its coat's roughness. */
+        COAT_ROUGHNESS_TEXEL(MaterialAttribute.COAT_ROUGHNESS_MAP, MaterialAttribute.COAT_ROUGHNESS_CHANNEL),
+        /** Present if the coat of any row's material has other normals than the surface: components x, y and z. */
+        COAT_NORMAL(MaterialAttribute.COAT_NORMAL_MAP),
+        /** Present if any row's material has a map of its sheen's color. */
+        SHEEN_TEXEL(MaterialAttribute.SHEEN_MAP),
+        /** Present if any row's material has a map of its sheen's roughness. */
+        SHEEN_ROUGHNESS_TEXEL(MaterialAttribute.SHEEN_ROUGHNESS_MAP, MaterialAttribute.SHEEN_ROUGHNESS_CHANNEL),
         /** Present in rows of finer samples. */
         PATTERN,
         /** Present if a light of the scene illuminates only some shapes. */
@@ -76,6 +90,11 @@ public final class HitRows {
         /** Returns the attribute whose image the columns contain; empty if they contain something else. */
         public Optional<MaterialAttribute<Optional<TextureMap>>> map() {
             return Optional.ofNullable(map);
+        }
+
+        /** Returns whether rows of a material have the columns of one of {@link #TEXELS}. */
+        boolean isIn(Material material) {
+            return this == COAT_NORMAL ? material.hasCoatNormals() : map(material).isPresent();
         }
 
         /** Returns a material's image for the columns of one of {@link #TEXELS}. */
@@ -134,7 +153,21 @@ public final class HitRows {
         BACK_X(ColumnGroup.TRANSPARENT, ElementType.FLOAT),
         BACK_Y(ColumnGroup.TRANSPARENT, ElementType.FLOAT),
         BACK_Z(ColumnGroup.TRANSPARENT, ElementType.FLOAT),
-        INSIDE_DISTANCE(ColumnGroup.TRANSPARENT, ElementType.FLOAT);
+        INSIDE_DISTANCE(ColumnGroup.TRANSPARENT, ElementType.FLOAT),
+        // Last, as column sets end with the last column that exists.
+        F0_TEXEL(ColumnGroup.F0_TEXEL, ElementType.FLOAT),
+        SPECULAR_TINT_TEXEL_RED(ColumnGroup.SPECULAR_TINT_TEXEL, ElementType.FLOAT),
+        SPECULAR_TINT_TEXEL_GREEN(ColumnGroup.SPECULAR_TINT_TEXEL, ElementType.FLOAT),
+        SPECULAR_TINT_TEXEL_BLUE(ColumnGroup.SPECULAR_TINT_TEXEL, ElementType.FLOAT),
+        COAT_TEXEL(ColumnGroup.COAT_TEXEL, ElementType.FLOAT),
+        COAT_ROUGHNESS_TEXEL(ColumnGroup.COAT_ROUGHNESS_TEXEL, ElementType.FLOAT),
+        COAT_NX(ColumnGroup.COAT_NORMAL, ElementType.FLOAT),
+        COAT_NY(ColumnGroup.COAT_NORMAL, ElementType.FLOAT),
+        COAT_NZ(ColumnGroup.COAT_NORMAL, ElementType.FLOAT),
+        SHEEN_TEXEL_RED(ColumnGroup.SHEEN_TEXEL, ElementType.FLOAT),
+        SHEEN_TEXEL_GREEN(ColumnGroup.SHEEN_TEXEL, ElementType.FLOAT),
+        SHEEN_TEXEL_BLUE(ColumnGroup.SHEEN_TEXEL, ElementType.FLOAT),
+        SHEEN_ROUGHNESS_TEXEL(ColumnGroup.SHEEN_ROUGHNESS_TEXEL, ElementType.FLOAT);
 
         private final ColumnGroup group;
         private final ElementType element;
@@ -325,6 +358,14 @@ public final class HitRows {
     /** Returns these rows in this order with other parents and another number of reflective rows. */
     HitRows withParents(short[] parents, int newReflectiveCount) {
         return withColumns(columns.with(Column.PARENT, parents), newReflectiveCount);
+    }
+
+    /** Returns these rows with the normals of their coats, in the rows whose materials have some. */
+    public HitRows withCoatNormals() {
+        return withColumns(columns.with(Column.NX, requireNonNull(columns.find(Column.COAT_NX)))
+                .with(Column.NY, requireNonNull(columns.find(Column.COAT_NY)))
+                .with(Column.NZ, requireNonNull(columns.find(Column.COAT_NZ))),
+                reflectiveCount);
     }
 
     /** Returns the length of a float column for {@code rows} rows: a multiple of 16. */

@@ -4,6 +4,7 @@ import java.util.Map;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows.ColumnGroup;
+import lightning.scene.material.Material;
 import lightning.scene.material.Transmission;
 import org.jspecify.annotations.Nullable;
 
@@ -46,6 +47,13 @@ public record SurfacePoint(int primitive, int material, float px, float py, floa
         return maps.getOrDefault(ColumnGroup.TANGENT, new float[3]);
     }
 
+    /** Returns the numbers of its material here, which is principled and not clear. */
+    public MappedSurface mapped(Material m) {
+        var mapped = new MappedSurface();
+        mapped.moveTo(m, maps);
+        return mapped;
+    }
+
     /** Returns the back side of a clear material; null for others. */
     public @Nullable BackSide clearSide() {
         return backSide == null || backSide.frosted ? null : backSide;
@@ -65,10 +73,26 @@ public record SurfacePoint(int primitive, int material, float px, float py, floa
         return Refraction.fresnelReflectance(backSide.transmission(), backSide.isInside(), nx, ny, nz, vx, vy, vz);
     }
 
+    /** Returns the unit normal of its coat: that of the surface unless it has its own. */
+    public float[] coatNormal() {
+        float[] own = maps.get(ColumnGroup.COAT_NORMAL);
+        return own == null ? new float[] {nx, ny, nz} : own;
+    }
+
+    /** Returns the ray that its material mirrors: along the normal of its coat, if that mirrors by other normals. */
+    public Ray reflectedRay(Material m) {
+        float[] coat = maps.get(ColumnGroup.COAT_NORMAL);
+        return coat == null || !m.coatNormals().mirrors() ? reflectedRay() : reflectedRay(coat[0], coat[1], coat[2]);
+    }
+
     /** Returns the reflected ray with direction V + 2|N·V|N, normalized. It leaves the surface whatever the rounding. */
     public Ray reflectedRay() {
+        return reflectedRay(nx, ny, nz);
+    }
+
+    private Ray reflectedRay(float normalX, float normalY, float normalZ) {
         double[] d = new double[3];
-        writeReflection(nx, ny, nz, vx, vy, vz, d);
+        writeReflection(normalX, normalY, normalZ, vx, vy, vz, d);
         return new Ray(new Vec3(px, py, pz), new Vec3(d[0], d[1], d[2]));
     }
 

@@ -40,21 +40,27 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
             }
         }
         Map<ColumnGroup, float[]> maps = maps(surface, primitive, part);
+        if (materials.texels(material).has(ColumnGroup.COAT_NORMAL)) {
+            maps.put(ColumnGroup.COAT_NORMAL, coatNormal(primitive, part, ray, t));
+        }
         float[] specular = new float[3];
         for (int c = 0; c < 3; c++) {
             specular[c] = materials.metalF0(material, c) * texel[c] + materials.specular(material, c);
         }
         Material look = materials.material(material);
-        if (look.isPrincipled() && maps.containsKey(ColumnGroup.METALNESS_TEXEL)) {
-            var colors = new PrincipledColors(look);
-            double metalness = look.mappedMetalness(maps.get(ColumnGroup.METALNESS_TEXEL)[0]);
-            for (int c = 0; c < 3; c++) {
-                diffuse[c] = colors.diffuse(c, metalness) * texel[c];
-                specular[c] = colors.metalF0(c, metalness) * texel[c] + colors.specular(c, metalness);
+        double roughness = look.roughness();
+        if (look.isPrincipled()) {
+            var mapped = new MappedSurface();
+            mapped.moveTo(look, maps);
+            roughness = mapped.roughness();
+            if (look.surfaceMaps().changeColors()) {
+                var colors = new PrincipledColors(look);
+                for (int c = 0; c < 3; c++) {
+                    diffuse[c] = colors.diffuse(c, mapped) * texel[c];
+                    specular[c] = colors.f0(c, mapped, texel[c]);
+                }
             }
         }
-        double roughness = look.isPrincipled() && maps.containsKey(ColumnGroup.ROUGHNESS_TEXEL)
-                ? look.mappedRoughness(maps.get(ColumnGroup.ROUGHNESS_TEXEL)[0]) : look.roughness();
         SurfacePoint.BackSide backSide = null;
         if (materials.isTransparent(material)) {
             surface.computeBackPoint();
@@ -69,7 +75,7 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
         Map<ColumnGroup, float[]> texels = new EnumMap<>(ColumnGroup.class);
         for (ColumnGroup group : ColumnGroup.TEXELS) {
             TextureMap map = materials.map(group, primitives.material[primitive]);
-            if (map != null && group != ColumnGroup.TEXEL) {
+            if (map != null && group != ColumnGroup.TEXEL && group != ColumnGroup.COAT_NORMAL) {
                 float[] texel = new float[3];
                 new TextureLookup().lookUpMap(primitives, primitive, part, map, surface.localX, surface.localY, surface.localZ, texel);
                 int first = group.firstChannel(materials.material(primitives.material[primitive]));
@@ -83,6 +89,15 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
             texels.put(ColumnGroup.TANGENT, tangent);
         }
         return texels;
+    }
+
+    private float[] coatNormal(int primitive, int part, Ray ray, double t) {
+        SurfaceHit surface = hit(primitive, part, ray, t);
+        Vec3 d = ray.direction();
+        surface.computeCoatNormal(primitives, primitive, materials.material(primitives.material[primitive]).coatNormals().map(), d.x(),
+                d.y(),
+                d.z());
+        return new float[] {surface.nx, surface.ny, surface.nz};
     }
 
     /** Returns the point behind the surface that a ray hits at a distance. */

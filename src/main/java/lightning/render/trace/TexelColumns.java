@@ -39,7 +39,7 @@ public record TexelColumns(int bits) {
     static TexelColumns of(Material material) {
         TexelColumns found = material.isAnisotropic() ? TANGENTS : NONE;
         for (ColumnGroup group : ColumnGroup.TEXELS) {
-            found = group.map(material).isPresent() ? found.with(group) : found;
+            found = group.isIn(material) ? found.with(group) : found;
         }
         return found;
     }

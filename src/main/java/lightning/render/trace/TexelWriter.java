@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.primitive.PrimitiveTable;
+import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.primitive.SurfaceTangent;
 import lightning.render.trace.primitive.TextureFootprint;
 import lightning.render.trace.primitive.TextureLookup;
@@ -17,6 +18,7 @@ final class TexelWriter {
     private final PrimitiveTable primitives;
     private final MaterialTable materials;
     private final float[] texel = new float[3];
+    private final SurfaceHit surface = new SurfaceHit();
     private final TextureLookup lookup = new TextureLookup();
     private final TextureFootprint footprint = new TextureFootprint();
     private final SurfaceTangent tangent = new SurfaceTangent();
@@ -32,7 +34,11 @@ final class TexelWriter {
     void write(HitRows rows, int row, RayColumns rays) {
         for (ColumnGroup group : ColumnGroup.TEXELS) {
             if (rows.texel(group, 0) != null) {
-                write(group, rows, row, rays);
+                if (group == ColumnGroup.COAT_NORMAL) {
+                    writeCoatNormals(rows, row, rays);
+                } else {
+                    write(group, rows, row, rays);
+                }
             }
         }
         if (rows.tangentX != null) {
@@ -82,6 +88,24 @@ final class TexelWriter {
         }
     }
 
+    private void writeCoatNormals(HitRows rows, int row, RayColumns rays) {
+        float[][] columns = rows.texels(ColumnGroup.COAT_NORMAL);
+        for (int i = 0; i < rays.hitCount; i++) {
+            int ray = rays.order[i];
+            int primitive = rays.primitive[ray];
+            int material = primitives.material[primitive];
+            if (materials.texels(material).has(ColumnGroup.COAT_NORMAL)) {
+                surface.computeNormal(primitives, primitive, rays.part[ray], rays.originX(ray), rays.originY(ray), rays.originZ(ray),
+                        rays.dx[ray], rays.dy[ray], rays.dz[ray], rays.t[ray]);
+                surface.computeCoatNormal(primitives, primitive, materials.material(material).coatNormals().map(), rays.dx[ray],
+                        rays.dy[ray], rays.dz[ray]);
+                columns[0][row + i] = surface.nx;
+                columns[1][row + i] = surface.ny;
+                columns[2][row + i] = surface.nz;
+            }
+        }
+    }
+
     private void writeTexel(float[][] columns, int firstChannel, int row) {
         for (int c = 0; c < columns.length; c++) {
             columns[c][row] = texel[firstChannel + c];
@@ -96,7 +120,7 @@ final class TexelWriter {
      */
     void writeMeans(HitRows rows, RayColumns rays, double[] sides) {
         for (ColumnGroup group : ColumnGroup.TEXELS) {
-            if (rows.texel(group, 0) != null) {
+            if (rows.texel(group, 0) != null && group != ColumnGroup.COAT_NORMAL) {
                 writeMeans(group, rows, rays, sides);
             }
         }

@@ -28,7 +28,8 @@ import org.jspecify.annotations.Nullable;
  * @param anisotropy   principled: direction of its roughness below the coat, which a smooth or transparent one ignores
  * @param coat         principled: clear layer over it
  * @param sheen        principled: fibers over it and its coat, which a transparent one ignores
- * @param surfaceMaps  principled: images of its roughness and metalness, which a clear one ignores
+ * @param surfaceMaps  principled: images of the surface below its coat, which a clear one ignores
+ * @param layerMaps    principled: images of its coat and sheen, which a clear one ignores
  * @param reflective   k<sub>reflect</sub> per channel
  * @param texture      color texture
  * @param bumpMapping  bump and normal map
@@ -40,7 +41,7 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         Rgb specular, double shininess,
         Rgb base,
         double metalness, double roughness, double f0, Rgb specularTint, Anisotropy anisotropy, Coat coat, Sheen sheen,
-        SurfaceMaps surfaceMaps, Rgb reflective,
+        SurfaceMaps surfaceMaps, LayerMaps layerMaps, Rgb reflective,
         Optional<TextureMap> texture,
         BumpMapping bumpMapping, Transmission transmission, AlphaCutout cutout) implements MaterialBuilder.With {
 
@@ -94,7 +95,19 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         surfaceMaps = new SurfaceMaps(MaterialAttribute.ROUGHNESS_MAP.checkFor(model, surfaceMaps.roughness()),
                 MaterialAttribute.ROUGHNESS_CHANNEL.checkFor(model, surfaceMaps.roughnessChannel()),
                 MaterialAttribute.METALNESS_MAP.checkFor(model, surfaceMaps.metalness()),
-                MaterialAttribute.METALNESS_CHANNEL.checkFor(model, surfaceMaps.metalnessChannel()));
+                MaterialAttribute.METALNESS_CHANNEL.checkFor(model, surfaceMaps.metalnessChannel()),
+                MaterialAttribute.F0_MAP.checkFor(model, surfaceMaps.f0()),
+                MaterialAttribute.F0_CHANNEL.checkFor(model, surfaceMaps.f0Channel()),
+                MaterialAttribute.SPECULAR_TINT_MAP.checkFor(model, surfaceMaps.specularTint()));
+        layerMaps = new LayerMaps(MaterialAttribute.COAT_MAP.checkFor(model, layerMaps.coat()),
+                MaterialAttribute.COAT_CHANNEL.checkFor(model, layerMaps.coatChannel()),
+                MaterialAttribute.COAT_ROUGHNESS_MAP.checkFor(model, layerMaps.coatRoughness()),
+                MaterialAttribute.COAT_ROUGHNESS_CHANNEL.checkFor(model, layerMaps.coatRoughnessChannel()),
+                MaterialAttribute.COAT_NORMAL_MAP.checkFor(model, layerMaps.coatNormal()),
+                MaterialAttribute.COAT_STRENGTH.checkFor(model, layerMaps.coatStrength()),
+                MaterialAttribute.SHEEN_MAP.checkFor(model, layerMaps.sheen()),
+                MaterialAttribute.SHEEN_ROUGHNESS_MAP.checkFor(model, layerMaps.sheenRoughness()),
+                MaterialAttribute.SHEEN_ROUGHNESS_CHANNEL.checkFor(model, layerMaps.sheenRoughnessChannel()));
         reflective = MaterialAttribute.REFLECTIVE.checkFor(model, reflective);
     }
 
@@ -106,7 +119,7 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
                 MaterialAttribute.SHININESS.initial(),
                 MaterialAttribute.BASE.initial(), MaterialAttribute.METALNESS.initial(), MaterialAttribute.ROUGHNESS.initial(),
                 MaterialAttribute.F0.initial(), MaterialAttribute.SPECULAR_TINT.initial(), Anisotropy.NONE, Coat.NONE, Sheen.NONE,
-                SurfaceMaps.NONE,
+                SurfaceMaps.NONE, LayerMaps.NONE,
                 MaterialAttribute.REFLECTIVE.initial(), MaterialAttribute.TEXTURE.initial(),
                 BumpMapping.NONE, Transmission.NONE, AlphaCutout.NONE);
     }
@@ -166,6 +179,21 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
         return Math.clamp(metalness * texel, 0, 1);
     }
 
+    /** Returns the reflectance of its nonmetal part at normal incidence, before its tint, where its map has a value. */
+    public double mappedF0(float texel) {
+        return Math.clamp(f0 * texel, 0, 1);
+    }
+
+    /** Returns its coat with the means of its maps. */
+    public Coat meanCoat() {
+        return layerMaps.mean(coat);
+    }
+
+    /** Returns its sheen with the means of its maps. */
+    public Sheen meanSheen() {
+        return layerMaps.mean(sheen);
+    }
+
     /** Returns the width α of a metallic material's highlights, before a map: the square of its roughness. */
     public double alpha() {
         return alpha(roughness);
@@ -208,7 +236,8 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
      */
     public double f0UnderSheen() {
         return !hasSheen() ? 0
-                : Math.clamp((1 - meanMetalness()) * f0 * specularTint.max() + meanMetalness() * base.max(), MIN_F0_UNDER_SHEEN, 1);
+                : Math.clamp((1 - meanMetalness()) * meanF0() * meanSpecularTint().max() + meanMetalness() * base.max(),
+                        MIN_F0_UNDER_SHEEN, 1);
     }
 
     /**
@@ -218,7 +247,8 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
     public double maxTerm() {
         double round = surfaceMaps.roughness().isPresent() ? alpha(0) : alpha();
         double base = isAnisotropic() ? anisotropy.across(round) : round;
-        double alpha = coat.isVisible() ? Math.min(base, coat.alpha()) : base;
+        double over = layerMaps.coatRoughness().isPresent() ? alpha(0) : coat.alpha();
+        double alpha = coat.isVisible() ? Math.min(base, over) : base;
         double coated = (model == ShadingModel.PRINCIPLED ? MAX_LAYERS : 1) * (hasSheen() ? MAX_UNDER_SHEEN : 1);
         return isMetallic() ? coated * Math.max(1, (1 + 0x1p-20) / (2 * alpha * alpha * alpha)) : 1;
     }
@@ -247,9 +277,27 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
                 : with(m -> m.model(v));
     }
 
+    /**
+     * Returns the normals of its coat; {@link CoatNormals#NONE} if they are those of the surface, or it has none. Bumps of the surface do not
+     * change a coat. If both are smooth, mirrored rays follow the surface.
+     */
+    public CoatNormals coatNormals() {
+        if (!isPrincipled() || isFrosted() || !coat.isVisible() || !bumpMapping.bendsNormals() && layerMaps.coatNormal().isEmpty()) {
+            return CoatNormals.NONE;
+        }
+        return new CoatNormals(BumpMapping.NONE.withNormalMap(layerMaps.coatNormal()).withStrength(layerMaps.coatStrength()),
+                hasSmoothCoat() && !isSmooth());
+    }
+
+    /** Returns whether its coat has other normals than the surface. */
+    public boolean hasCoatNormals() {
+        return coatNormals() != CoatNormals.NONE;
+    }
+
     /** Returns whether cutouts, normals, secondary rays and shadows are the same for both materials. */
     public boolean hasSameRays(Material o) {
-        return isFrosted() == o.isFrosted() && bumpMapping.hasSameNormals(o.bumpMapping) && transmission.refractsLike(o.transmission)
+        return isFrosted() == o.isFrosted() && bumpMapping.hasSameNormals(o.bumpMapping) && coatNormals().areSame(o.coatNormals())
+                && transmission.refractsLike(o.transmission)
                 && transmission.shadows() == o.transmission.shadows()
                 && hasSameShadowTint(o)
                 && cutout.hasSameHoles(o.cutout);
@@ -280,14 +328,24 @@ public record Material(String name, Rgb ambient, Rgb glow, Optional<TextureMap> 
                 return null;
             }
             Rgb color = texture.map(map -> base.times(map.image().areas().mean())).orElse(base);
-            return color.times(metal).plus(specularTint.times((1 - metal) * f0));
+            return color.times(metal).plus(meanSpecularTint().times((1 - metal) * meanF0()));
         }
         return reflective.max() < MIRROR_SHARE ? null : reflective;
     }
 
     /** Returns the metalness with the mean of its map, 0…1. */
-    private double meanMetalness() {
+    public double meanMetalness() {
         return surfaceMaps.metalness().isPresent() ? mappedMetalness(surfaceMaps.meanMetalness()) : metalness;
+    }
+
+    /** Returns the reflectance at normal incidence of its nonmetal part, before its tint, with the mean of its map. */
+    public double meanF0() {
+        return surfaceMaps.f0().isPresent() ? mappedF0(surfaceMaps.meanF0()) : f0;
+    }
+
+    /** Returns the tint of its nonmetal part with the mean of its map. */
+    public Rgb meanSpecularTint() {
+        return surfaceMaps.specularTint().isPresent() ? specularTint.times(surfaceMaps.meanSpecularTint()) : specularTint;
     }
 
     /** Returns the roughness with the mean of its map, 0…1. */

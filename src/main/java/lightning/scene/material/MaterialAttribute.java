@@ -143,9 +143,19 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     public static final MaterialAttribute<Double> F0 = numberAttribute("f0", 1, 0.01, 0.04, "reflectance at normal incidence", Material::f0,
             Material::withF0, MaterialTerm.COLOR, MICROFACETS, Section.SURFACE,
             "Reflectance of a nonmetal at normal incidence: 0.02 for water, 0.04 for plastic, 0.17 for diamond");
+    public static final MaterialAttribute<Optional<TextureMap>> F0_MAP = surfaceMapAttribute("f0_map", "f0 map",
+            new ValueKind.TextureKind("f0_repeat", TextureUsage.DATA), SurfaceMaps.NONE.f0(), SurfaceMaps::f0, SurfaceMaps::withF0,
+            MaterialTerm.TEXEL, "Image that multiplies f0 of an opaque material");
+    public static final MaterialAttribute<TextureChannel> F0_CHANNEL = surfaceMapAttribute("f0_channel", "f0 channel", CHANNELS,
+            SurfaceMaps.NONE.f0Channel(), SurfaceMaps::f0Channel, SurfaceMaps::withF0Channel, MaterialTerm.TEXEL,
+            "Channel of the f0 map that is read; all channels of a gray image are equal");
     public static final MaterialAttribute<Rgb> SPECULAR_TINT = new MaterialAttribute<>("specular_tint", "specular tint",
             NumericKind.color(1), Rgb.WHITE, "linear red, green, blue", Material::specularTint, Material::withSpecularTint,
             MaterialTerm.COLOR, PRINCIPLED, Section.SURFACE, "Color of a nonmetal's reflection, seen straight on");
+    public static final MaterialAttribute<Optional<TextureMap>> SPECULAR_TINT_MAP = surfaceMapAttribute("specular_tint_map",
+            "specular tint map", new ValueKind.TextureKind("specular_tint_repeat", TextureUsage.COLOR), SurfaceMaps.NONE.specularTint(),
+            SurfaceMaps::specularTint, SurfaceMaps::withSpecularTint, MaterialTerm.TEXEL,
+            "Image that multiplies the specular tint of an opaque material");
     public static final MaterialAttribute<Double> ANISOTROPY = new MaterialAttribute<>("anisotropy", NumericKind.number(0, 1, 0.05),
             Anisotropy.NONE.strength(), "", m -> m.anisotropy().strength(),
             (m, v) -> m.withAnisotropy(m.anisotropy().withStrength(v)), MaterialTerm.HIGHLIGHT, PRINCIPLED, Section.SURFACE,
@@ -157,20 +167,53 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
             "Direction of the stretch: 0 for the horizontal of the texture, 90 for the vertical");
     public static final MaterialAttribute<Double> COAT = coatAttribute("coat", "coat", NumericKind.number(0, 1, 0.05), Coat.NONE.weight(),
             "share of the surface", Coat::weight, Coat::withWeight, "Clear layer over the surface, as lacquer: 0 for none");
+    public static final MaterialAttribute<Optional<TextureMap>> COAT_MAP = layerMapAttribute("coat_map", "coat map",
+            new ValueKind.TextureKind("coat_repeat", TextureUsage.DATA), LayerMaps.NONE.coat(), LayerMaps::coat, LayerMaps::withCoat,
+            MaterialTerm.HIGHLIGHT_TEXEL, Section.COAT, "Image that multiplies the coat of an opaque material");
+    public static final MaterialAttribute<TextureChannel> COAT_CHANNEL = layerMapAttribute("coat_channel", "coat channel", CHANNELS,
+            LayerMaps.NONE.coatChannel(), LayerMaps::coatChannel, LayerMaps::withCoatChannel, MaterialTerm.HIGHLIGHT_TEXEL, Section.COAT,
+            "Channel of the coat map that is read; all channels of a gray image are equal");
     public static final MaterialAttribute<Double> COAT_ROUGHNESS = coatAttribute("coat_roughness", "coat roughness",
             NumericKind.number(0, 1, 0.05), Coat.NONE.roughness(), "", Coat::roughness, Coat::withRoughness,
             "Blur of the reflections in the coat; 0 for a smooth one");
+    public static final MaterialAttribute<Optional<TextureMap>> COAT_ROUGHNESS_MAP = layerMapAttribute("coat_roughness_map",
+            "coat roughness map", new ValueKind.TextureKind("coat_roughness_repeat", TextureUsage.DATA), LayerMaps.NONE.coatRoughness(),
+            LayerMaps::coatRoughness, LayerMaps::withCoatRoughness, MaterialTerm.HIGHLIGHT_TEXEL, Section.COAT,
+            "Image that multiplies the roughness of the coat of an opaque material");
+    public static final MaterialAttribute<TextureChannel> COAT_ROUGHNESS_CHANNEL = layerMapAttribute("coat_roughness_channel",
+            "coat roughness channel", CHANNELS, LayerMaps.NONE.coatRoughnessChannel(), LayerMaps::coatRoughnessChannel,
+            LayerMaps::withCoatRoughnessChannel, MaterialTerm.HIGHLIGHT_TEXEL, Section.COAT,
+            "Channel of the coat roughness map that is read; all channels of a gray image are equal");
     public static final MaterialAttribute<Double> COAT_IOR = coatAttribute("coat_ior", "coat IOR",
             NumericKind.number(1, SceneLimits.MAX_IOR, 0.01), Coat.NONE.ior(), "index of refraction", Coat::ior, Coat::withIor,
             "Index of refraction of the coat: 1.5 for lacquer");
+    public static final MaterialAttribute<Optional<TextureMap>> COAT_NORMAL_MAP = layerMapAttribute("coat_normal_map", "coat normals",
+            new ValueKind.TextureKind("coat_normal_repeat", TextureUsage.DATA), LayerMaps.NONE.coatNormal(), LayerMaps::coatNormal,
+            LayerMaps::withCoatNormal, MaterialTerm.NORMAL, Section.COAT,
+            "Tangent-space normal map of the coat, which the bumps of the surface do not change");
+    public static final MaterialAttribute<Double> COAT_STRENGTH = layerMapAttribute("coat_strength", "coat strength",
+            NumericKind.number(-SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH, 0.1), LayerMaps.NONE.coatStrength(),
+            LayerMaps::coatStrength, LayerMaps::withCoatStrength, MaterialTerm.NORMAL, Section.COAT,
+            "Strength of the normal map of the coat");
     public static final MaterialAttribute<Rgb> SHEEN = new MaterialAttribute<>("sheen", NumericKind.color(1), Sheen.NONE.color(),
             "linear red, green, blue", m -> m.sheen().color(), (m, v) -> m.withSheen(m.sheen().withColor(v)), MaterialTerm.COLOR,
             PRINCIPLED,
             Section.SHEEN, "Color of fibers that shine near the outline, as those of velvet; black for none");
+    public static final MaterialAttribute<Optional<TextureMap>> SHEEN_MAP = layerMapAttribute("sheen_map", "sheen map",
+            new ValueKind.TextureKind("sheen_repeat", TextureUsage.COLOR), LayerMaps.NONE.sheen(), LayerMaps::sheen, LayerMaps::withSheen,
+            MaterialTerm.TEXEL, Section.SHEEN, "Image that multiplies the color of the sheen of an opaque material");
     public static final MaterialAttribute<Double> SHEEN_ROUGHNESS = new MaterialAttribute<>("sheen_roughness", "sheen roughness",
             NumericKind.number(0, 1, 0.05), Sheen.NONE.roughness(), "", m -> m.sheen().roughness(),
             (m, v) -> m.withSheen(m.sheen().withRoughness(v)), MaterialTerm.HIGHLIGHT, PRINCIPLED, Section.SHEEN,
             "Width of the shine: small values keep it at the outline");
+    public static final MaterialAttribute<Optional<TextureMap>> SHEEN_ROUGHNESS_MAP = layerMapAttribute("sheen_roughness_map",
+            "sheen roughness map", new ValueKind.TextureKind("sheen_roughness_repeat", TextureUsage.DATA), LayerMaps.NONE.sheenRoughness(),
+            LayerMaps::sheenRoughness, LayerMaps::withSheenRoughness, MaterialTerm.HIGHLIGHT_TEXEL, Section.SHEEN,
+            "Image that multiplies the roughness of the sheen of an opaque material");
+    public static final MaterialAttribute<TextureChannel> SHEEN_ROUGHNESS_CHANNEL = layerMapAttribute("sheen_roughness_channel",
+            "sheen roughness channel", CHANNELS, LayerMaps.NONE.sheenRoughnessChannel(), LayerMaps::sheenRoughnessChannel,
+            LayerMaps::withSheenRoughnessChannel, MaterialTerm.HIGHLIGHT_TEXEL, Section.SHEEN,
+            "Channel of the sheen roughness map that is read; all channels of a gray image are equal");
     public static final MaterialAttribute<Rgb> REFLECTIVE = colorAttribute("reflective", 1, Rgb.BLACK, Material::reflective,
             Material::withReflective, NO_REFLECTIONS, Section.REFLECTIVE, "Mirror reflection per channel; black for none");
 
@@ -298,6 +341,12 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
                 (m, v) -> m.withSurfaceMaps(with.apply(m.surfaceMaps(), v)), term, PRINCIPLED, Section.SURFACE, help);
     }
 
+    private static <V> MaterialAttribute<V> layerMapAttribute(String name, String title, ValueKind.MaterialKind<V> kind, V initial,
+            Function<LayerMaps, V> get, BiFunction<LayerMaps, V, LayerMaps> with, MaterialTerm term, Section section, String help) {
+        return new MaterialAttribute<>(name, title, kind, initial, "", m -> get.apply(m.layerMaps()),
+                (m, v) -> m.withLayerMaps(with.apply(m.layerMaps(), v)), term, PRINCIPLED, section, help);
+    }
+
     private static <V> MaterialAttribute<V> transmissionAttribute(String name, String title, ValueKind.MaterialKind<V> kind, V initial,
             String unit,
             Function<Transmission, V> get, BiFunction<Transmission, V, Transmission> with, MaterialTerm term, String help) {
@@ -315,7 +364,11 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     private boolean isPartOfNothing(Material m) {
         return this == ANISOTROPY_ROTATION && m.anisotropy().strength() == 0
                 || this == ROUGHNESS_CHANNEL && m.surfaceMaps().roughness().isEmpty()
-                || this == METALNESS_CHANNEL && m.surfaceMaps().metalness().isEmpty();
+                || this == METALNESS_CHANNEL && m.surfaceMaps().metalness().isEmpty()
+                || this == F0_CHANNEL && m.surfaceMaps().f0().isEmpty()
+                || this == COAT_CHANNEL && m.layerMaps().coat().isEmpty()
+                || this == COAT_ROUGHNESS_CHANNEL && m.layerMaps().coatRoughness().isEmpty()
+                || this == SHEEN_ROUGHNESS_CHANNEL && m.layerMaps().sheenRoughness().isEmpty();
     }
 
     private static boolean equalsAsFloat(Rgb a, Rgb b) {

@@ -129,12 +129,9 @@ class SceneImporterTest {
     }
 
     @Test
-    void specularTexturesAndCameraExtras_areNoted() throws Exception {
-        String rich = SCENE.replace("{'yfov': 1}", "{'yfov': 1, 'aspectRatio': 1.5, 'znear': 0.1, 'zfar': 100}").replace("'name': 'red',",
-                "'name': 'red', 'extensions': {'KHR_materials_specular': "
-                        + "{'specularTexture': {'index': 0}, 'specularColorTexture': {'index': 0}}},");
+    void cameraExtras_areNoted() throws Exception {
+        String rich = SCENE.replace("{'yfov': 1}", "{'yfov': 1, 'aspectRatio': 1.5, 'znear': 0.1, 'zfar': 100}");
         assertThat(read(Files.write(from.resolve("a.glb"), GltfFixtures.binary(rich, GltfFixtures.SQUARE))).notes())
-                .containsEntry("specularTexture of materials", 1).containsEntry("specularColorTexture of materials", 1)
                 .containsEntry("znear of cameras", 1).containsEntry("zfar of cameras", 1);
     }
 
@@ -263,6 +260,18 @@ class SceneImporterTest {
         assertThat(material.surfaceMaps().meanRoughness()).isEqualTo(0x66 / 255f);
         assertThat(material.surfaceMaps().meanMetalness()).isEqualTo(0x99 / 255f);
         assertThat(material.surfaceMaps().roughness().orElseThrow().repeatV()).isEqualTo(3);
+    }
+
+    @Test
+    void imagesOfCoat_areMaps() throws Exception {
+        var image = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, 0x336699);
+        ImageIO.write(image, "png", to.resolveSibling("coat.png").toFile());
+        Material material = objMaterial("Pr 0.5\nPc 0.5\nmap_Pc coat.png\nmap_Pcr coat.png\n").material();
+        assertThat(material.coat()).as("a roughness of 0 would hide the image").isEqualTo(new Coat(0.5, 1, 1.5));
+        assertThat(material.layerMaps().coat().orElseThrow().image().channel(0, 0, material.layerMaps().coatChannel().ordinal()))
+                .isEqualTo(0x33 / 255f);
+        assertThat(material.layerMaps().coatRoughness()).isPresent();
     }
 
     @Test

@@ -6,6 +6,7 @@ import static org.assertj.core.data.Offset.offset;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import javax.imageio.ImageIO;
@@ -19,8 +20,10 @@ import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TexturePlacement;
 import lightning.scene.material.Coat;
+import lightning.scene.material.LayerMaps;
 import lightning.scene.material.Material;
 import lightning.scene.material.Sheen;
+import lightning.scene.material.SurfaceMaps;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -283,6 +286,51 @@ class UsdMaterialXTest {
     }
 
     @Test
+    void texturesOfOpenPbr_areMaps() throws Exception {
+        Material material = network("open_pbr_surface", """
+                float inputs:specular_weight.connect = </look/blue.outputs:outb>
+                color3f inputs:specular_color.connect = </look/image.outputs:out>
+                float inputs:coat_weight.connect = </look/blue.outputs:outb>
+                float inputs:coat_roughness.connect = </look/blue.outputs:outb>
+                float inputs:fuzz_weight = 0.5
+                color3f inputs:fuzz_color.connect = </look/image.outputs:out>
+                float inputs:fuzz_roughness.connect = </look/blue.outputs:outb>
+                """);
+        SurfaceMaps maps = material.surfaceMaps();
+        LayerMaps layers = material.layerMaps();
+        assertThat(List.of(maps.f0(), maps.specularTint(), layers.coat(), layers.coatRoughness(), layers.sheen(), layers.sheenRoughness()))
+                .allMatch(Optional::isPresent);
+        assertThat(List.of(maps.f0Channel(), layers.coatChannel(), layers.coatRoughnessChannel(), layers.sheenRoughnessChannel()))
+                .containsOnly(TextureChannel.BLUE);
+        assertThat(material.f0()).isCloseTo(0.04, offset(1e-8));
+        assertThat(material.coat()).isEqualTo(new Coat(1, 1, 1.6));
+        assertThat(material.sheen()).isEqualTo(new Sheen(Rgb.gray(0.5), 1));
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("textures of"));
+    }
+
+    @Test
+    void normalMapOfCoat_isThatOfTheCoat() throws Exception {
+        Material material =
+                network("standard_surface", "float inputs:coat = 1\nfloat3 inputs:coat_normal.connect = </look/bumps.outputs:out>");
+        assertThat(material.layerMaps().coatNormal()).isPresent();
+        assertThat(material.layerMaps().coatStrength()).isEqualTo(0.5);
+        assertThat(material.bumpMapping().isFlat()).isTrue();
+        assertThat(network("standard_surface", "float3 inputs:coat_normal.connect = </look/bumps.outputs:out>").layerMaps().coatNormal())
+                .as("without a coat").isEmpty();
+    }
+
+    @Test
+    void roughnessTextureOfAnotherSheen_isItsMean() throws Exception {
+        Material material = network("standard_surface", """
+                float inputs:sheen = 1
+                float inputs:sheen_roughness.connect = </look/blue.outputs:outb>
+                """);
+        assertThat(material.layerMaps().sheenRoughness()).isEmpty();
+        assertThat(imported.notes().keySet())
+                .anyMatch(note -> note.startsWith("sheenRoughness textures of sheens of another lobe, averaged"));
+    }
+
+    @Test
     void sheen_isThatOfStandardSurface() throws Exception {
         Sheen sheen = network("standard_surface", """
                 float inputs:sheen = 0.5
@@ -350,11 +398,9 @@ class UsdMaterialXTest {
                 float3 inputs:coat_normal.connect = </look/bumps.outputs:out>
                 float inputs:transmission.connect = </look/blue.outputs:outb>
                 """);
-        assertThat(imported.notes()).containsEntry("clearcoat textures of materials", 1)
+        assertThat(imported.notes()).doesNotContainKey("clearcoat textures of materials")
                 .containsEntry("transmission textures of MaterialX surfaces", 1).containsEntry("sheen textures of MaterialX surfaces", 1)
-                .containsEntry("colors of coats of materials: 'look'", 1).containsEntry("normal maps of coats of materials: 'look'", 1);
-        network("standard_surface", "float3 inputs:coat_normal.connect = </look/bumps.outputs:out>");
-        assertThat(imported.notes()).as("without a coat").doesNotContainKey("normal maps of coats of materials: 'look'");
+                .containsEntry("colors of coats of materials: 'look'", 1);
     }
 
     @Test

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import javax.imageio.ImageIO;
+import lightning.base.math.Rgb;
 import lightning.base.math.SrgbCurve;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.ImportedScene;
@@ -19,6 +20,8 @@ import lightning.render.image.ViewTransform;
 import lightning.sample.PythonPrograms;
 import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.material.Coat;
+import lightning.scene.material.LayerMaps;
 import lightning.scene.material.Material;
 import lightning.scene.material.SurfaceMaps;
 import org.junit.jupiter.api.BeforeEach;
@@ -168,6 +171,28 @@ class UsdSurfaceMapsTest {
         Material material = material("float inputs:metallic.connect = </look/image.outputs:b>\nint inputs:useSpecularWorkflow = 1", "");
         assertThat(material.metalness()).isZero();
         assertThat(material.surfaceMaps().metalness()).isEmpty();
+    }
+
+    @Test
+    void texturesOfCoat_areMapsOfTheirChannels() throws Exception {
+        Material material = material("float inputs:clearcoat.connect = </look/image.outputs:b>\n"
+                + "float inputs:clearcoatRoughness.connect = </look/image.outputs:g>", "float4 inputs:scale = (1, 0.5, 0.5, 1)");
+        LayerMaps maps = material.layerMaps();
+        assertThat(material.coat()).isEqualTo(new Coat(0.5, 0.5, 1.5));
+        assertThat(maps.coat().orElseThrow().image().channel(0, 0, maps.coatChannel().ordinal())).isEqualTo(153 / 255f);
+        assertThat(maps.coatRoughness().orElseThrow().image().channel(0, 0, maps.coatRoughnessChannel().ordinal()))
+                .isEqualTo(102 / 255f);
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("clearcoat"));
+    }
+
+    /** 153 of sRGB is linear 0.3185. */
+    @Test
+    void textureOfSpecularColor_isTint() throws Exception {
+        Material material = material("color3f inputs:specularColor.connect = </look/image.outputs:rgb>\nint inputs:useSpecularWorkflow = 1",
+                "float4 inputs:scale = (0.5, 0.5, 0.25, 1)\nfloat3 outputs:rgb");
+        assertThat(material.f0()).isEqualTo(0.5);
+        assertThat(material.specularTint()).isEqualTo(new Rgb(1, 1, 0.5));
+        assertThat(material.surfaceMaps().specularTint().orElseThrow().image().channel(0, 0, 2)).isCloseTo(0.3185f, offset(1e-3f));
     }
 
     /** The mean of the left pixel and 0. */

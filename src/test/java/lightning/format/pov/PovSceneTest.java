@@ -242,7 +242,8 @@ class PovSceneTest {
                 "roughness_map \"orm.png\" metalness_map \"orm.png\""), "p.jen", folder).scene(), "x");
         PovScene plain = PovScene.of(JenReader.read(String.format(Locale.ROOT, text, 0.5, 0.4, ""), "p.jen", folder).scene(), "x");
         assertThat(mapped.text()).endsWith(plain.text().substring(plain.text().indexOf("#version")));
-        assertThat(mapped.losses()).contains("material m: maps of roughness and metalness are replaced by their means");
+        assertThat(mapped.losses())
+                .contains("material m: maps of roughness, metalness, f0, specular tint and coat are replaced by their means");
         assertThat(plain.losses()).noneMatch(loss -> loss.contains("maps"));
     }
 

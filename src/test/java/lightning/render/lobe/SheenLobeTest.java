@@ -14,9 +14,8 @@ class SheenLobeTest {
     @ParameterizedTest
     @CsvSource({"1, 0.3", "0.7, 0.5", "0.3, 0.8", "0.1, 0.5", "0.5, 0.2", "0.5, 1"})
     void lobe_integratesToItsAlbedo(double cosine, double roughness) {
-        var lobe = new SheenLobe(roughness);
-        assertThat(overHemisphere(cosine, (nl, vl) -> lobe.term(cosine, nl, vl)) / Math.PI)
-                .isCloseTo(lobe.albedo((float) cosine), within(0.003));
+        assertThat(overHemisphere(cosine, (nl, vl) -> SheenLobe.term(roughness, cosine, nl, vl)) / Math.PI)
+                .isCloseTo(SheenLobe.albedo(roughness, (float) cosine), within(0.003));
     }
 
     /** Expected values are those of planes in uniform light, rendered by Cycles of Blender 5.0.1 with 16 384 samples. */
@@ -24,15 +23,14 @@ class SheenLobeTest {
     @CsvSource({"0.1, 0.3, 0.4347", "0.1, 0.5, 0.5521", "0.1, 0.8, 0.6422", "0.4, 0.3, 0.0494", "0.4, 0.5, 0.2229", "0.4, 0.8, 0.4409",
         "0.9, 0.8, 0.2061", "0.5, 1, 0.4987"})
     void albedo_isThatOfCycles(double cosine, double roughness, double expected) {
-        assertThat((double) new SheenLobe(roughness).albedo((float) cosine)).isCloseTo(expected, within(0.013));
+        assertThat((double) SheenLobe.albedo(roughness, (float) cosine)).isCloseTo(expected, within(0.013));
     }
 
     @ParameterizedTest
     @CsvSource({"1, 0.3", "0.7, 0.5", "0.1, 0.8"})
     void directions_haveTheirDensity(double cosine, double roughness) {
-        var lobe = new SheenLobe(roughness);
         var directions = new SheenDirections();
-        directions.aim(lobe, cosine);
+        directions.aim(roughness, cosine);
         // The mean of z over the directions is the integral of density times z.
         double mean = 0;
         int side = 300;
@@ -43,18 +41,18 @@ class SheenLobeTest {
                 mean += directions.z() / (side * (double) side);
             }
         }
-        assertThat(overHemisphere(cosine, (nl, vl) -> lobe.shape(cosine, nl, vl) * nl) / Math.PI).isCloseTo(mean, within(0.003));
+        assertThat(overHemisphere(cosine, (nl, vl) -> SheenLobe.shape(roughness, cosine, nl, vl) * nl) / Math.PI).isCloseTo(mean,
+                within(0.003));
     }
 
     @Test
     void term_isAtMostEight() {
         for (double roughness : new double[] {0, 0.2, 0.3, 0.5, 0.7, 1}) {
-            var lobe = new SheenLobe(roughness);
             for (double nv = 0; nv <= 1; nv += 1 / 64.0) {
                 for (double nl = 1 / 512.0; nl <= 1; nl += 1 / 512.0) {
                     double rest = Math.sqrt((1 - nv * nv) * (1 - nl * nl));
                     for (double cos = -1; cos <= 1; cos += 1 / 16.0) {
-                        assertThat(lobe.term(nv, nl, nv * nl + rest * cos)).isBetween(0.0, 8.0);
+                        assertThat(SheenLobe.term(roughness, nv, nl, nv * nl + rest * cos)).isBetween(0.0, 8.0);
                     }
                 }
             }

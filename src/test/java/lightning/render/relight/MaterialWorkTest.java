@@ -30,8 +30,12 @@ import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.light.LightType;
+import lightning.scene.material.BumpMapping;
+import lightning.scene.material.Coat;
+import lightning.scene.material.LayerMaps;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
+import lightning.scene.material.Sheen;
 import lightning.scene.material.SurfaceMaps;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
@@ -228,8 +232,63 @@ class MaterialWorkTest {
     @Test
     void channelWithoutMap_doesNothing() {
         try (StudioRenderer studio = principledStudio()) {
-            assertWork(edit(studio, MATT, m -> m.withSurfaceMaps(
-                    SurfaceMaps.NONE.withRoughnessChannel(TextureChannel.RED).withMetalnessChannel(TextureChannel.RED))), 0, 0, 0, 0);
+            assertWork(edit(studio, MATT, m -> m.withSurfaceMaps(SurfaceMaps.NONE.withRoughnessChannel(TextureChannel.RED)
+                    .withMetalnessChannel(TextureChannel.RED).withF0Channel(TextureChannel.BLUE))), 0, 0, 0, 0);
+            assertWork(edit(studio, MATT, m -> m.withLayerMaps(LayerMaps.NONE.withCoatChannel(TextureChannel.BLUE)
+                    .withCoatRoughnessChannel(TextureChannel.RED).withSheenRoughnessChannel(TextureChannel.BLUE))), 0, 0, 0, 0);
+        }
+    }
+
+    /** Without a sheen: with one, the sum of all that the surface below reflects depends on the mean of the map. */
+    @Test
+    void mapsOfReflectedColors_updateTexelsOfTheirRows() {
+        try (StudioRenderer studio = principledStudio()) {
+            for (UnaryOperator<Material> edit : List.<UnaryOperator<Material>>of(
+                    m -> m.withSurfaceMaps(SurfaceMaps.NONE.withF0(CHECKS)),
+                    m -> m.withSurfaceMaps(m.surfaceMaps().withSpecularTint(CHECKS)))) {
+                assertThat(edit(studio, MATT, edit).plan().steps()).contains("matt: texture");
+                assertExact(studio, "reflected-colors");
+            }
+        }
+    }
+
+    @Test
+    void sheenMap_updatesTexelsOfItsRows() {
+        try (StudioRenderer studio = principledStudio()) {
+            edit(studio, MATT, m -> m.withSheen(new Sheen(Rgb.WHITE, 0.5)));
+            assertThat(edit(studio, MATT, m -> m.withLayerMaps(LayerMaps.NONE.withSheen(CHECKS))).plan().steps())
+                    .contains("matt: texture");
+            assertExact(studio, "sheen-map");
+        }
+    }
+
+    /** A smooth coat mirrors along its normals, so an edit of them, and of what mirrors, traces rays again. */
+    @Test
+    void editsOfCoatNormals_areExact() {
+        try (StudioRenderer studio = principledStudio()) {
+            edit(studio, MATT, m -> m.withBumpMapping(BumpMapping.NONE.withNormalMap(CHECKS)));
+            for (UnaryOperator<Material> edit : List.<UnaryOperator<Material>>of(m -> m.withCoat(new Coat(1, 0, 1.5)),
+                    m -> m.withLayerMaps(LayerMaps.NONE.withCoatNormal(CHECKS).withCoatStrength(0.5)), m -> m.withRoughness(0),
+                    m -> m.withRoughness(0.5), m -> m.withCoat(new Coat(1, 0.5, 1.5)), m -> m.withBumpMapping(BumpMapping.NONE),
+                    m -> m.withCoat(Coat.NONE))) {
+                edit(studio, MATT, edit);
+                assertExact(studio, "coat-normals");
+            }
+        }
+    }
+
+    @Test
+    void mapsOfHighlights_updateTexelsAndSpecularOfTheirRows() {
+        try (StudioRenderer studio = principledStudio()) {
+            edit(studio, MATT, m -> m.withCoat(new Coat(1, 0.5, 1.5)).withSheen(new Sheen(Rgb.WHITE, 0.5)));
+            for (UnaryOperator<LayerMaps> edit : List.<UnaryOperator<LayerMaps>>of(maps -> maps.withCoat(CHECKS),
+                    maps -> maps.withCoatRoughness(CHECKS), maps -> maps.withCoatChannel(TextureChannel.BLUE),
+                    maps -> maps.withSheenRoughness(CHECKS))) {
+                UpdateResult update = edit(studio, MATT, m -> m.withLayerMaps(edit.apply(m.layerMaps())));
+                assertThat(update.plan().steps()).contains("matt: texture + specular term");
+                assertThat(update.rays().shadow()).as("of surfels only").isLessThan(studio.referenceRows().count(0, _ -> true));
+                assertExact(studio, "layer-map");
+            }
         }
     }
 

@@ -31,6 +31,7 @@ import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.material.LayerMaps;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.material.SurfaceMaps;
 import lightning.scene.node.SceneNode;
@@ -90,10 +91,12 @@ class MemoryEstimateTest {
                 .withMaterials(balls.materials().stream().map(m -> m.withModel(ShadingModel.PRINCIPLED)).toList());
         Optional<TextureMap> map = Optional.of(new TextureMap("m.png", 1, 1, new Texture(1, 1, new float[] {1, 1, 1})));
         Scene mapped = plain.withMaterials(plain.materials().stream()
-                .map(m -> m.withSurfaceMaps(SurfaceMaps.NONE.withRoughness(map).withMetalness(map))).toList());
-        // Surfels that reflections show have them, too.
+                .map(m -> m.withSurfaceMaps(SurfaceMaps.NONE.withRoughness(map).withMetalness(map).withF0(map).withSpecularTint(map))
+                        .withLayerMaps(LayerMaps.NONE.withCoat(map).withSheen(map).withCoatRoughness(map).withSheenRoughness(map)))
+                .toList());
+        // Six numbers and two colors. Surfels that reflections show have them, too.
         assertThat(MemoryEstimate.upperBound(mapped, OPTIONS) - MemoryEstimate.upperBound(plain, OPTIONS))
-                .isGreaterThanOrEqualTo(8L * 96 * 64);
+                .isGreaterThanOrEqualTo(48L * 96 * 64);
         assertThat(usedBytes(mapped, OPTIONS)).isLessThanOrEqualTo(MemoryEstimate.upperBound(mapped, OPTIONS));
     }
 

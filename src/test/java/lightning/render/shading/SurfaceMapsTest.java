@@ -40,13 +40,13 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests that maps of roughness and metalness act as the values of their products with the factors. */
 class SurfaceMapsTest {
-    private static final int SIZE = 40;
+    static final int SIZE = 40;
     private static final Material BASE = Material.of("m").withModel(ShadingModel.PRINCIPLED).withBase(new Rgb(0.9, 0.5, 0.2))
             .withSpecularTint(new Rgb(0.3, 1, 0.6)).withCoat(new Coat(0.5, 0.3, 1.5)).withMetalness(0.75).withRoughness(0.5)
             .withTexture(map(1, 0.5f, 0.25f));
 
     /** A floor that fills the picture, below a ball, in the light of a spot and a panel. */
-    private static Scene scene(Material material) {
+    static Scene scene(Material material) {
         return new Scene(new PictureSettings(SIZE, SIZE, 1), new Camera(new Vec3(0, 9, 0), Vec3.ZERO, new Vec3(0, 0, 1), 40), World.DEFAULT,
                 List.of(material),
                 List.of(new Shape(Solid.PLANE, "floor", "m", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(20, 1, 20))),
@@ -56,16 +56,16 @@ class SurfaceMapsTest {
     }
 
     /** Returns an image of one color. */
-    private static Optional<TextureMap> map(float... rgb) {
+    static Optional<TextureMap> map(float... rgb) {
         return Optional.of(new TextureMap("map.png", 1, 1, new Texture(1, 1, rgb)));
     }
 
-    private static Optional<TextureMap> gray(float value) {
+    static Optional<TextureMap> gray(float value) {
         return map(value, value, value);
     }
 
     /** Returns the picture, which is the same in all renderers. */
-    private static Film trace(Scene scene) {
+    static Film trace(Scene scene) {
         Film film = new ReferenceTracer(scene).trace();
         try (WorkerPool workers = new WorkerPool(1); Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
             FilmAssert.assertSameBits(new TraditionalTracer(scene).trace(workers, Progress.NONE).film(), film, "traditional");
@@ -132,12 +132,12 @@ class SurfaceMapsTest {
         assertThat(one.hasSameBits(other)).isFalse();
     }
 
-    private static Scene floor(Material material) {
+    static Scene floor(Material material) {
         Scene scene = scene(material);
         return scene.withNodes(List.of(scene.nodes().getFirst()));
     }
 
-    private static void assertPixel(Film actual, Film expected, int x, int y) {
+    static void assertPixel(Film actual, Film expected, int x, int y) {
         assertThat(List.of(actual.red(x, y), actual.green(x, y), actual.blue(x, y))).as(x + " " + y)
                 .containsExactly(expected.red(x, y), expected.green(x, y), expected.blue(x, y));
     }
@@ -164,7 +164,7 @@ class SurfaceMapsTest {
 
     @Test
     void otherModels_haveNoMaps() {
-        SurfaceMaps maps = new SurfaceMaps(gray(0), TextureChannel.RED, gray(0), TextureChannel.RED);
+        SurfaceMaps maps = new SurfaceMaps(gray(0), TextureChannel.RED, gray(0), TextureChannel.RED, gray(0), TextureChannel.BLUE, gray(0));
         assertThat(BASE.withModel(ShadingModel.METALLIC).withSurfaceMaps(maps).surfaceMaps()).isEqualTo(SurfaceMaps.NONE);
         assertThat(BASE.withSurfaceMaps(maps).withModel(ShadingModel.PHONG).surfaceMaps()).isEqualTo(SurfaceMaps.NONE);
     }

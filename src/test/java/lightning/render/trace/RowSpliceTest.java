@@ -21,6 +21,7 @@ import lightning.scene.World;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.material.Anisotropy;
+import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.ShadingModel;
@@ -67,11 +68,13 @@ class RowSpliceTest {
         }
     }
 
-    /** Returns all columns, with those of refraction and of tangents if they exist. */
+    /** Returns all columns, with those of refraction, of tangents and of coats if they exist. */
     private static List<HitRows.Column> columns(HitRows rows, boolean tangents) {
         return Arrays.stream(HitRows.Column.values())
                 .filter(column -> tangents || !HitRows.ColumnGroup.TANGENT.columns().contains(column))
-                .filter(column -> rows.clearCount > 0 || !HitRows.ColumnGroup.TRANSPARENT.columns().contains(column)).toList();
+                .filter(column -> rows.clearCount > 0 || !HitRows.ColumnGroup.TRANSPARENT.columns().contains(column))
+                // Only clear rows may be left, which have no coat.
+                .filter(column -> rows.columns().has(column) || !HitRows.ColumnGroup.COAT_NORMAL.columns().contains(column)).toList();
     }
 
     @Test
@@ -147,6 +150,7 @@ class RowSpliceTest {
             names.add("m" + m);
             materials.add(Material.of("m" + m).withModel(ShadingModel.PRINCIPLED).withRoughness(m == 1 ? 0 : random.nextInt(2))
                     .withAnisotropy(new Anisotropy(0.5, 0))
+                    .withCoat(new Coat(1, 0.5, 1.5))
                     .withTransmission(m == 1 ? Transmission.NONE.withColor(Rgb.WHITE) : Transmission.NONE)
                     .withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture))));
             for (MaterialAttribute<Optional<TextureMap>> map : MaterialAttribute.MAPS) {
@@ -154,6 +158,7 @@ class RowSpliceTest {
                     materials.set(m, map.with(materials.get(m), Optional.of(new TextureMap("t.png", 1, 1, texture))));
                 }
             }
+            materials.set(m, MaterialAttribute.COAT_NORMAL_MAP.with(materials.get(m), Optional.of(new TextureMap("t.png", 1, 1, texture))));
         }
         var plane = new Shape(Solid.PLANE, "p", "m0", Placement.IDENTITY);
         Camera camera = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);

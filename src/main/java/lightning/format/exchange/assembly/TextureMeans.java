@@ -1,11 +1,9 @@
 package lightning.format.exchange.assembly;
 
 import java.util.Optional;
-import lightning.base.math.Rgb;
 import lightning.format.jen.asset.TextureDecoder;
 import lightning.format.jen.asset.UnusableFileException;
 import lightning.scene.asset.Texture;
-import lightning.scene.asset.TextureUsage;
 
 /**
  * Means of a glTF metallic-roughness texture, for transparent materials: they have one roughness and one metalness.
@@ -29,16 +27,6 @@ public record TextureMeans(double roughness, double metalness) {
         try {
             Texture texture = TextureDecoder.decodeNumbers("surface", file);
             return Optional.of(new TextureMeans(mean(texture, GREEN), mean(texture, BLUE)));
-        } catch (UnusableFileException e) {
-            return Optional.empty();
-        }
-    }
-
-    /** Returns the mean color of an image, linear; empty if its format is not supported. */
-    public static Optional<Rgb> color(byte[] file) {
-        try {
-            Texture texture = TextureDecoder.decodeReduced("color", file, TextureUsage.COLOR);
-            return Optional.of(new Rgb(mean(texture, 0), mean(texture, GREEN), mean(texture, BLUE)));
         } catch (UnusableFileException e) {
             return Optional.empty();
         }

@@ -20,9 +20,11 @@ import lightning.scene.value.SceneLimits;
 /** Converter from UsdPreviewSurface to principled materials. */
 record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
     /** Inputs whose textures the scene shows, besides the emission. */
-    private static final List<String> MAPPED = List.of("diffuseColor", "normal", "opacity", "roughness", "metallic");
+    private static final List<String> MAPPED =
+            List.of("diffuseColor", "normal", "opacity", "roughness", "metallic", "coatNormal", "clearcoat",
+                    "clearcoatRoughness", "specular", "specularColor", "specularTint", "sheenColor", "sheenRoughness");
     /** Inputs whose textures are left out. */
-    private static final List<String> UNMAPPED = List.of("specularColor", "ior", "clearcoat", "clearcoatRoughness");
+    private static final List<String> UNMAPPED = List.of("ior");
     private static final double HALF = 0.5;
     /** Degrees of a turn. */
     private static final double TURN = 360;
@@ -44,8 +46,9 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
                 isClear ? surfaceMaps.mean(in, "metallic", 0) : UsdSurfaceMaps.number(in, "metallic", 0),
                 isClear ? surfaceMaps.mean(in, "roughness", HALF) : UsdSurfaceMaps.number(in, "roughness", HALF)).withTexture(texture);
         noteLosses(in);
-        Material surface = withOpacity(withNormals(withHighlights(withGlow(material, in), in), images.get("normal")), in);
-        return withAnisotropy(withSheen(withCoat(isClear ? surface : surfaceMaps.withMaps(surface, in), in), in), in);
+        var layers = new UsdLayerMaps(assembler, textures, surfaceMaps, this, isClear);
+        Material surface = withOpacity(withNormals(layers.withHighlights(withGlow(material, in), in), images.get("normal")), in);
+        return withAnisotropy(layers.withSheen(layers.withCoat(isClear ? surface : surfaceMaps.withMaps(surface, in), in), in), in);
     }
 
     /** Returns whether a material is transparent, unless it is metal. */
@@ -59,7 +62,9 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
         JsonValue images = in.get("textures");
         List<JsonValue> maps = new ArrayList<>();
         for (String input : MAPPED) {
-            maps.add(images.get(input));
+            if (images.get(input).isPresent()) {
+                maps.add(images.get(input));
+            }
         }
         JsonValue emission = images.get("emissiveColor");
         if (!textures.hasHighRange(emission)) {
@@ -74,32 +79,6 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
         }
         assembler.notes.add("displacement of materials",
                 in.get("displacement").number(0) != 0 || in.get("textures").get("displacement").isPresent() ? 1 : 0);
-    }
-
-    private Material withHighlights(Material material, JsonValue in) throws MeshException {
-        var principled = new PrincipledImport(assembler);
-        if (in.get("useSpecularWorkflow").number(0) == 1) {
-            return principled.withReflectance(material.withMetalness(0), color(in.get("specularColor"), 1, "specular colors of materials"));
-        }
-        double f0 = UsdNumbers.rounded(PrincipledImport.f0(in.get("ior").number(1.5)));
-        JsonValue tint = in.get("specularTint");
-        return tint.isPresent() ? principled.withReflectance(material, rgb(tint).times(f0)) : material.withF0(f0);
-    }
-
-    /** Adds the coat, which has the index of refraction of the surface in a UsdPreviewSurface. */
-    private Material withCoat(Material material, JsonValue in) throws MeshException {
-        double ior = in.get("clearcoatIor").number(in.get("ior").number(1.5));
-        return new PrincipledImport(assembler).withCoat(material, UsdNumbers.tidy(in.get("clearcoat").number(0)),
-                UsdNumbers.tidy(in.get("clearcoatRoughness").number(0.01)), UsdNumbers.tidy(ior));
-    }
-
-    /** Adds the sheen of a MaterialX surface; OpenPBR has the lobe of scenes. */
-    private Material withSheen(Material material, JsonValue in) throws MeshException {
-        JsonValue color = in.get("sheenColor");
-        double roughness = in.get("sheenRoughness").number(0);
-        return !color.isPresent() ? material
-                : new PrincipledImport(assembler).withSheen(material, rgb(color),
-                        in.get("isFuzz").number(0) == 1 ? UsdNumbers.tidy(roughness) : PrincipledImport.sheenRoughness(roughness));
     }
 
     /** Adds the anisotropy of a MaterialX surface by its own widths: α of the roughness in terms of them. */
@@ -127,15 +106,17 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
 
     private Material withNormals(Material material, JsonValue image) throws IOException, MeshException {
         Optional<TextureMap> normals = textures.map(image, TextureUsage.DATA);
-        if (normals.isEmpty()) {
-            return material;
-        }
+        return normals.isEmpty() ? material
+                : material.withBumpMapping(BumpMapping.NONE.withNormalMap(normals).withStrength(strength(image)));
+    }
+
+    /** Returns the strength of a normal map. */
+    double strength(JsonValue image) throws MeshException {
         double[] scale = image.get("scale").numbers(2, 2, 2, 1);
         double strength = image.get("strength").number(scale[0] == 1 ? 1 : scale[0] / 2);
         // A scale of 2 and a bias of −1 decode 0 … 1 to −1 … 1.
         assembler.notes.add("normal maps with y downwards", scale[0] * scale[1] < 0 ? 1 : 0);
-        return material.withBumpMapping(BumpMapping.NONE.withNormalMap(normals)
-                .withStrength(Math.clamp(UsdNumbers.tidy(strength), -SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH)));
+        return Math.clamp(UsdNumbers.tidy(strength), -SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH);
     }
 
     private Material withOpacity(Material material, JsonValue in) throws IOException, MeshException {
@@ -189,7 +170,7 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
     }
 
     /** Returns the factor of a color texture. */
-    private Rgb factor(JsonValue image) throws MeshException {
+    Rgb factor(JsonValue image) throws MeshException {
         double[] bias = image.get("bias").numbers(0, 0, 0, 0);
         assembler.notes.add("offsets (bias) of color textures", bias[0] == 0 && bias[1] == 0 && bias[2] == 0 ? 0 : 1);
         return assembler.clampColor(scale(image), 1, "scales of color textures");
@@ -200,7 +181,8 @@ record UsdMaterialImport(SceneAssembler assembler, UsdTextures textures) {
         return new Rgb(UsdNumbers.tidy(scale[0]), UsdNumbers.tidy(scale[1]), UsdNumbers.tidy(scale[2]));
     }
 
-    private Rgb color(JsonValue in, double max, String label) throws MeshException {
+    /** Returns a color, clamped with a note. */
+    Rgb color(JsonValue in, double max, String label) throws MeshException {
         return assembler.clampColor(rgb(in), max, label);
     }
 

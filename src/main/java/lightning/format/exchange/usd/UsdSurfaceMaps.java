@@ -11,28 +11,33 @@ import lightning.scene.asset.TextureUsage;
 import lightning.scene.material.Material;
 import lightning.scene.material.SurfaceMaps;
 
-/** Converter of roughness and metalness: numbers, textures, and their means for transparent materials, which have no maps. */
+/** Converter of numbers with textures, and their means for transparent materials, which have no maps; adds those of roughness and metalness. */
 record UsdSurfaceMaps(SceneAssembler assembler, UsdTextures textures) {
     /** A map, with the factor that it multiplies. */
-    private record FactoredMap(double factor, TextureMap map, Optional<TextureChannel> channel) {}
+    record FactoredMap(double factor, TextureMap map, Optional<TextureChannel> channel) {}
 
     /** Returns a number of a surface; its fallback where it has a texture instead. */
     static double number(JsonValue in, String name, double fallback) throws MeshException {
         return hasTexture(in, name) ? fallback : UsdNumbers.tidy(in.get(name).number(fallback));
     }
 
-    private static boolean hasTexture(JsonValue in, String name) throws MeshException {
+    static boolean hasTexture(JsonValue in, String name) throws MeshException {
         return in.get("textures").get(name).isPresent();
     }
 
     /** Returns a number, or the mean of its texture, with a note. */
     double mean(JsonValue in, String name, double fallback) throws IOException, MeshException {
+        return mean(in, name, fallback, "transparent materials");
+    }
+
+    /** Returns the same. @param kind of materials, for the note */
+    double mean(JsonValue in, String name, double fallback, String kind) throws IOException, MeshException {
         if (!hasTexture(in, name)) {
             return number(in, name, fallback);
         }
         JsonValue image = in.get("textures").get(name);
         Optional<Double> mean = textures.mean(image, TextureNumbers.of(image));
-        assembler.notes.addNamed(name + " textures of " + (mean.isEmpty() ? "materials" : "transparent materials, averaged"),
+        assembler.notes.addNamed(name + " textures of " + (mean.isEmpty() ? "materials" : kind + ", averaged"),
                 image.get("name").text().orElse("texture"));
         return mean.map(UsdNumbers::rounded).orElse(fallback);
     }
@@ -42,7 +47,7 @@ record UsdSurfaceMaps(SceneAssembler assembler, UsdTextures textures) {
         Optional<FactoredMap> roughness = map(in, "roughness");
         // The specular workflow has no metalness.
         Optional<FactoredMap> metalness = in.get("useSpecularWorkflow").number(0) == 1 ? Optional.empty() : map(in, "metallic");
-        SurfaceMaps maps = SurfaceMaps.NONE;
+        SurfaceMaps maps = material.surfaceMaps();
         Material mapped = material;
         if (roughness.isPresent()) {
             maps = maps.withRoughness(Optional.of(roughness.get().map))
@@ -58,7 +63,7 @@ record UsdSurfaceMaps(SceneAssembler assembler, UsdTextures textures) {
     }
 
     /** Returns the map of an input; empty without a texture, or with a note if it cannot be used. */
-    private Optional<FactoredMap> map(JsonValue in, String name) throws IOException, MeshException {
+    Optional<FactoredMap> map(JsonValue in, String name) throws IOException, MeshException {
         if (!hasTexture(in, name)) {
             return Optional.empty();
         }

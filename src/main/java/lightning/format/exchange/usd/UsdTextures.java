@@ -11,6 +11,7 @@ import java.util.function.LongToDoubleFunction;
 import lightning.base.math.Affine2;
 import lightning.format.exchange.assembly.PlacedTexture;
 import lightning.format.exchange.assembly.SceneAssembler;
+import lightning.format.exchange.assembly.TextureAtlas;
 import lightning.format.exchange.assembly.TextureMeans;
 import lightning.format.gltf.JsonValue;
 import lightning.format.jen.asset.JenLimits;

@@ -20,7 +20,7 @@ import lightning.base.math.Rgb;
  * @param emissionMap image that multiplies the emission
  * @param cutout opacity map
  * @param bump map_Bump, bump or norm: a height or normal map
- * @param physical roughness and metalness with their maps, coat, sheen and anisotropy; empty for materials without them
+ * @param physical roughness, metalness and coat with their maps, sheen and anisotropy; empty for materials without them
  */
 public record MtlMaterial(String name, IlluminationModel illumination, Rgb diffuse, Rgb specular, Rgb emission, OptionalDouble shininess,
         double opacity, Rgb filter, double ior, Optional<MtlImage> texture, Optional<MtlImage> emissionMap,
@@ -37,17 +37,20 @@ public record MtlMaterial(String name, IlluminationModel illumination, Rgb diffu
      * @param anisotropyRotation anisor, in turns: 0 … 1
      * @param roughnessMap map_Pr
      * @param metalnessMap map_Pm
+     * @param coatMap map_Pc
+     * @param coatRoughnessMap map_Pcr
      */
     public record Physical(double roughness, double metalness, double coat, double coatRoughness, double sheen,
             double anisotropy, double anisotropyRotation,
             Optional<FactorMap> roughnessMap,
-            Optional<FactorMap> metalnessMap) {
+            Optional<FactorMap> metalnessMap, Optional<FactorMap> coatMap, Optional<FactorMap> coatRoughnessMap) {
         /** Statements of a material without any. */
         public static final Physical NONE = new Physical(0.5, 0, 0, 0, 0);
 
         /** Creates statements without maps. */
         public Physical(double roughness, double metalness, double coat, double coatRoughness, double sheen) {
-            this(roughness, metalness, coat, coatRoughness, sheen, 0, 0, Optional.empty(), Optional.empty());
+            this(roughness, metalness, coat, coatRoughness, sheen, 0, 0, Optional.empty(), Optional.empty(), Optional.empty(),
+                    Optional.empty());
         }
     }
 

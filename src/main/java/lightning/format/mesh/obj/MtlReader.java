@@ -99,6 +99,8 @@ public final class MtlReader {
             case "Pm" -> current.metalness = OptionalDouble.of(readNumber());
             case "map_Pr" -> current.roughnessMap = readImage(false);
             case "map_Pm" -> current.metalnessMap = readImage(false);
+            case "map_Pc" -> current.coatMap = readImage(false);
+            case "map_Pcr" -> current.coatRoughnessMap = readImage(false);
             case "Pc" -> current.coat = readNumber();
             case "Pcr" -> current.coatRoughness = readNumber();
             case "Ps" -> current.sheen = readNumber();
@@ -152,6 +154,8 @@ public final class MtlReader {
         Optional<MtlImage> bump = Optional.empty();
         Optional<MtlImage> roughnessMap = Optional.empty();
         Optional<MtlImage> metalnessMap = Optional.empty();
+        Optional<MtlImage> coatMap = Optional.empty();
+        Optional<MtlImage> coatRoughnessMap = Optional.empty();
 
         MaterialBuilder(String name) {
             this.name = name;
@@ -164,11 +168,12 @@ public final class MtlReader {
 
         private Optional<MtlMaterial.Physical> physical() {
             return roughness.isEmpty() && metalness.isEmpty() && roughnessMap.isEmpty() && metalnessMap.isEmpty()
-                    && coat == 0 && sheen == 0 && anisotropy == 0 ? Optional.empty()
+                    && coat == 0 && sheen == 0 && anisotropy == 0 && coatMap.isEmpty() ? Optional.empty()
                             : Optional.of(new MtlMaterial.Physical(roughness.orElse(MtlMaterial.Physical.NONE.roughness()),
                                     metalness.orElse(0),
                                     coat, coatRoughness, sheen, anisotropy, anisotropyRotation, factorMap(roughnessMap, roughness),
-                                    factorMap(metalnessMap, metalness)));
+                                    factorMap(metalnessMap, metalness), factorMap(coatMap, OptionalDouble.of(coat)),
+                                    factorMap(coatRoughnessMap, OptionalDouble.of(coatRoughness))));
         }
 
         private static Optional<MtlMaterial.FactorMap> factorMap(Optional<MtlImage> map, OptionalDouble factor) {

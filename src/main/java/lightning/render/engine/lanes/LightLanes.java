@@ -11,7 +11,6 @@ import lightning.render.shading.AnisotropicHighlight;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightingEquation;
-import lightning.render.shading.SheenLayer;
 import lightning.render.shading.TermKernel;
 import lightning.render.shading.layer.RowBits;
 import lightning.render.shading.layer.SheenTerms;
@@ -486,8 +485,8 @@ final class LightLanes implements TermKernel {
     }
 
     @Override
-    public void sheens(HitRows rows, int from, int to, int[] rowSet, SheenLayer sheen, float[] column) {
-        SheenTerms.write(rows, from, to, rowSet, sheen, lx, ly, lz, column);
+    public void sheens(HitRows rows, int from, int to, int[] rowSet, double[] roughness, float[] column) {
+        SheenTerms.write(rows, from, to, rowSet, roughness, lx, ly, lz, column);
     }
 
     /** Writes the terms of some rows of a word, whose {@link #squaredWidth} are set before they are widened. */

@@ -292,7 +292,7 @@ public final class ReflectionCaster {
         int place = firstPlace + k;
         double factor = (double) fewestRays / its.rays(kind, directions.side);
         if (kind == Kind.SHEEN) {
-            sheen.aim(requireNonNull(its.fibers()).lobe(), cosine);
+            sheen.aim(requireNonNull(its.fibers()).roughness(), cosine);
             sheen.scatter(directions.share(place), directions.cos(place), directions.sin(place));
             direct(points, p, sheen.x(), sheen.y(), sheen.z());
             density[at] = points.sources.turnAbove(p, d) ? 0 : sheen.density();
@@ -364,7 +364,7 @@ public final class ReflectionCaster {
 
     private void addAimedAtSheen(int at, RoughLobes its, double x, double y, double z, double angle) {
         if (its.fibers() != null) {
-            sheen.aim(its.fibers().lobe(), cosine);
+            sheen.aim(its.fibers().roughness(), cosine);
             sheen.moveTo(x, y, z);
             double own = sheen.density() * angle;
             white[at] += fewestRays * own / (its.rays(Kind.SHEEN, directions.side) * own + 1);

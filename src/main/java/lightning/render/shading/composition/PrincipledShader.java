@@ -28,7 +28,7 @@ final class PrincipledShader {
         colors.start(material, rows);
         for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
             colors.moveTo(i);
-            weights.moveTo(principled, colors.roughness(), rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i], rows.vz[i]);
+            weights.moveTo(principled, colors.surface(), rows, i);
             for (int c = 0; c < 3; c++) {
                 float mirror = mirrored == null || !principled.isMirror() ? 0 : mirrored[c][i];
                 float first = reflected == null ? 0 : reflected[c][i];

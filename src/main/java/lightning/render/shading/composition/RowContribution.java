@@ -63,9 +63,9 @@ public final class RowContribution {
             shading.interior().write(rows.insideDistance[row], tint);
         }
         if (shading.principled() != null) {
-            weights.moveTo(shading.principled(), rows, row);
             colors.start(shading, rows);
             colors.moveTo(row);
+            weights.moveTo(shading.principled(), colors.surface(), rows, row);
         }
         // Not a loop: a compiled loop reads the length of an absent column before it checks for null, a fault of the virtual machine.
         writeChannel(0, rows, row, shading, isZero, light, layer, indirect, fresnel, mirrored, refracted, from, to, at);

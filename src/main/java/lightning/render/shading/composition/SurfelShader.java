@@ -6,11 +6,13 @@ import java.util.Arrays;
 import lightning.render.shading.PrincipledMaterial;
 import lightning.render.shading.PrincipledRow;
 import lightning.render.shading.ShadingMaterial;
+import lightning.render.shading.SheenLayer;
 import lightning.render.shading.SumKernel;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
+import lightning.render.trace.MappedSurface;
 import lightning.render.trace.MaterialTable;
 
 /** Computes the direct light, the albedo and the glow of surfels. Holds scratch columns: use one instance per thread. */
@@ -84,15 +86,16 @@ public final class SurfelShader {
             principledRow.moveTo(row);
             for (int c = 0; c < 3; c++) {
                 albedo[c][numbers[rows.parent[row]]] =
-                        principledAlbedo(requireNonNull(material.principled()), c, principledRow.diffuse(c), principledRow.f0(c));
+                        principledAlbedo(requireNonNull(material.principled()), principledRow.surface(), c, principledRow.diffuse(c),
+                                principledRow.f0(c));
             }
         }
     }
 
     /** Returns one channel of the share of light that a principled surface sends back in all directions: reflections count as diffuse. */
-    private static float principledAlbedo(PrincipledMaterial material, int c, float kd, float f0) {
-        float below = kd * (1 - meanFresnel(material.nonmetalF0())) + meanFresnel(f0);
-        return material.sheen() == null ? below : material.sheen().meanAlbedo(c, below);
+    private static float principledAlbedo(PrincipledMaterial material, MappedSurface at, int c, float kd, float f0) {
+        float below = kd * (1 - meanFresnel(at.largestNonmetalF0())) + meanFresnel(f0);
+        return material.sheen() == null ? below : SheenLayer.meanAlbedo(at, c, below);
     }
 
     /** Returns the mean of Schlick's reflectance over a hemisphere of uniform light. */

@@ -113,7 +113,8 @@ public final class PixelExplainer {
         }
         SurfacePoint hit = geometry.surface(shape, ray);
         NormalSteps normals = geometry.normalSteps(shape, ray);
-        PointReport reflected = materials.isReflective(hit.material()) && depth > 0 ? explainRay(hit.reflectedRay(), depth - 1) : null;
+        PointReport reflected = materials.isReflective(hit.material()) && depth > 0
+                ? explainRay(hit.reflectedRay(materials.material(hit.material())), depth - 1) : null;
         Ray through = materials.isClear(hit.material()) && depth > 0 ? hit.refractedRay() : null;
         PointReport refracted = through == null ? null : explainRay(through, depth - 1);
         List<LightReport> reports = new ArrayList<>();

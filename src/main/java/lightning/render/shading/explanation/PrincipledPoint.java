@@ -22,7 +22,7 @@ record PrincipledPoint(SurfacePoint at, PrincipledMaterial material, PrincipledW
             return null;
         }
         var weights = new PrincipledWeights();
-        weights.moveTo(principled, (float) at.roughness(), at.nx(), at.ny(), at.nz(), at.vx(), at.vy(), at.vz());
+        weights.moveTo(principled, at);
         return new PrincipledPoint(at, principled, weights);
     }
 
@@ -39,7 +39,8 @@ record PrincipledPoint(SurfacePoint at, PrincipledMaterial material, PrincipledW
     float color(int c, float emitted, float diffuse, float specular, float grazing, float @Nullable [] reflected, float mirrored) {
         float first = reflected == null ? 0 : reflected[c];
         float second = reflected == null ? 0 : reflected[3 + c];
-        return weights.color(material, c, emitted, at.diffuse()[c], diffuse, at.specular()[c], material.colors().square(c, at),
+        return weights.color(material, c, emitted, at.diffuse()[c], diffuse, at.specular()[c],
+                material.colors().square(c, at.mapped(material.material()), at.texel()[c]),
                 weights.specular(material, specular, first, mirrored), weights.grazing(material, grazing, first, second, mirrored),
                 weights.passing(material, c, second));
     }

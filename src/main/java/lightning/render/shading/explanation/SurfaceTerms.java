@@ -49,7 +49,8 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
         }
         SheenLayer sheen = sheen();
         return sheen == null ? coatedGrazing()
-                : equation.sheen(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), sheen);
+                : equation.sheen(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(),
+                        hit.mapped(materials.material(hit.material())).sheenRoughness());
     }
 
     private float coatedGrazing() {
@@ -59,9 +60,12 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
         if (coated == null) {
             return grazing;
         }
-        double alpha = materials.material(hit.material()).coat().alpha();
-        return weights(coated).coatedGrazing(coated, grazing, factor.coat(metallicSpecular(alpha), alpha),
-                factor.coat(metallicGrazing(alpha), alpha));
+        double alpha = Material.alpha(hit.mapped(coated.material()).coatRoughness());
+        float[] n = hit.coatNormal();
+        boolean isLit = equation.cosine(n[0], n[1], n[2]) > 0;
+        return weights(coated).coatedGrazing(coated, grazing,
+                factor.coat(isLit ? equation.metallicSpecular(n[0], n[1], n[2], hit.vx(), hit.vy(), hit.vz(), alpha) : 0, alpha),
+                factor.coat(isLit ? equation.metallicGrazing(n[0], n[1], n[2], hit.vx(), hit.vy(), hit.vz(), alpha) : 0, alpha));
     }
 
     private @Nullable AnisotropicHighlight highlight() {
@@ -101,7 +105,7 @@ record SurfaceTerms(LightingEquation equation, SurfacePoint hit, MaterialTable m
 
     private PrincipledWeights weights(PrincipledMaterial material) {
         var weights = new PrincipledWeights();
-        weights.moveTo(material, (float) hit.roughness(), hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz());
+        weights.moveTo(material, hit);
         return weights;
     }
 }

@@ -1,5 +1,7 @@
 package lightning.render.shading.layer;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.FaceHighlight;
@@ -58,19 +60,24 @@ final class HighlightFactors {
 
     /** Scales the terms of a row of a surface whose lobe has width α. */
     void scaleSurface(int row, double alpha, float[] specular, float[] grazing) {
-        scale(surface[set], row, alpha, specular, grazing);
+        scale(surface[set], requireNonNull(rows), row, alpha, specular, grazing);
     }
 
-    /** Scales the terms of the coat of a row, as {@link #scaleSurface}. */
-    void scaleCoat(int row, double alpha, float[] specular, float[] grazing) {
-        scale(coat[set], row, alpha, specular, grazing);
+    /**
+     * Scales the terms of the coat of a row, as {@link #scaleSurface}.
+     *
+     * @param over the rows with the normals of their coats
+     */
+    void scaleCoat(HitRows over, int row, double alpha, float[] specular, float[] grazing) {
+        scale(coat[set], over, row, alpha, specular, grazing);
     }
 
-    private void scale(float[] factors, int i, double alpha, float[] specular, float[] grazing) {
-        assert rows != null && samples != null && patterns != null;
+    private void scale(float[] factors, HitRows at, int i, double alpha, float[] specular, float[] grazing) {
+        assert samples != null && patterns != null;
         if (Float.isNaN(factors[i])) {
-            factors[i] = face.factor(samples, patterns.pattern[i], set * samples.samples(), rows.px[i], rows.py[i], rows.pz[i], rows.nx[i],
-                    rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i], rows.vz[i], alpha);
+            factors[i] =
+                    face.factor(samples, patterns.pattern[i], set * samples.samples(), at.px[i], at.py[i], at.pz[i], at.nx[i], at.ny[i],
+                            at.nz[i], at.vx[i], at.vy[i], at.vz[i], alpha);
         }
         specular[i] = FaceHighlight.scaled(specular[i], factors[i], alpha);
         grazing[i] = FaceHighlight.scaled(grazing[i], factors[i], alpha);

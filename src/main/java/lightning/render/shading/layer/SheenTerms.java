@@ -12,11 +12,13 @@ public final class SheenTerms {
      *
      * @param lx component x of the unit vector from each row to the light, as {@code ly} and {@code lz}
      */
-    public static void write(HitRows rows, int from, int to, int[] rowSet, SheenLayer sheen, double[] lx, double[] ly, double[] lz,
+    public static void write(HitRows rows, int from, int to, int[] rowSet, double[] roughness, double[] lx, double[] ly, double[] lz,
             float[] column) {
         for (int i = from; i < to; i++) {
             if (RowBits.contains(rowSet, i)) {
-                column[i] = sheen.term(rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i], rows.vz[i], lx[i], ly[i], lz[i]);
+                column[i] =
+                        SheenLayer.term(roughness[i], rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i], rows.vz[i], lx[i], ly[i],
+                                lz[i]);
             }
         }
     }

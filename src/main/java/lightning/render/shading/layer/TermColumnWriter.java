@@ -12,7 +12,9 @@ import lightning.render.shading.PrincipledWeights;
 import lightning.render.shading.SheenLayer;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.MappedSurface;
 import lightning.render.trace.MaterialTable;
+import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -31,12 +33,15 @@ final class TermColumnWriter {
     /** For each material whether its diffuse term is less than the cosine. */
     private final boolean[] losesDiffuse;
     private final PrincipledWeights weights = new PrincipledWeights();
-    /** Widths of the highlights of rows with a roughness map or an anisotropic material. */
+    private final MappedSurface mapped = new MappedSurface();
+    /** Width of the highlight of each row, or roughness of its sheen. */
     private final double[] widths;
     /** For each material whether its highlights have the shape of the faces of area lights. */
     private final boolean[] showsFaces;
     private final float[] coatSpecular;
     private final float[] coatGrazing;
+    /** Cosine of the light over the coat of each row. */
+    private final float[] coatCosine;
 
     /** @param diffuseOnly whether rows get no specular terms */
     TermColumnWriter(MaterialTable materials, TermKernel terms, RequiredWork required, boolean diffuseOnly) {
@@ -54,11 +59,13 @@ final class TermColumnWriter {
         for (int m = 0; m < showsFaces.length; m++) {
             showsFaces[m] = FaceHighlight.isShownBy(materials.material(m));
         }
-        boolean isMapped = Arrays.stream(principledMaterials).anyMatch(m -> m != null && (m.hasRoughnessMap() || m.highlight() != null));
-        widths = new double[isMapped ? TermKernel.MAX_ROWS : 0];
+        boolean hasWidths = Arrays.stream(principledMaterials)
+                .anyMatch(m -> m != null && (m.hasRoughnessMap() || m.hasCoatRoughnessMap() || m.highlight() != null || m.sheen() != null));
+        widths = new double[hasWidths ? TermKernel.MAX_ROWS : 0];
         boolean isCoated = Arrays.stream(principledMaterials).anyMatch(m -> m != null && m.coat() != null);
         coatSpecular = new float[isCoated ? TermKernel.MAX_ROWS : 0];
         coatGrazing = new float[coatSpecular.length];
+        coatCosine = new float[coatSpecular.length];
     }
 
     /** Returns the diffuse terms of lit rows: the cosine, except for metallic materials that are not principled. */
@@ -150,7 +157,7 @@ final class TermColumnWriter {
                     addCoat(rows, r, queried, principled, itsFactors, column, grazing);
                 }
                 if (principled != null && principled.sheen() != null) {
-                    addSheen(rows, r, queried, principled.sheen(), column, grazing);
+                    addSheen(rows, r, queried, principled, column, grazing);
                 }
             } else if (isSpecular(material)) {
                 terms.speculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.shininess(material), column);
@@ -165,8 +172,10 @@ final class TermColumnWriter {
     }
 
     private void writeMappedWidths(HitRows rows, int run, PrincipledMaterial material) {
+        mapped.start(material.material(), rows);
         for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
-            widths[i] = material.mappedAlpha(rows, i);
+            mapped.moveTo(i);
+            widths[i] = Material.alpha(mapped.roughness());
         }
     }
 
@@ -196,14 +205,32 @@ final class TermColumnWriter {
             float[] specular, float[] grazing) {
         int from = rows.runStart(run);
         int to = rows.runEnd[run];
+        HitRows over = material.hasCoatNormals() ? rows.withCoatNormals() : rows;
         double alpha = requireNonNull(material.coat()).alpha();
-        terms.metallicSpeculars(rows, from, to, queried, alpha, coatSpecular, coatGrazing);
+        mapped.start(material.material(), rows);
+        if (material.hasCoatRoughnessMap()) {
+            for (int i = from; i < to; i++) {
+                mapped.moveTo(i);
+                widths[i] = Material.alpha(mapped.coatRoughness());
+            }
+            terms.metallicSpeculars(over, from, to, queried, widths, coatSpecular, coatGrazing);
+        } else {
+            terms.metallicSpeculars(over, from, to, queried, alpha, coatSpecular, coatGrazing);
+        }
+        if (material.hasCoatNormals()) {
+            terms.cosines(over, coatCosine);
+            for (int i = from; i < to; i++) {
+                coatSpecular[i] = coatCosine[i] > 0 ? coatSpecular[i] : 0;
+                coatGrazing[i] = coatCosine[i] > 0 ? coatGrazing[i] : 0;
+            }
+        }
         for (int i = from; i < to; i++) {
             if (RowBits.contains(queried, i)) {
                 if (factors != null) {
-                    factors.scaleCoat(i, alpha, coatSpecular, coatGrazing);
+                    factors.scaleCoat(over, i, material.hasCoatRoughnessMap() ? widths[i] : alpha, coatSpecular, coatGrazing);
                 }
-                weights.moveTo(material, rows, i);
+                mapped.moveTo(i);
+                weights.moveTo(material, mapped, rows, i);
                 specular[i] *= weights.base();
                 grazing[i] = weights.coatedGrazing(material, grazing[i], coatSpecular[i], coatGrazing[i]);
             }
@@ -211,15 +238,19 @@ final class TermColumnWriter {
     }
 
     /** Changes the terms of a surface and its coat to one sum and the term of the fibers over them. */
-    private void addSheen(HitRows rows, int run, int[] queried, SheenLayer sheen, float[] specular, float[] grazing) {
+    private void addSheen(HitRows rows, int run, int[] queried, PrincipledMaterial material, float[] specular, float[] grazing) {
+        SheenLayer sheen = requireNonNull(material.sheen());
         int from = rows.runStart(run);
         int to = rows.runEnd[run];
+        mapped.start(material.material(), rows);
         for (int i = from; i < to; i++) {
             if (RowBits.contains(queried, i)) {
+                mapped.moveTo(i);
+                widths[i] = mapped.sheenRoughness();
                 specular[i] = sheen.below(specular[i], grazing[i]);
             }
         }
-        terms.sheens(rows, from, to, queried, sheen, grazing);
+        terms.sheens(rows, from, to, queried, widths, grazing);
     }
 
     /** Adds the rows to a set that may have a specular term for any sample of a light. */

@@ -134,6 +134,23 @@ public final class SurfaceHit {
         }
     }
 
+    /**
+     * Replaces the normal of the latest surface by that of its coat, which bumps of the surface do not change.
+     *
+     * @param map normal map of the coat
+     * @param dx  component x of the unit direction of the ray, as {@code dy} and {@code dz}
+     */
+    public void computeCoatNormal(PrimitiveTable primitives, int s, BumpMapping map, double dx, double dy, double dz) {
+        nx = (float) geometricX;
+        ny = (float) geometricY;
+        nz = (float) geometricZ;
+        boolean isSmooth = isSmooth(primitives, s);
+        if (isSmooth) {
+            smoothNormal.compute(facet, primitives.data, primitives.dataStart[s], geometricX, geometricY, geometricZ, shadingNormal);
+        }
+        applyShadingNormal(primitives, s, map, isSmooth, dx, dy, dz);
+    }
+
     /** Computes the point behind the latest surface, at which a refracted ray starts. Vertex normals do not lift it. */
     public void computeBackPoint() {
         double offset = (Math.abs(hitX * geometricX) + Math.abs(hitY * geometricY) + Math.abs(hitZ * geometricZ)) * OFFSET + hitError;

@@ -8,6 +8,7 @@ import java.util.function.Predicate;
 import lightning.scene.Stage;
 import lightning.scene.material.AlphaCutout;
 import lightning.scene.material.BumpMapping;
+import lightning.scene.material.CoatNormals;
 import lightning.scene.material.Material;
 import lightning.scene.material.Transmission;
 import lightning.scene.node.Shape;
@@ -17,6 +18,8 @@ import org.jspecify.annotations.Nullable;
 final class SurfaceTraits {
     /** Bump mapping of each primitive, null for none; null if there is none at all. */
     private final @Nullable BumpMapping @Nullable [] bumpMappings;
+    /** Normals of the coat of each primitive, null if they are those of the surface; null if there are none at all. */
+    private final @Nullable CoatNormals @Nullable [] coatNormals;
     /** Transmission of each primitive that refracts rays, null for none; null if there is none at all. */
     private final @Nullable Transmission @Nullable [] transmissions;
     /** Cutout of each primitive, null for none; null if there is none at all. */
@@ -26,6 +29,7 @@ final class SurfaceTraits {
 
     SurfaceTraits(Stage stage) {
         bumpMappings = forEachShape(stage, Material::bumpMapping, r -> !r.isFlat(), BumpMapping[]::new);
+        coatNormals = forEachShape(stage, Material::coatNormals, n -> n != CoatNormals.NONE, CoatNormals[]::new);
         transmissions = forEachShape(stage, m -> m.isClear() ? m.transmission() : Transmission.NONE, Transmission::isTransparent,
                 Transmission[]::new);
         cutouts = forEachShape(stage, Material::cutout, AlphaCutout::isActive, AlphaCutout[]::new);
@@ -96,10 +100,15 @@ final class SurfaceTraits {
         return one == other || one != null && other != null && one.refractsLike(other);
     }
 
-    /** Returns whether primitive {@code s} has the bump mapping of primitive {@code t} of another table. */
+    private CoatNormals coatNormals(int s) {
+        CoatNormals found = coatNormals == null ? null : coatNormals[s];
+        return found == null ? CoatNormals.NONE : found;
+    }
+
+    /** Returns whether primitive {@code s} has the bump mapping and the normals of the coat of primitive {@code t} of another table. */
     boolean hasSameNormals(int s, SurfaceTraits o, int t) {
         BumpMapping one = bumpMapping(s);
         BumpMapping other = o.bumpMapping(t);
-        return one == other || one != null && other != null && one.hasSameNormals(other);
+        return (one == other || one != null && other != null && one.hasSameNormals(other)) && coatNormals(s).areSame(o.coatNormals(t));
     }
 }

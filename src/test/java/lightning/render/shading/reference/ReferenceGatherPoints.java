@@ -103,7 +103,7 @@ final class ReferenceGatherPoints {
                 SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
                 candidates.add(hit);
                 if (materials.isReflective(hit.material())) {
-                    reflected.add(hit.reflectedRay());
+                    reflected.add(hit.reflectedRay(geometry.materials().material(hit.material())));
                 }
                 Ray through = materials.isClear(hit.material()) ? hit.refractedRay() : null;
                 if (through != null) {

@@ -1,7 +1,9 @@
 package lightning.render.shading.reference;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import lightning.base.math.Ray;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
@@ -27,13 +29,11 @@ import lightning.scene.material.Transmission;
  * @param rank   order among the rays that hit the cell
  * @param tint   product of the tints of the transparent surfaces in between: red, green, blue
  * @param texel  mean texture color of the cell: red, green, blue; null for none
- * @param glowTexel mean color of the glow map in the cell: red, green, blue; null for none
- * @param metalTexel mean of the metalness map in the cell, {@code float[1]}; null for none
+ * @param maps   means of the material's other images in the cell, as in {@link SurfacePoint#maps}
  * @param dark   whether the ray does not count the glow of what it hits, because other rays are aimed at it
  */
 record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long cell, int rank, float[] tint, float[] texel,
-        float[] glowTexel, float[] metalTexel,
-        boolean dark) {
+        Map<ColumnGroup, float[]> maps, boolean dark) {
     // Arrays in a record: written once by their creator, never after.
 
     /** Casts the rays of a point, in directions of {@link DirectionTable#write}. */
@@ -54,8 +54,20 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
         return rays;
     }
 
+    private static Map<ColumnGroup, float[]> meanMaps(Geometry geometry, int primitive, Ray ray, double side) {
+        Map<ColumnGroup, float[]> means = new EnumMap<>(ColumnGroup.class);
+        for (ColumnGroup group : ColumnGroup.TEXELS) {
+            float[] mean = group == ColumnGroup.TEXEL || group == ColumnGroup.COAT_NORMAL ? null
+                    : geometry.meanMapTexelBruteForce(group, primitive, ray, side);
+            if (mean != null) {
+                means.put(group, mean);
+            }
+        }
+        return means;
+    }
+
     private ReferenceGatherRay darkened() {
-        return new ReferenceGatherRay(hit, direction, length, cell, rank, tint, texel, glowTexel, metalTexel, true);
+        return new ReferenceGatherRay(hit, direction, length, cell, rank, tint, texel, maps, true);
     }
 
     /** Returns the normal of the surface on which a point lies; null if the point is shaded by this normal. */
@@ -99,8 +111,7 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
                 return new ReferenceGatherRay(hit, ray.direction(), length,
                         keys.surfelKey(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz(), primitive, length), rank, tint,
                         geometry.meanTexelBruteForce(primitive, ray, side),
-                        geometry.meanMapTexelBruteForce(ColumnGroup.GLOW_TEXEL, primitive, ray, side),
-                        geometry.meanMapTexelBruteForce(ColumnGroup.METALNESS_TEXEL, primitive, ray, side), false);
+                        meanMaps(geometry, primitive, ray, side), false);
             }
             if (surfaces == RayBatch.MAX_SURFACES) {
                 return miss(ray, rank, new float[3]);
@@ -114,7 +125,7 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
     }
 
     private static ReferenceGatherRay miss(Ray ray, int rank, float[] tint) {
-        return new ReferenceGatherRay(null, ray.direction(), Double.POSITIVE_INFINITY, 0, rank, tint, null, null, null, false);
+        return new ReferenceGatherRay(null, ray.direction(), Double.POSITIVE_INFINITY, 0, rank, tint, null, Map.of(), false);
     }
 
     /** Multiplies a tint by the transmittance of a surface, by the angle from outside. */

@@ -14,6 +14,8 @@ import lightning.render.gather.glow.GlowShapes;
 import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.IndirectSolver;
 import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows.ColumnGroup;
+import lightning.render.trace.MappedSurface;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.PrincipledColors;
 import lightning.render.trace.SurfacePoint;
@@ -46,11 +48,11 @@ final class ReferenceIndirect {
      * Small part of a surface, lit at one place.
      *
      * @param texel  mean texture color of its cell: red, green, blue
-     * @param metalTexel mean of its metalness map, {@code float[1]}; null for none
+     * @param mapped numbers of a principled material with the means of its maps
      * @param direct lights' diffuse sum: red, green, blue
      * @param glow   light that it emits itself: red, green, blue
      */
-    private record Surfel(SurfacePoint at, float[] texel, float[] metalTexel, float[] direct, float[] glow) {}
+    private record Surfel(SurfacePoint at, float[] texel, MappedSurface mapped, float[] direct, float[] glow) {}
 
     /** @param directLight returns the lights' diffuse sum at a surface: red, green, blue */
     ReferenceIndirect(Scene scene, Geometry geometry, GatherSettings settings, BackgroundLight leaving,
@@ -98,12 +100,15 @@ final class ReferenceIndirect {
         MaterialTable materials = geometry.materials();
         int material = ray.hit().material();
         float[] glow = new float[3];
+        float[] glowMap = ray.maps().get(ColumnGroup.GLOW_TEXEL);
         for (int c = 0; c < 3; c++) {
             float emitted = (1 - materials.reflective(material, c)) * materials.ownGlow(material, c);
-            glow[c] = ray.glowTexel() == null ? emitted : emitted * ray.glowTexel()[c];
+            glow[c] = glowMap == null ? emitted : emitted * glowMap[c];
         }
         surfelByCell.put(ray.cell(), surfels.size());
-        surfels.add(new Surfel(ray.hit(), ray.texel(), ray.metalTexel(), directLight.apply(ray.hit()), glow));
+        var mapped = new MappedSurface();
+        mapped.moveTo(materials.material(material), ray.maps());
+        surfels.add(new Surfel(ray.hit(), ray.texel(), mapped, directLight.apply(ray.hit()), glow));
     }
 
     /** Returns one channel of the share that a surfel sends back. */
@@ -116,11 +121,10 @@ final class ReferenceIndirect {
 
     private float principledAlbedo(Surfel surfel, Material material, int c) {
         var colors = new PrincipledColors(material);
-        double metalness = surfel.metalTexel() == null ? material.metalness() : material.mappedMetalness(surfel.metalTexel()[0]);
-        float kd = colors.diffuse(c, metalness) * surfel.texel()[c];
-        float f0 = colors.metalF0(c, metalness) * surfel.texel()[c] + colors.specular(c, metalness);
-        return ReferenceSheen.albedo(material, c,
-                kd * (1 - meanFresnel((float) (material.f0() * material.specularTint().max()))) + meanFresnel(f0));
+        float kd = colors.diffuse(c, surfel.mapped()) * surfel.texel()[c];
+        float f0 = colors.f0(c, surfel.mapped(), surfel.texel()[c]);
+        return ReferenceSheen.albedo(material, surfel.mapped(), c,
+                kd * (1 - meanFresnel(surfel.mapped().largestNonmetalF0())) + meanFresnel(f0));
     }
 
     private static float meanFresnel(float f0) {

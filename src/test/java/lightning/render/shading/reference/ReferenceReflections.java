@@ -81,8 +81,8 @@ final class ReferenceReflections {
         PrincipledRow colors = new PrincipledRow();
         colors.start(ShadingMaterial.of(materials, m), rows);
         colors.moveTo(row);
-        float below = 1 - hemispherical((float) (materials.material(m).f0() * materials.material(m).specularTint().max()));
-        return ReferenceSheen.albedo(materials.material(m), c, colors.diffuse(c) * below + hemispherical(colors.f0(c)));
+        float below = 1 - hemispherical(colors.surface().largestNonmetalF0());
+        return ReferenceSheen.albedo(materials.material(m), colors.surface(), c, colors.diffuse(c) * below + hemispherical(colors.f0(c)));
     }
 
     private static float hemispherical(float f0) {

@@ -2,7 +2,7 @@ package lightning.render.shading.reference;
 
 import lightning.render.lobe.SheenLobe;
 import lightning.render.shading.LightingEquation;
-import lightning.render.shading.PrincipledMaterial;
+import lightning.render.trace.MappedSurface;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.material.Material;
 
@@ -18,16 +18,16 @@ final class ReferenceSheen {
     /** Returns the second sum of a light: its term of fibers, or the grazing term. */
     static float second(Material material, LightingEquation equation, SurfacePoint hit, float grazing) {
         return material.hasSheen() ? equation.sheen(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(),
-                PrincipledMaterial.of(material).sheen()) : grazing;
+                hit.mapped(material).sheenRoughness()) : grazing;
     }
 
     /** Returns one channel of the share that a surfel with a sheen sends back. @param below share without it */
-    static float albedo(Material material, int c, float below) {
+    static float albedo(Material material, MappedSurface at, int c, float below) {
         if (!material.hasSheen()) {
             return below;
         }
-        float mean = new SheenLobe(material.sheen().roughness()).meanAlbedo();
-        float[] color = {(float) material.sheen().color().r(), (float) material.sheen().color().g(), (float) material.sheen().color().b()};
-        return below * (1 - (float) material.sheen().color().max() * mean) + color[c] * mean;
+        float mean = SheenLobe.meanAlbedo(at.sheenRoughness());
+        float max = Math.max(at.sheen(0), Math.max(at.sheen(1), at.sheen(2)));
+        return below * (1 - max * mean) + at.sheen(c) * mean;
     }
 }

@@ -184,7 +184,7 @@ public final class ReferenceTracer {
         int material = hit.material();
         float[] mirrored = {0, 0, 0};
         if (materials.isReflective(material) && depth > 0) {
-            mirrored = mirrorTracer.color(hit.reflectedRay(), depth - 1, pattern);
+            mirrored = mirrorTracer.color(hit.reflectedRay(materials.material(material)), depth - 1, pattern);
         }
         Ray through = materials.isClear(material) && depth > 0 ? hit.refractedRay() : null;
         float[] refracted = through == null ? new float[3] : mirrorTracer.color(through, depth - 1, pattern);
@@ -413,15 +413,17 @@ public final class ReferenceTracer {
         if (principled == null || principled.coat() == null) {
             return grazing;
         }
-        double alpha = principled.coat().alpha();
+        double alpha = Material.alpha(hit.mapped(principled.material()).coatRoughness());
+        float[] n = hit.coatNormal();
+        boolean isLit = equation.cosine(n[0], n[1], n[2]) > 0;
         return weights(principled, hit).coatedGrazing(principled, grazing,
-                factor.coat(equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha), alpha),
-                factor.coat(equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha), alpha));
+                factor.coat(isLit ? equation.metallicSpecular(n[0], n[1], n[2], hit.vx(), hit.vy(), hit.vz(), alpha) : 0, alpha),
+                factor.coat(isLit ? equation.metallicGrazing(n[0], n[1], n[2], hit.vx(), hit.vy(), hit.vz(), alpha) : 0, alpha));
     }
 
     private static PrincipledWeights weights(PrincipledMaterial material, SurfacePoint hit) {
         PrincipledWeights weights = new PrincipledWeights();
-        weights.moveTo(material, (float) hit.roughness(), hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz());
+        weights.moveTo(material, hit);
         return weights;
     }
 
@@ -437,7 +439,8 @@ public final class ReferenceTracer {
             shine += mirrored * weights.mirrored(material);
             graze += mirrored * weights.mirroredGrazing(material);
         }
-        return weights.color(material, c, emitted(hit, c), hit.diffuse()[c], diffuse, hit.specular()[c], material.colors().square(c, hit),
+        return weights.color(material, c, emitted(hit, c), hit.diffuse()[c], diffuse, hit.specular()[c],
+                material.colors().square(c, hit.mapped(material.material()), hit.texel()[c]),
                 shine, graze,
                 isFrosted ? weights.passing(material, c, light[6 + c]) : 0);
     }

@@ -1,4 +1,4 @@
-package lightning.format.exchange.usd;
+package lightning.format.exchange.assembly;
 
 import java.awt.Transparency;
 import java.awt.color.ColorSpace;
@@ -10,7 +10,6 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import javax.imageio.ImageIO;
 import lightning.base.math.SrgbCurve;
-import lightning.format.exchange.assembly.TextureMeans;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureUsage;
 
@@ -18,7 +17,7 @@ import lightning.scene.asset.TextureUsage;
  * Image of equal tiles, written as PNG. Each pixel of a tile is the mean of its pixels in the tile's image, in linear light, and the
  * image's own pixel if their sizes are equal.
  */
-final class TextureAtlas {
+public final class TextureAtlas {
     private static final int BYTE = 8;
     private static final int SHORT = 16;
 
@@ -31,7 +30,7 @@ final class TextureAtlas {
     private boolean isClamped;
 
     /** @param isDeep 16 bits for each channel, else 8 */
-    TextureAtlas(int columns, int rows, int tileWidth, int tileHeight, TextureUsage usage, boolean isDeep) {
+    public TextureAtlas(int columns, int rows, int tileWidth, int tileHeight, TextureUsage usage, boolean isDeep) {
         this.tileWidth = tileWidth;
         this.tileHeight = tileHeight;
         isColor = usage == TextureUsage.COLOR;
@@ -44,7 +43,7 @@ final class TextureAtlas {
     }
 
     /** Draws a tile; rows count from the top. */
-    void draw(Texture tile, int column, int row) {
+    public void draw(Texture tile, int column, int row) {
         int[] line = new int[3 * tileWidth];
         for (int y = 0; y < tileHeight; y++) {
             int y0 = (int) ((long) y * tile.height() / tileHeight);
@@ -68,11 +67,12 @@ final class TextureAtlas {
     }
 
     /** Returns whether values above 1 were drawn as 1. */
-    boolean isClamped() {
+    public boolean isClamped() {
         return isClamped;
     }
 
-    byte[] png() throws IOException {
+    /** Returns the file. */
+    public byte[] png() throws IOException {
         var out = new ByteArrayOutputStream();
         ImageIO.write(image, "png", out);
         return out.toByteArray();
