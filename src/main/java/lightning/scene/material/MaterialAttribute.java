@@ -361,7 +361,8 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
                 || get(a) instanceof Rgb before && get(b) instanceof Rgb after && equalsAsFloat(before, after);
     }
 
-    private boolean isPartOfNothing(Material m) {
+    /** Returns whether it belongs to a map or an effect that a material lacks, so that its value changes nothing. */
+    public boolean isPartOfNothing(Material m) {
         return this == ANISOTROPY_ROTATION && m.anisotropy().strength() == 0
                 || this == ROUGHNESS_CHANNEL && m.surfaceMaps().roughness().isEmpty()
                 || this == METALNESS_CHANNEL && m.surfaceMaps().metalness().isEmpty()

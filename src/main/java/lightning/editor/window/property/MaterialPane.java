@@ -77,11 +77,12 @@ final class MaterialPane extends VBox {
 
     /** Titled section of widgets. */
     private record PropertySection(TitledPane pane, List<Row> rows) {
-        /** Shows the attributes that apply to a material; all for null. */
+        /** Shows the attributes that apply to a material and do something; all for null. */
         void showApplicable(@Nullable Material material) {
             boolean hasVisible = false;
             for (Row row : rows) {
-                boolean applies = material == null || row.attribute().appliesTo(material.model());
+                boolean applies = material == null
+                        || row.attribute().appliesTo(material.model()) && !row.attribute().isPartOfNothing(material);
                 hasVisible |= applies;
                 row.node().setVisible(applies);
                 row.node().setManaged(applies);

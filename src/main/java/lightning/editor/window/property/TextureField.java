@@ -51,6 +51,8 @@ final class TextureField extends VBox {
     private final TextField file = new TextField();
     private final FileMenu fileMenu;
     private final Label refusal = new Label();
+    /** Place on the surface, shown with a texture. */
+    private final VBox place = new VBox();
     private final List<NumberWidget> numbers;
     private final AttributeChoiceBox<TextureWrap> wrap;
     private final DisabledReason disabledReason;
@@ -65,7 +67,7 @@ final class TextureField extends VBox {
         getStyleClass().add("texture-part");
         file.setId(attribute.id());
         file.setAccessibleText(Messages.tr("{0}: file name", title));
-        file.setPromptText(Messages.tr("none"));
+        file.setPromptText(Messages.tr("{0}: none", title));
         file.setOnAction(_ -> commit());
         file.focusedProperty().addListener((_, was, _) -> {
             if (was) {
@@ -123,8 +125,11 @@ final class TextureField extends VBox {
                 e.consume();
             }
         });
-        numbers.forEach(number -> getChildren().add(number.widget));
-        getChildren().add(MaterialPane.labeled(Messages.tr("Wrap"), wrap));
+        numbers.forEach(number -> place.getChildren().add(number.widget));
+        place.getChildren().add(MaterialPane.labeled(Messages.tr("Wrap"), wrap));
+        place.getStyleClass().add("texture-part");
+        place.managedProperty().bind(place.visibleProperty());
+        getChildren().add(place);
     }
 
     /** Returns the name of the repeat property in the scene file. */
@@ -166,6 +171,7 @@ final class TextureField extends VBox {
             revert();
         }
         Optional<String> reason = attribute.get(material).isEmpty() ? missingReason : Optional.empty();
+        place.setVisible(reason.isEmpty());
         numbers.forEach(number -> {
             number.widget.setDisabledReason(reason);
             number.widget.show(attribute.get(material).map(number.value::applyAsDouble).orElse(number.initial));
@@ -178,6 +184,7 @@ final class TextureField extends VBox {
     void showNothing() {
         shownMaterial = null;
         revert();
+        place.setVisible(false);
         numbers.forEach(number -> number.widget.showNothing());
         wrap.showNothing();
     }
