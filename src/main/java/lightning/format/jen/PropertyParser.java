@@ -41,7 +41,7 @@ final class PropertyParser {
         if (property == null) {
             String hint = NameSuggestion.hint(name, block.type.propertyNames());
             problem(token, token, block.title() + ": unknown property " + Quote.of(name)
-                    + (hint.isEmpty() ? ", expected one of " + String.join(", ", block.type.propertyNames()) : hint));
+                    + (hint.isEmpty() ? ", expected one of " + NameSuggestion.list(block.type.propertyNames()) : hint));
             return skipValue(block, token + 1);
         }
         if (!block.markWritten(property)) {

@@ -2,7 +2,9 @@ package lightning.format.jen.asset;
 
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import lightning.base.text.Quote;
 
 /** Suggestions for misspelled words. */
@@ -58,5 +60,12 @@ public final class NameSuggestion {
             last = row;
         }
         return last[b.length()];
+    }
+
+    /** Returns names for a message, without those that place a map, such as {@code coat_repeat} of {@code coat_map}. */
+    public static String list(List<String> names) {
+        return names.stream()
+                .filter(name -> name.endsWith("_map") || !names.contains(name.substring(0, Math.max(0, name.lastIndexOf('_'))) + "_map"))
+                .collect(Collectors.joining(", "));
     }
 }
