@@ -234,7 +234,7 @@ public final class FaceHighlight {
         double lastY = hy[CORNERS - 1];
         double lastZ = hz[CORNERS - 1];
         int count = 0;
-        // Each corner is read before its place is written: a plane adds at most one corner to those that are left.
+        // Half vectors of a wide face are not exactly convex: the horizon may cut every side, so there is room for twice as many corners.
         double[] x = hx.clone();
         double[] y = hy.clone();
         double[] z = hz.clone();

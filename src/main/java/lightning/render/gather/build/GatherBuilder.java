@@ -103,8 +103,8 @@ public final class GatherBuilder {
     }
 
     /**
-     * Uses the paths before an edit, if few enough objects changed. Of the rays of blurred reflections it uses those that no edit of objects can
-     * change. The structure then contains no rows of surfels that stay.
+     * Uses the paths before an edit, if few enough objects changed; rays of blurred reflections only if no object did. The structure then
+     * contains no rows of surfels that stay.
      *
      * @param old      paths of a picture with the same camera, size and settings
      * @param rows     rows of its surfels
@@ -114,13 +114,17 @@ public final class GatherBuilder {
      */
     public void remember(GatherStructure old, HitRows[] rows, Geometry previous, ShapeChange shapes,
             IntFunction<Tracer> itsTracers) {
+        boolean keepsReflections = settings.reflections() && shapes == ShapeChange.NONE;
+        if (!settings.gathers() && !keepsReflections) {
+            return;
+        }
         KnownSurfels known = KnownSurfels.of(old, rows, shapes, keys);
         if (settings.gathers()) {
             before = old;
             memo = PathMemo.of(old, known, previous, shapes, geometry, keys);
             memoTracers = itsTracers;
         }
-        if (shapes == ShapeChange.NONE && settings.reflections()) {
+        if (keepsReflections) {
             reflectionMemo = ReflectionMemo.of(old.reflections(), known.keys(), previous.materials(), geometry.materials(), seenGlows);
         }
         knownSurfels = memo == null && reflectionMemo == null ? null : known;
@@ -163,14 +167,13 @@ public final class GatherBuilder {
         PointPlacer placer =
                 new PointPlacer(workers, new ProgressPart(progress, CANDIDATES_SHARE, POINTS_SHARE), keys, pointCaster, memory);
         placer.place(settings.gathers() ? candidates.stream().map(level -> level.surfaces).toList() : List.of());
-        ReflectionCaster[] reflectionCasters = reflectionCasters();
-        ReflectionPlacer reflecting = settings.reflections() ? placeReflections(candidates, reflectionCasters, memory) : null;
+        ReflectionPlacer reflecting = settings.reflections() ? placeReflections(candidates, memory) : null;
         PathCaster surfelCaster = caster(new DirectionTable(settings.surfelRaysPerSide()), memory, false);
         double surfelsEnd = settings.environment() ? SURFELS_SHARE : 1;
         SurfelBuilder surfels =
                 new SurfelBuilder(workers, new ProgressPart(progress, POINTS_SHARE, surfelsEnd), keys, surfelCaster, knownSurfels, memory,
                         surfelBytes(), glows);
-        surfels.build(placer.sources, placer.links, pointCaster, reflecting, reflectionCasters, settings.pathBounces());
+        surfels.build(placer.sources, placer.links, pointCaster, reflecting, settings.pathBounces());
         RimCaster rimCaster = new RimCaster(keys, directions, glows, placer.sources, placer.links, surfels.cells(), memo);
         RimLinks rims = settings.environment() ? castThroughRims(rimCaster, placer, surfels, memory) : RimLinks.none();
         PointGroups groups = new PointGroups(placer.points, placer.radius);
@@ -191,17 +194,18 @@ public final class GatherBuilder {
     }
 
     private ReflectionCaster[] reflectionCasters() {
-        ReflectionCaster[] casters = new ReflectionCaster[settings.reflections() ? tracers.length : 0];
+        ReflectionCaster[] casters = new ReflectionCaster[tracers.length];
         Arrays.setAll(casters,
                 worker -> new ReflectionCaster(geometry, scene, tracers[worker], keys, reflectionDirections, lobes, seenGlows));
         return casters;
     }
 
-    private ReflectionPlacer placeReflections(List<SeenSurfaces> candidates, ReflectionCaster[] casters, PathMemory memory) {
-        ReflectionPlacer reflecting = new ReflectionPlacer(workers, new ProgressPart(progress, POINTS_SHARE, POINTS_SHARE), keys, casters,
-                lobes, geometry.primitives().material, ReflectionCaster.raysPerPoint(reflectionDirections, seenGlows),
-                reflectionDirections.rays,
-                memory, reflectionMemo);
+    private ReflectionPlacer placeReflections(List<SeenSurfaces> candidates, PathMemory memory) {
+        ReflectionPlacer reflecting =
+                new ReflectionPlacer(workers, new ProgressPart(progress, POINTS_SHARE, POINTS_SHARE), keys, reflectionCasters(),
+                        lobes, geometry.primitives().material, ReflectionCaster.raysPerPoint(reflectionDirections, seenGlows),
+                        reflectionDirections.rays,
+                        memory, reflectionMemo);
         reflecting.place(candidates, IntStream.range(0, lobes.length).mapToObj(geometry.materials()::material).toList());
         return reflecting;
     }

@@ -14,7 +14,6 @@ import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.RaySources;
 import lightning.render.gather.ray.SurfelRays;
 import lightning.render.gather.ray.TiltedNormals;
-import lightning.render.gather.reflection.ReflectionCaster;
 import lightning.render.gather.reflection.ReflectionLinks;
 import lightning.render.gather.reflection.ReflectionPlacer;
 import lightning.render.trace.HitRows;
@@ -108,10 +107,10 @@ final class SurfelBuilder {
      * @param pointCaster of the gather points' rays
      */
     void build(RaySources points, RayLinks pointLinks, PathCaster pointCaster, @Nullable ReflectionPlacer reflecting,
-            ReflectionCaster[] reflectionCasters, int bounces) {
+            int bounces) {
         addSurfels(new PathRays(points, pointLinks, pointCaster), 0, cells);
         if (reflecting != null) {
-            addReflected(reflecting.rays(reflectionCasters, false), cells);
+            addReflected(reflecting.rays(false), cells);
         }
         int linked = 0;
         // The environment's light reaches the last surfels by rays of their own.
@@ -125,7 +124,7 @@ final class SurfelBuilder {
             linked = to;
         }
         if (reflecting != null) {
-            addDetails(reflecting, reflectionCasters);
+            addDetails(reflecting);
         }
         glowing = IntStream.range(0, surfels.count).filter(s -> glows.contains(surfels.primitive[s])).toArray();
         number(pointLinks);
@@ -133,10 +132,10 @@ final class SurfelBuilder {
     }
 
     /** Adds the parts of surfels that reflections meet, after all surfels. */
-    private void addDetails(ReflectionPlacer reflecting, ReflectionCaster[] reflectionCasters) {
+    private void addDetails(ReflectionPlacer reflecting) {
         int whole = surfels.count;
         ReflectionLinks rays = reflecting.links;
-        int[] firsts = addReflected(reflecting.rays(reflectionCasters, true), details);
+        int[] firsts = addReflected(reflecting.rays(true), details);
         surfelOfDetail = Arrays.stream(firsts).map(ray -> cells.number(rays.key(ray))).toArray();
         partKeys = Arrays.stream(firsts).mapToLong(rays::detailKey).toArray();
         near.clear(whole, surfels.count);

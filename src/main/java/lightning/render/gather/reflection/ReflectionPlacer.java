@@ -127,9 +127,9 @@ public final class ReflectionPlacer {
         links.finish(cells, details, surfels, repeated, workers, part);
     }
 
-    /** Returns the rays of the points, as they find surfels. */
-    public SurfelRays rays(ReflectionCaster[] itsCasters, boolean details) {
-        return new ReflectionRays(points, links, itsCasters, details, repeated);
+    /** Returns the rays of the points as they find surfels, or parts of surfels. */
+    public SurfelRays rays(boolean details) {
+        return new ReflectionRays(points, links, casters, details, repeated);
     }
 
     private void placePoints(List<SeenSurfaces> levels) {

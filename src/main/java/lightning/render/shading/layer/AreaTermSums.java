@@ -1,8 +1,11 @@
 package lightning.render.shading.layer;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.render.shading.AngularMask;
 import lightning.render.shading.AreaSamples;
+import lightning.render.shading.FaceHighlight;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightingEquation;
 import lightning.render.shading.TermKernel;
@@ -14,7 +17,10 @@ import org.jspecify.annotations.Nullable;
 final class AreaTermSums {
     private final TermKernel terms;
     private final TermColumnWriter columnWriter;
-    private final HighlightFactors highlightFactors = new HighlightFactors(TermKernel.MAX_ROWS);
+    /** Allocated on first use. */
+    private @Nullable HighlightFactors highlightFactors;
+    /** Whether rows show the light's face in their highlights. */
+    private boolean showsFace;
     private final int[] metallicRows = RowBits.allocate();
     /** Rows that may have a specular term for any sample. */
     private final int[] mayHaveHighlight = RowBits.allocate();
@@ -55,9 +61,13 @@ final class AreaTermSums {
         if (source.samples(rows).color != null) {
             beginColors(rows.count);
         }
+        showsFace = hasSpecular && FaceHighlight.hasFace(source) && columnWriter.showsFaces(rows);
+        if (showsFace) {
+            highlightFactors = highlightFactors == null ? new HighlightFactors(TermKernel.MAX_ROWS) : highlightFactors;
+            highlightFactors.begin(rows, source, rays);
+        }
         Arrays.fill(mayHaveHighlight, 0);
         if (hasSpecular) {
-            highlightFactors.begin(rows, source, rays);
             columnWriter.addPossibleHighlights(rows, source, mayHaveHighlight);
         }
     }
@@ -92,8 +102,11 @@ final class AreaTermSums {
             for (int b = 0; b < RowBits.words(rows.count); b++) {
                 highlightRows[b] = rowSet[b] & mayHaveHighlight[b];
             }
-            highlightFactors.setSample(s);
-            columnWriter.writeSpeculars(rows, highlightRows, specular, grazing, highlightFactors);
+            HighlightFactors ofFace = showsFace ? requireNonNull(highlightFactors) : null;
+            if (ofFace != null) {
+                ofFace.setSample(s);
+            }
+            columnWriter.writeSpeculars(rows, highlightRows, specular, grazing, ofFace);
             terms.accumulate(specular, falloffOrNull, highlightRows, rows.count, specularSum);
         }
         if (hasMetallic) {

@@ -18,7 +18,6 @@ final class HighlightFactors {
     private final FaceHighlight face = new FaceHighlight();
     private final float[][] surface;
     private final float[][] coat;
-    private @Nullable HitRows rows;
     private @Nullable AreaSamples samples;
     private @Nullable RowShadowRays patterns;
     private int set;
@@ -30,37 +29,28 @@ final class HighlightFactors {
     }
 
     /**
-     * Moves to the rows of a tile and an area light.
+     * Moves to the rows of a tile and an area light for which {@link FaceHighlight#hasFace} holds.
      *
      * @param itsPatterns pattern of each row
      */
-    void begin(HitRows itsRows, LightSource source, RowShadowRays itsPatterns) {
-        rows = itsRows;
+    void begin(HitRows rows, LightSource source, RowShadowRays itsPatterns) {
         patterns = itsPatterns;
-        samples = FaceHighlight.hasFace(source) ? source.samples(itsRows) : null;
-        set = 0;
-        if (samples != null) {
-            face.aim(source);
-            for (int k = 0; k < surface.length; k++) {
-                Arrays.fill(surface[k], 0, itsRows.count, Float.NaN);
-                Arrays.fill(coat[k], 0, itsRows.count, Float.NaN);
-            }
+        samples = source.samples(rows);
+        face.aim(source);
+        for (int k = 0; k < surface.length; k++) {
+            Arrays.fill(surface[k], 0, rows.count, Float.NaN);
+            Arrays.fill(coat[k], 0, rows.count, Float.NaN);
         }
     }
 
     /** Moves to a sample of the light. */
     void setSample(int s) {
-        set = samples == null ? 0 : s / samples.samples();
-    }
-
-    /** Returns whether any factor may differ from 1. */
-    boolean areActive() {
-        return samples != null;
+        set = s / requireNonNull(samples).samples();
     }
 
     /** Scales the terms of a row of a surface whose lobe has width α. */
-    void scaleSurface(int row, double alpha, float[] specular, float[] grazing) {
-        scale(surface[set], requireNonNull(rows), row, alpha, specular, grazing);
+    void scaleSurface(HitRows rows, int row, double alpha, float[] specular, float[] grazing) {
+        scale(surface[set], rows, row, alpha, specular, grazing);
     }
 
     /**

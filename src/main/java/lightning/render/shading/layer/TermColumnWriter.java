@@ -134,7 +134,7 @@ final class TermColumnWriter {
      * Writes the specular terms of the rows of a set whose material is specular.
      *
      * @param grazing receives the grazing terms of metallic rows; unread if there are none
-     * @param factors of an area light that the terms were aimed at; null for a point light
+     * @param factors of an area light that the terms were aimed at, if rows show its face; otherwise null
      */
     void writeSpeculars(HitRows rows, int[] queried, float[] column, float @Nullable [] grazing, @Nullable HighlightFactors factors) {
         for (int r = 0; r < rows.runCount; r++) {
@@ -149,7 +149,7 @@ final class TermColumnWriter {
                 } else {
                     terms.metallicSpeculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.alpha(material), column, grazing);
                 }
-                HighlightFactors itsFactors = factors != null && factors.areActive() && showsFaces[material] ? factors : null;
+                HighlightFactors itsFactors = factors != null && showsFaces[material] ? factors : null;
                 if (itsFactors != null) {
                     scaleSurface(rows, r, queried, principled, itsFactors, column, grazing);
                 }
@@ -195,7 +195,7 @@ final class TermColumnWriter {
         double alpha = materials.alpha(rows.runMaterial[run]);
         for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
             if (RowBits.contains(queried, i)) {
-                factors.scaleSurface(i, isMapped ? widths[i] : alpha, specular, grazing);
+                factors.scaleSurface(rows, i, isMapped ? widths[i] : alpha, specular, grazing);
             }
         }
     }
@@ -269,6 +269,16 @@ final class TermColumnWriter {
     boolean hasSpecular(HitRows rows) {
         for (int r = 0; r < rows.runCount; r++) {
             if (isSpecular(rows.runMaterial[r])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Returns whether any row's material shows faces of area lights in its highlights. */
+    boolean showsFaces(HitRows rows) {
+        for (int r = 0; r < rows.runCount; r++) {
+            if (showsFaces[rows.runMaterial[r]]) {
                 return true;
             }
         }
