@@ -65,7 +65,7 @@ public final class EdgeCaseScenes {
             lit.add(light.withName("l" + lit.size()));
         }
         PictureSettings picture = new PictureSettings(9, 7, depth);
-        Scene scene = isTooBright(new Scene(picture, Camera.DEFAULT, world, List.of(material), named, List.of()), LightRig.of(lit));
+        Scene scene = dimmed(new Scene(picture, Camera.DEFAULT, world, List.of(material), named, List.of()), LightRig.of(lit));
         Vec3 at = scene.placedShapes().getFirst().toWorld().transformPoint(Vec3.ZERO);
         Vec3 to = clamp(at);
         Vec3 from = clamp(to.plus(view.direction.times(view.distance)));
@@ -77,7 +77,7 @@ public final class EdgeCaseScenes {
     }
 
     /** Returns a scene with these lights and groups, dimmed if necessary to the maximum that its materials allow. */
-    public static Scene isTooBright(Scene scene, LightRig rig) {
+    public static Scene dimmed(Scene scene, LightRig rig) {
         Scene dark = scene.withLights(List.of());
         LightRig lit = rig;
         for (Optional<OverflowCheck> glare = OverflowCheck.of(dark.stage(), lit); glare.isPresent();
@@ -98,7 +98,7 @@ public final class EdgeCaseScenes {
                 .map(light -> light.withIntensity(0)).toList());
         lit.rig().effectiveLights().forEach(light -> lights.add(light.withName("other " + light.name())
                 .withArea(light.area().withVisibility(FaceVisibility.HIDDEN))));
-        return isTooBright(scene, scene.rig().withLights(lights)).withWorld(lit.world());
+        return dimmed(scene, scene.rig().withLights(lights)).withWorld(lit.world());
     }
 
     private static Vec3 clamp(Vec3 p) {

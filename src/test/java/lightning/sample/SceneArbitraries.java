@@ -53,7 +53,7 @@ public final class SceneArbitraries {
             int bank = members >> 2 * lights.size() & 3;
             lights.add(bank < 2 ? light.withLightGroup(banks.get(bank).name()) : light);
         }
-        return EdgeCaseScenes.isTooBright(scene, LightRig.of(lights, banks));
+        return EdgeCaseScenes.dimmed(scene, LightRig.of(lights, banks));
     }
 
     /** Scale of the scene and its position in the world. */
@@ -80,7 +80,7 @@ public final class SceneArbitraries {
         for (LightTemplate seed : seeds) {
             lights.add(seed.instantiate(dark, "l" + lights.size()));
         }
-        return EdgeCaseScenes.isTooBright(dark, LightRig.of(lights));
+        return EdgeCaseScenes.dimmed(dark, LightRig.of(lights));
     }
 
     private static Arbitrary<CoordinateFrame> frames() {

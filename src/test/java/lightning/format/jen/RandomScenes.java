@@ -44,6 +44,8 @@ import lightning.scene.value.SceneLimits;
 final class RandomScenes {
     /** Files that random scenes reference, with different images. */
     static final List<String> TEXTURES = List.of("a.png", "sub/b c.png", "ä.png");
+    /** Of a light. Colors and groups multiply it by up to a million, and the sharpest highlight by a few hundred. */
+    private static final double MAX_INTENSITY = 1e24;
 
     private final Random random;
     private final List<Texture> images;
@@ -189,7 +191,7 @@ final class RandomScenes {
             case 0 -> l.withName(name());
             case 1 -> l.withType(LightType.values()[random.nextInt(3)]);
             case 2 -> l.withColor(color(1000));
-            case 3 -> l.withIntensity(positive(1e30));
+            case 3 -> l.withIntensity(positive(MAX_INTENSITY));
             case 4 -> l.withPosition(vector(1e12));
             case 5 -> l.withDirection(direction());
             case 6 -> l.withAttenuation(attenuation());
@@ -204,7 +206,7 @@ final class RandomScenes {
     private Light light() {
         Light l = Light.of(name(), LightType.values()[random.nextInt(3)]);
         return chance() ? l
-                : Light.of(l.name(), l.type()).withColor(color(1000)).withIntensity(positive(1e30)).withPosition(vector(1e12))
+                : Light.of(l.name(), l.type()).withColor(color(1000)).withIntensity(positive(MAX_INTENSITY)).withPosition(vector(1e12))
                         .withDirection(direction()).withAttenuation(attenuation()).withAngle(positive(180)).withDropoff(positive(1e6))
                         .withOn(chance()).withSolo(chance());
     }
@@ -233,7 +235,7 @@ final class RandomScenes {
                 : Material.of(name).withTexture(texture());
     }
 
-    /** Returns a rough material: the lights are too bright for sharper highlights. */
+    /** Returns a rough material: lights are too bright for sharper highlights. */
     private Material principled(String name) {
         return Material.of(name).withModel(ShadingModel.PRINCIPLED).withGlow(color(1e6)).withBase(color(1))
                 .withMetalness(random.nextDouble())
