@@ -79,6 +79,16 @@ public final class IndirectScenes {
                         material bright { glow 4 3 2 }
                         """,
                 new IndirectSettings(2, 16, 4, false)));
+        scenes.put("frosted glass before a softbox", scene("size 33 24  depth 3", CAMERA + PRINCIPLED + ROOM
+                + """
+                        material frosted { model principled  base 0.3 0.2 0.1  clear 0.7 0.9 0.8  ior 1.5  roughness 0.3 }
+                        material sheet { model principled  base 0.3 0.2 0.1  clear 0.7 0.9 0.8  thin yes  roughness 0.5 }
+                        sphere ball { material frosted  at 0.2 -0.5 -0.2  scale 0.5 0.5 0.5 }
+                        plane pane { material sheet  at -0.4 0 0.3  rotate 90 30 0  scale 0.3 1 0.5 }
+                        sphere vase { material brass  at -0.5 -0.6 0.2  scale 0.4 0.4 0.4 }
+                        light panel rect { at 0 0.4 -0.7  direction 0 -0.4 1  width 0.8  height 0.6  samples 4  visible yes }
+                        light bulb point { at -0.6 0.2 -0.5  radius 0.2  samples 4  visible yes  intensity 0.3 }
+                        """, new IndirectSettings(2, 16, 4, false)));
         scenes.put("velvet",
                 scene("size 32 24  depth 2",
                         CAMERA + PRINCIPLED + ROOM + LAMP

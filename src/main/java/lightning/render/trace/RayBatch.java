@@ -20,7 +20,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>A ray that hits a transparent surface continues in the same direction. It is tinted as a tinted shadow ray is: by the share of light
  * that the surface does not reflect, by its color, and by the path inside the body. Light that the surface reflects toward the ray is
- * lost. The face of a light does not change the ray, because the light itself is computed by shadow rays.
+ * lost. The face of a light does not change the ray, because the light itself is computed by shadow rays; but none passes a frosted body, so
+ * a ray that entered one ends at such a face.
  */
 public final class RayBatch {
     /** Maximum number of rays. */
@@ -66,6 +67,8 @@ public final class RayBatch {
     /** True for materials that bend rays; none unless the batch follows rays. */
     private final boolean[] bends;
     private final boolean[] isMirrored = new boolean[MAX_RAYS];
+    /** Whether each ray entered a frosted body. */
+    private final boolean[] hasEntered = new boolean[MAX_RAYS];
     private final double[] direction = new double[3];
 
     /** Creates a batch whose rays end at mirrors. */
@@ -121,6 +124,7 @@ public final class RayBatch {
             rays.slot[i] = (short) i;
             passed[i] = 0;
             isMirrored[i] = false;
+            hasEntered[i] = false;
         }
         tinted = false;
         System.arraycopy(rays.slot, 0, selected, 0, count);
@@ -167,7 +171,8 @@ public final class RayBatch {
                     mirror(ray, primitive);
                     selected[moved++] = (short) ray;
                 }
-            } else if (primitive >= 0 && (materials.isTransparent(primitives.material[primitive]) || geometry.isLightFace(primitive))) {
+            } else if (primitive >= 0 && (materials.isTransparent(primitives.material[primitive])
+                    || geometry.isLightFace(primitive) && !hasEntered[ray])) {
                 if (pass > MAX_SURFACES) {
                     rays.primitive[ray] = -1;
                     allocateTints();
@@ -203,6 +208,7 @@ public final class RayBatch {
         surface.computeBackPoint();
         int material = primitives.material[primitive];
         boolean isEntry = pass == 1 && enters[ray] && materials.material(material).isFrosted() && !surface.isInside();
+        hasEntered[ray] |= isEntry || bends[material];
         if (!isEntry && bends[material]) {
             bend(ray, material, pass);
             return;

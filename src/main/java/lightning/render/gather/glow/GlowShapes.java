@@ -54,7 +54,7 @@ public final class GlowShapes {
         return NONE;
     }
 
-    /** Returns the opaque objects that a picture shows glowing, bulbs included, unless there are too many. */
+    /** Returns the opaque objects that a picture shows glowing, bulbs included but not the faces of lights, unless there are too many. */
     public static GlowShapes seen(Geometry geometry, MaterialTable materials) {
         boolean[] glows = new boolean[materials.count()];
         for (int m = 0; m < glows.length; m++) {
@@ -83,8 +83,10 @@ public final class GlowShapes {
         for (boolean glow : glows) {
             any |= glow;
         }
-        int[] found = any ? IntStream.range(0, geometry.primitiveCount()).filter(p -> glows[geometry.materialIndex(p)])
-                .limit(MAX_SHAPES + 1L).toArray() : NONE.primitives;
+        int[] found = any
+                ? IntStream.range(0, geometry.primitiveCount()).filter(p -> glows[geometry.materialIndex(p)] && !geometry.isLightFace(p))
+                        .limit(MAX_SHAPES + 1L).toArray()
+                : NONE.primitives;
         return found.length == 0 ? NONE : found.length > MAX_SHAPES ? TOO_MANY : new GlowShapes(geometry, found);
     }
 
