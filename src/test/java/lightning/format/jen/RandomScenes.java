@@ -44,7 +44,7 @@ import lightning.scene.value.SceneLimits;
 final class RandomScenes {
     /** Files that random scenes reference, with different images. */
     static final List<String> TEXTURES = List.of("a.png", "sub/b c.png", "ä.png");
-    /** Of a light. Colors and groups multiply it by up to a million, and the sharpest highlight by a few hundred. */
+    /** Intensity of a light. Colors and groups multiply it by up to a million, and the sharpest highlight by a few hundred. */
     private static final double MAX_INTENSITY = 1e24;
 
     private final Random random;
@@ -235,7 +235,7 @@ final class RandomScenes {
                 : Material.of(name).withTexture(texture());
     }
 
-    /** Returns a rough material: lights are too bright for sharper highlights. */
+    /** Returns a rough material: the lights are too bright for sharper highlights. */
     private Material principled(String name) {
         return Material.of(name).withModel(ShadingModel.PRINCIPLED).withGlow(color(1e6)).withBase(color(1))
                 .withMetalness(random.nextDouble())
