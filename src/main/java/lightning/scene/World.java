@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
@@ -20,6 +21,7 @@ import lightning.scene.light.AreaShape;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightRig;
 import lightning.scene.light.LightType;
+import lightning.scene.value.Fog;
 import lightning.scene.value.SceneLimits;
 
 /**
@@ -35,10 +37,11 @@ import lightning.scene.value.SceneLimits;
  * @param softness    spread of each light over its part, 0 … 1
  * @param solo        true if its light is soloed: if intensity and gain are not 0, all lights that are not solo are dark
  * @param meters      meters per scene unit, for photometric units of lights
+ * @param fog         air between the shapes
  */
 @RecordBuilder
 public record World(double ambience, Rgb background, Optional<Environment> environment, double rotation, double intensity, double gain,
-        int lightCount, double softness, boolean solo, double meters) implements WorldBuilder.With {
+        int lightCount, double softness, boolean solo, double meters, Fog fog) implements WorldBuilder.With {
     public static final SceneAttribute<World, Double> AMBIENCE = new SceneAttribute<>("ambience", "ambience", "ambient light",
             NumericKind.number(0, SceneLimits.MAX_AMBIENCE, 0.1), 1.0, "", World::ambience, World::withAmbience);
     public static final SceneAttribute<World, Rgb> BACKGROUND = new SceneAttribute<>("background", "background",
@@ -73,7 +76,8 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
 
     /** All attributes, in file order. */
     public static final List<SceneAttribute<World, ?>> ATTRIBUTES =
-            List.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, INTENSITY, GAIN, LIGHT_COUNT, SOFTNESS, SOLO, METERS);
+            Stream.concat(Stream.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, INTENSITY, GAIN, LIGHT_COUNT, SOFTNESS, SOLO, METERS),
+                    FogAttributes.ALL.stream()).toList();
 
     /** Samples of a light that is hardly larger than the sun, and of a larger one. */
     private static final int SUN_SAMPLES = SceneLimits.MIN_LIGHT_SAMPLES;
@@ -97,14 +101,18 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
     /** Creates a world without an environment. */
     public World(double ambience, Rgb background) {
         this(ambience, background, ENVIRONMENT.initial(), ROTATION.initial(), INTENSITY.initial(), GAIN.initial(),
-                LIGHT_COUNT.initial(), SOFTNESS.initial(), SOLO.initial(), METERS.initial());
+                LIGHT_COUNT.initial(), SOFTNESS.initial(), SOLO.initial(), METERS.initial(), Fog.NONE);
     }
 
     /** Returns a clause that says why an attribute has no effect in this world; empty if it has. */
     public Optional<String> inactiveReason(SceneAttribute<World, ?> attribute) {
         boolean needsEnvironment = attribute == ROTATION || attribute == INTENSITY || attribute == GAIN || attribute == LIGHT_COUNT
                 || attribute == SOFTNESS || attribute == SOLO;
-        return needsEnvironment && environment.isEmpty() ? Optional.of(Messages.tr("the scene has no environment")) : Optional.empty();
+        if (needsEnvironment && environment.isEmpty()) {
+            return Optional.of(Messages.tr("the scene has no environment"));
+        }
+        boolean needsFog = FogAttributes.ALL.contains(attribute) && attribute != FogAttributes.DENSITY;
+        return needsFog && !fog.isPresent() ? Optional.of(Messages.tr("the scene has no fog")) : Optional.empty();
     }
 
     /** Returns the factor of the environment's light, ≥ 0; 0 without an environment. */

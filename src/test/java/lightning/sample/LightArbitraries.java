@@ -177,7 +177,7 @@ final class LightArbitraries {
     static Arbitrary<Contribution> contributions() {
         Arbitrary<Double> factor = Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(1.0)), Tuple.of(1, gain()));
         Arbitrary<ShapeGains> onShapes = Arbitraries.frequencyOf(Tuple.of(5, Arbitraries.of(ShapeGains.NONE)), Tuple.of(2, gains()));
-        return Combinators.combine(Arbitraries.frequency(Tuple.of(9, true), Tuple.of(1, false)), factor, factor, onShapes)
+        return Combinators.combine(Arbitraries.frequency(Tuple.of(9, true), Tuple.of(1, false)), factor, factor, factor, onShapes)
                 .as(Contribution::new);
     }
 

@@ -98,6 +98,6 @@ final class LayerChannels implements ChannelSource {
     }
 
     private static CachedTile composeLayer(LayerCompositor painter, Layer layer, CachedTile tile, SamplePositions samplePositions) {
-        return new CachedTile(tile.levels, tile.hitShapes, tile.images, painter.colors(layer, tile, samplePositions), tile.edges);
+        return new CachedTile(tile.levels, tile.hitShapes, tile.images, painter.colors(layer, tile, samplePositions), tile.edges, tile.fog);
     }
 }

@@ -109,8 +109,8 @@ public final class CacheSerializer {
         }
         colors.expectEnd();
         return new PixelCache(outline.geometry(), tiles, fine,
-                new CachedScene(outline.scenes().scene(), outline.lights(), indirect.scene()),
-                new CachedScene(outline.scenes().mirrored(), outline.mirroredLights(), indirect.mirrored()));
+                new CachedScene(outline.scenes().scene(), outline.lights(), indirect.scene(), null),
+                new CachedScene(outline.scenes().mirrored(), outline.mirroredLights(), indirect.mirrored(), null));
     }
 
     private static FineSamples readSamples(IndirectSerializer.Pair indirect, ColumnReader in) throws IOException {
@@ -134,7 +134,7 @@ public final class CacheSerializer {
             hitShapes[i] = in.readInts();
         }
         EdgeColors edges = in.readInt() == 0 ? null : new EdgeColors(in.readInts(), readImages(in));
-        return new CachedTile(levels, hitShapes, null, null, edges);
+        return new CachedTile(levels, hitShapes, null, null, edges, null);
     }
 
     private static FineSamples withColors(FineSamples samples, ColumnReader in) throws IOException {
@@ -148,7 +148,7 @@ public final class CacheSerializer {
 
     private static CachedTile withColors(CachedTile tile, ColumnReader in) throws IOException {
         float[][] film = in.readOptionalFloatArrays();
-        return new CachedTile(tile.levels, tile.hitShapes, readImages(in), film, tile.edges);
+        return new CachedTile(tile.levels, tile.hitShapes, readImages(in), film, tile.edges, null);
     }
 
     private static @Nullable BounceImages readImages(ColumnReader in) throws IOException {

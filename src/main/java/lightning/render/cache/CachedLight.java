@@ -33,6 +33,6 @@ public record CachedLight(int index, Light light, @Nullable LayerStamp stamp) {
 
     /** Returns the same light with the stamp of layers that were just computed; stays without a stamp if there are no layers. */
     public CachedLight withComputedStamp() {
-        return new CachedLight(index, light, stamp == null ? null : LayerStamp.ofComputed(stamp.light()));
+        return new CachedLight(index, light, stamp == null ? null : new LayerStamp.ComputedStamp(stamp.light(), stamp.fog()));
     }
 }

@@ -1,6 +1,7 @@
 package lightning.render.cache;
 
 import java.util.List;
+import lightning.render.shading.fog.PictureFog;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 
@@ -10,8 +11,9 @@ import org.jspecify.annotations.Nullable;
  * @param scene    the scene
  * @param lights   all its lights, in order, with the stamps of their layers in these levels
  * @param indirect its indirect light; null if it has none
+ * @param fog      its fog; null if its air is clear
  */
-public record CachedScene(Scene scene, List<CachedLight> lights, @Nullable IndirectCache indirect) {
+public record CachedScene(Scene scene, List<CachedLight> lights, @Nullable IndirectCache indirect, @Nullable PictureFog fog) {
     public CachedScene {
         lights = List.copyOf(lights);
     }

@@ -3,6 +3,7 @@ package lightning.render.cache;
 import lightning.render.image.Film;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.EdgeColors;
+import lightning.render.shading.fog.FogTile;
 import lightning.render.trace.HitRows;
 import org.jspecify.annotations.Nullable;
 
@@ -30,14 +31,17 @@ public final class CachedTile {
     public final float @Nullable [][] film;
     /** Colors by which edges are detected; null if they are not. */
     public final @Nullable EdgeColors edges;
+    /** Fog before the first level's rows; null if the air is clear. */
+    public final @Nullable FogTile fog;
 
     public CachedTile(TileLevel[] levels, int[][] hitShapes, @Nullable BounceImages images, float @Nullable [][] film,
-            @Nullable EdgeColors edges) {
+            @Nullable EdgeColors edges, @Nullable FogTile fog) {
         this.levels = levels;
         this.hitShapes = hitShapes;
         this.images = images;
         this.film = film;
         this.edges = edges;
+        this.fog = fog;
     }
 
     /** Returns the maximum of the stored colors, linear. */
@@ -61,7 +65,7 @@ public final class CachedTile {
         return levels[0].rows();
     }
 
-    /** Returns the bytes of rows, layers, stored hits, Cr and edge colors, without colors. */
+    /** Returns the bytes of rows, layers, stored hits, Cr, edge colors and fog, without colors. */
     public long bytes() {
         long bytes = 0;
         for (TileLevel level : levels) {
@@ -70,7 +74,7 @@ public final class CachedTile {
         for (int[] shapes : hitShapes) {
             bytes += 4L * shapes.length;
         }
-        return bytes + (images == null ? 0 : images.bytes()) + (edges == null ? 0 : edges.bytes());
+        return bytes + (images == null ? 0 : images.bytes()) + (edges == null ? 0 : edges.bytes()) + (fog == null ? 0 : fog.bytes());
     }
 
     /** Returns the bytes of the stored colors. */
@@ -80,7 +84,7 @@ public final class CachedTile {
 
     /** Returns the same tile without its colors. */
     CachedTile withoutColors() {
-        return new CachedTile(levels, hitShapes, images, null, edges);
+        return new CachedTile(levels, hitShapes, images, null, edges, fog);
     }
 
     /** Returns the number of hit rows of all levels. */

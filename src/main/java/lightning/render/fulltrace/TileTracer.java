@@ -20,6 +20,10 @@ import lightning.render.shading.SampleMean;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.EdgeDetector;
 import lightning.render.shading.composition.TileComposer;
+import lightning.render.shading.fog.BounceFog;
+import lightning.render.shading.fog.FogComposer;
+import lightning.render.shading.fog.FogLookup;
+import lightning.render.shading.fog.PictureFog;
 import lightning.render.shading.layer.LightKernel;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.shading.layer.ScratchColumns;
@@ -44,6 +48,10 @@ final class TileTracer {
     private final int depth;
     private final LevelContext eyeLevel;
     private final LevelContext mirrorLevels;
+    /** Null if the air is clear, as the next one. */
+    private final @Nullable FogLookup fogLookup;
+    private final @Nullable BounceFog bounceFog;
+    private final FogComposer fogComposer = new FogComposer();
     private final ScratchColumns columns = new ScratchColumns();
     /** Rows of each level, of pixel centers and of finer samples; allocated on first use. */
     private final HitRows[] centerLevels;
@@ -66,17 +74,22 @@ final class TileTracer {
      * @param mirrored         lights of the levels in mirrors
      * @param indirect         indirect light of the first level; null if the scene has none
      * @param mirroredIndirect indirect light of the levels in mirrors; null if their scene has none
+     * @param fog              fog before the first level; null if the air is clear
      */
     record SceneLights(WeightedLight[] direct, WeightedLight[] mirrored, @Nullable IndirectLight indirect,
-            @Nullable IndirectLight mirroredIndirect) {
+            @Nullable IndirectLight mirroredIndirect, @Nullable PictureFog fog) {
         static SceneLights of(RenderedScenes scenes) {
             WeightedLight[] lights = WeightedLight.ofScene(scenes.scene());
             return new SceneLights(lights, scenes.mirrored() == scenes.scene() ? lights : WeightedLight.ofScene(scenes.mirrored()), null,
-                    null);
+                    null, null);
         }
 
         SceneLights withIndirect(@Nullable IndirectLight light, @Nullable IndirectLight inMirrors) {
-            return new SceneLights(direct, mirrored, light, inMirrors);
+            return new SceneLights(direct, mirrored, light, inMirrors, fog);
+        }
+
+        SceneLights withFog(@Nullable PictureFog v) {
+            return new SceneLights(direct, mirrored, indirect, mirroredIndirect, v);
         }
     }
 
@@ -130,6 +143,8 @@ final class TileTracer {
                 scenes.mirrored() == scenes.scene() ? eyeLevel
                         : new LevelContext(mirroredGeometry, scenes.mirrored(), lights.mirrored(), lights.mirroredIndirect(), engine,
                                 tracer);
+        fogLookup = lights.fog() == null ? null : new FogLookup(lights.fog(), lights.direct());
+        bounceFog = BounceFog.of(scenes.mirrored());
         centerLevels = new HitRows[depth + 1];
         sampleLevels = new HitRows[depth + 1];
         layers = new LightLayer[Math.max(eyeLevel.lights.length, mirrorLevels.lights.length)];
@@ -220,6 +235,9 @@ final class TileTracer {
             eyeLevel.edgeComposer.fillBackground(levels[0], eyeLevel.scene, places, requireNonNull(edgeColors));
         }
         compose(eyeLevel, 0, images, colors, detectEdges ? edgeColors : null, progress);
+        if (fogLookup != null) {
+            fogComposer.add(fogLookup.tile(places, levels[0], null), eyeLevel.lights, eyeLevel.world.fog(), colors);
+        }
     }
 
     /** Traces the rays that bounce from the rows of a level; returns their colors. */
@@ -238,6 +256,9 @@ final class TileTracer {
                 BouncedColors below = traceImages(level + 1, detectEdges, progress);
                 assert images != null;
                 compose(mirrorLevels, level + 1, below, images.forBounce(bounce), edges != null ? edges.forBounce(bounce) : null, progress);
+                if (bounceFog != null) {
+                    bounceFog.add(rows, levels[level + 1], bounce, mirrorLevels.materials, images.forBounce(bounce));
+                }
             }
         }
         return new BouncedColors(images, edges);

@@ -119,8 +119,10 @@ public final class TraditionalTracer {
         IndirectTracer inMirrors = scene == mirrored ? indirect
                 : new IndirectTracer(mirroredGeometry, mirrored, lights.mirrored(), engines, workers, indirectProgress);
         IndirectLight light = indirect.trace();
+        FogTracer fog = new FogTracer(geometry, scene, engines, workers, progress);
         List<EngineWorkers<TileTracer>> threads =
-                createTracers(workers, scenes, lights.withIndirect(light, inMirrors == indirect ? light : inMirrors.trace()));
+                createTracers(workers, scenes, lights.withIndirect(light, inMirrors == indirect ? light : inMirrors.trace())
+                        .withFog(fog.trace(lights.direct())));
         switch (sampling.antialias()) {
             case OFF ->
                     workers.run(tiles.length, (worker, i) -> threads.get(worker).forTile(tiles[i]).traceCenters(film, tiles[i], progress),
@@ -132,6 +134,7 @@ public final class TraditionalTracer {
             case EDGES -> traceEdges(film, workers, threads, tiles, progress);
         }
         RayCounts rays = indirect.rays().plus(inMirrors == indirect ? RayCounts.NONE : inMirrors.rays());
+        rays = rays.plus(fog.rays());
         for (EngineWorkers<TileTracer> thread : threads) {
             for (TileTracer tracer : thread.workers()) {
                 rays = rays.plus(tracer.rays());

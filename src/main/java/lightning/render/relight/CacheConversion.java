@@ -45,7 +45,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
 
     /** Returns whether a cache can be converted: neither mirror levels stored as hit shapes, which have no rows, nor gathered light. */
     static boolean canConvert(PixelCache cache) {
-        return cache.indirect() == null && cache.mirrored().indirect() == null
+        return cache.shown().fog() == null && cache.indirect() == null && cache.mirrored().indirect() == null
                 && cache.allTiles().stream().allMatch(CachedTile::storesRows);
     }
 
@@ -89,7 +89,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
 
     /** Returns the scene with stamps of layers that were just computed; only scenes without gathered light are converted. */
     private static CachedScene recomputed(CachedScene known) {
-        return new CachedScene(known.scene(), known.lights().stream().map(CachedLight::withComputedStamp).toList(), null);
+        return new CachedScene(known.scene(), known.lights().stream().map(CachedLight::withComputedStamp).toList(), null, null);
     }
 
     /** Lights of a scene that levels show: as they shine and as they are cached. */
@@ -148,7 +148,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
             BounceImages images = scratch == null ? null : scratch.compact(levels[0].rows());
             return new CachedTile(levels, old.hitShapes, images,
                     recomposer.composeFilm(levels[0], top.lights(), top.scene(), places, images),
-                    old.edges);
+                    old.edges, null);
         }
 
         WorkCounts work() {

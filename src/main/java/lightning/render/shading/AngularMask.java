@@ -1,6 +1,7 @@
 package lightning.render.shading;
 
 import lightning.base.math.Vec3;
+import lightning.render.fog.FogMedium;
 import lightning.render.trace.HitRows;
 import lightning.scene.asset.Gobo;
 import lightning.scene.asset.IesProfile;
@@ -12,7 +13,8 @@ import lightning.scene.value.Photometry;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Angular mask of a light: the product of its barn doors, gobo and photometric profile in a direction. It multiplies the falloff.
+ * Mask of a light: the product of its barn doors, gobo and photometric profile in a direction, and of what fog transmits on the way to a
+ * point. It multiplies the falloff.
  *
  * <p>The light looks along its axis, with y upwards. A point has an angle to the right and one to the top, each measured in the
  * plane of the axis and that side.
@@ -50,9 +52,13 @@ public final class AngularMask {
     /** Half the gobo's side at distance 1 along the axis. */
     private final double goboHalfSize;
     private final float[] color = new float[3];
+    private final @Nullable FogMedium fog;
+    private final boolean isDirectional;
 
     private AngularMask(LightSource source) {
         position = source.position();
+        fog = source.fog();
+        isDirectional = source.type() == LightType.DIRECTIONAL;
         boolean spot = source.type() == LightType.SPOT;
         boolean hasDoors = LightAttribute.DOORS.appliesTo(source.type());
         axis = hasDoors ? source.axis() : DOWN;
@@ -73,7 +79,7 @@ public final class AngularMask {
 
     /** Returns whether the light has a mask. */
     public static boolean isActive(LightSource source) {
-        return switch (source.type()) {
+        return source.fog() != null || switch (source.type()) {
             case SPOT -> !source.light().doors().isOpen() || source.light().gobo().isPresent() || source.light().profile().isPresent();
             case POINT -> source.light().profile().isPresent();
             case RECT -> !source.light().doors().isOpen();
@@ -88,6 +94,25 @@ public final class AngularMask {
 
     /** Returns the factor at a point in render space, 0…1. */
     public double factor(float px, float py, float pz) {
+        double transmitted = fog == null ? 1 : transmittance(fog, px, py, pz);
+        return isDirectional ? transmitted : transmitted * angularFactor(px, py, pz);
+    }
+
+    /** Returns the share of the light that reaches a point through fog. */
+    private double transmittance(FogMedium medium, double px, double py, double pz) {
+        if (isDirectional) {
+            return FogMedium.transmittance(
+                    medium.depth(px, py, pz, position.x(), position.y(), position.z(), Double.POSITIVE_INFINITY));
+        }
+        double x = position.x() - px;
+        double y = position.y() - py;
+        double z = position.z() - pz;
+        double distance = Math.sqrt(x * x + y * y + z * z);
+        return distance < LightingEquation.MIN_DISTANCE ? 1
+                : FogMedium.transmittance(medium.depth(px, py, pz, x / distance, y / distance, z / distance, distance));
+    }
+
+    private double angularFactor(float px, float py, float pz) {
         double x = px - position.x();
         double y = py - position.y();
         double z = pz - position.z();

@@ -6,6 +6,7 @@ import java.util.Objects;
 import java.util.stream.Stream;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.render.fog.FogMedium;
 import lightning.render.trace.HitRows;
 import lightning.scene.Scene;
 import lightning.scene.light.AreaShape;
@@ -23,20 +24,29 @@ import org.jspecify.annotations.Nullable;
  * @param dropoff  exponent of the falloff from the axis; 1 for a surface (Lambert's cosine)
  * @param centerSamples samples of an area light that rows of pixel centers use; null for a point light, whose only sample is its
  *     position
+ * @param fog           fog that dims it on its way to a point; null if none does. A directional light is dimmed only by fog with bounds, so that
+ *     its brightness is the one below the fog otherwise
  * @param fineSamples   samples that rows of finer samples use; null for a point light, and without anti-aliasing
  */
-public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle, double dropoff, @Nullable AreaSamples centerSamples,
-        @Nullable AreaSamples fineSamples) {
+public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle, double dropoff, @Nullable FogMedium fog,
+        @Nullable AreaSamples centerSamples, @Nullable AreaSamples fineSamples) {
 
     /** Returns a light's source in the camera's render space. */
     public static LightSource of(Light light, Scene scene) {
         Vec3 axis = light.direction().normalized();
         Vec3 source = light.type().hasPosition() ? light.position().minus(scene.camera().origin()) : axis.negated();
         boolean surface = light.type().isSurface();
+        FogMedium fog = FogMedium.of(scene);
         return new LightSource(light, source, axis, surface ? 0 : Transform.cosDegrees(light.angle()), surface ? 1 : light.dropoff(),
+                fog != null && (light.type().hasPosition() || fog.hasBounds()) ? fog : null,
                 light.isArea() ? AreaSamples.ofCenters(light, source, axis) : null,
                 light.isArea() && scene.picture().sampling().isSupersampled()
                         ? AreaSamples.ofFineSamples(light, source, axis, scene.picture().sampling()) : null);
+    }
+
+    /** Returns the same source in other fog. */
+    LightSource withFog(@Nullable FogMedium v) {
+        return new LightSource(light, position, axis, cosAngle, dropoff, v, centerSamples, fineSamples);
     }
 
     public LightType type() {
@@ -56,7 +66,7 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
     /** Returns whether its falloff is not 1 everywhere. */
     public boolean hasFalloff() {
         return switch (type()) {
-            case DIRECTIONAL -> false;
+            case DIRECTIONAL -> fog != null;
             case POINT -> !light.hasNoAttenuation() || AngularMask.isActive(this);
             case SPOT -> !light.hasNoAttenuation() || dropoff != 0 || AngularMask.isActive(this);
             case RECT, DISC -> true;
@@ -114,6 +124,6 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
 
     /** Returns a sample of an area light at a position as a light of its own. */
     public LightSource at(Vec3 sample) {
-        return new LightSource(light, sample, axis, cosAngle, dropoff, null, null);
+        return new LightSource(light, sample, axis, cosAngle, dropoff, fog, null, null);
     }
 }

@@ -212,10 +212,10 @@ public final class LightingEquation {
         return SheenLayer.term(roughness, nx, ny, nz, vx, vy, vz, lx, ly, lz);
     }
 
-    /** Returns atten·spot·doors: 1 for a directional light. */
+    /** Returns atten·spot·doors·fog: 1 for a directional light in clear air. */
     public float falloff() {
         return switch (source.type()) {
-            case DIRECTIONAL -> 1;
+            case DIRECTIONAL -> (float) maskFactor;
             case POINT -> (float) (attenuation() * maskFactor);
             case SPOT, RECT, DISC -> {
                 double c = axisCosine();
@@ -230,6 +230,11 @@ public final class LightingEquation {
         double max = source.light().maxFalloff();
         double factor = 1 / (a.constant() + a.linear() * distance + a.quadratic() * (distance * distance));
         return factor < max ? factor : max;
+    }
+
+    /** Returns the cosine of the angle between a unit vector and the direction to the light. */
+    public double towardLight(double x, double y, double z) {
+        return lx * x + ly * y + lz * z;
     }
 
     /**

@@ -1,6 +1,7 @@
 package lightning.render.shading;
 
 import java.util.Arrays;
+import lightning.render.fog.FogMedium;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 import lightning.scene.light.Light;
@@ -13,10 +14,12 @@ import org.jspecify.annotations.Nullable;
  * @param light    the scene's light, after its light group
  * @param diffuse  weight of its diffuse contributions; 0 if the light is off
  * @param specular weight of its specular contributions; 0 if the light is off
+ * @param fog      weight of its light in fog; 0 if the light is off
  * @param gains    its gains on single shapes; null if it has none
  * @param source   the light's geometry
  */
-public record WeightedLight(Light light, LightWeight diffuse, LightWeight specular, @Nullable ObjectGains gains, LightSource source) {
+public record WeightedLight(Light light, LightWeight diffuse, LightWeight specular, LightWeight fog, @Nullable ObjectGains gains,
+        LightSource source) {
 
     /** Prepares a light of a scene, before or after its light group is applied. */
     public static WeightedLight of(Light light, Scene scene) {
@@ -48,26 +51,29 @@ public record WeightedLight(Light light, LightWeight diffuse, LightWeight specul
     private static WeightedLight of(Light light, Scene scene, Stage gained) {
         LightWeight diffuse = LightWeight.of(light.diffuseWeight());
         return new WeightedLight(light, diffuse,
-                light.contribution().isGained() ? LightWeight.of(light.specularWeight()) : diffuse, ObjectGains.of(light, gained),
+                light.contribution().isGained() ? LightWeight.of(light.specularWeight()) : diffuse,
+                light.contribution().isGained() ? LightWeight.of(light.fogWeight()) : diffuse, ObjectGains.of(light, gained),
                 LightSource.of(light, scene));
     }
 
     /** Returns this light without gains on single shapes. */
     public WeightedLight withoutGains() {
-        return gains == null ? this : new WeightedLight(light, diffuse, specular, null, source);
+        return gains == null ? this : new WeightedLight(light, diffuse, specular, fog, null, source);
     }
 
     /** Returns this light switched off. */
     public WeightedLight darkened() {
-        return new WeightedLight(light, LightWeight.ZERO, LightWeight.ZERO, gains, source);
+        return new WeightedLight(light, LightWeight.ZERO, LightWeight.ZERO, LightWeight.ZERO, gains, source);
     }
 
     /**
      * Returns this light as edge detection sees it, with each weight rounded to the nearest power of two (in its logarithm). Edits
-     * of color, intensity and gains change edges only where a weight reaches another power.
+     * of color, intensity and gains change edges only where a weight reaches another power. Fog has no edges.
      */
     public WeightedLight forEdges() {
-        return new WeightedLight(light, diffuse.toPowersOfTwo(), specular.toPowersOfTwo(), gains == null ? null : gains.forEdges(), source);
+        return new WeightedLight(light, diffuse.toPowersOfTwo(), specular.toPowersOfTwo(), LightWeight.ZERO,
+                gains == null ? null : gains.forEdges(),
+                source);
     }
 
     /** Returns lights as edge detection sees them. */
@@ -75,9 +81,19 @@ public record WeightedLight(Light light, LightWeight diffuse, LightWeight specul
         return Arrays.stream(lights).map(WeightedLight::forEdges).toArray(WeightedLight[]::new);
     }
 
-    /** Returns whether it contributes nothing: it is off, or its weights are 0 in every channel. */
+    /** Returns this light dimmed by other fog. */
+    public WeightedLight withFog(@Nullable FogMedium medium) {
+        return new WeightedLight(light, diffuse, specular, fog, gains, source.withFog(medium));
+    }
+
+    /** Returns whether it contributes nothing to surfaces: it is off, or its weights are 0 in every channel. */
     public boolean isDark() {
         return diffuse.isZero() && specular.isZero();
+    }
+
+    /** Returns whether fog scatters none of its light. */
+    public boolean isDarkInFog() {
+        return fog.isZero();
     }
 
     /** Returns its gain on a shape. */
@@ -87,6 +103,6 @@ public record WeightedLight(Light light, LightWeight diffuse, LightWeight specul
 
     /** Returns whether both have the same weights. */
     public boolean hasSameWeights(WeightedLight o) {
-        return diffuse.equals(o.diffuse) && specular.equals(o.specular);
+        return diffuse.equals(o.diffuse) && specular.equals(o.specular) && fog.equals(o.fog);
     }
 }

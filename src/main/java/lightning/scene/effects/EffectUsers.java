@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import lightning.base.text.Messages;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
@@ -11,6 +12,8 @@ import lightning.scene.light.Light;
 import lightning.scene.material.Material;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
+import lightning.scene.value.Fog;
+import lightning.scene.value.SceneLimits;
 import lightning.scene.value.ShapeGains;
 
 /**
@@ -87,6 +90,12 @@ record EffectUsers(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
     /** Returns the settings of indirect light, if the image has it and shapes that it can light. */
     Stream<String> indirectLight() {
         return shapes.isEmpty() ? Stream.empty() : scene.picture().indirect().stream().map(IndirectSettings::label);
+    }
+
+    /** Returns the density of fog. */
+    Stream<String> fog() {
+        Fog fog = scene.world().fog();
+        return fog.isPresent() ? Stream.of(Messages.tr("density {0}", SceneLimits.formatShort(fog.density()))) : Stream.empty();
     }
 
     /** Returns the names of shapes with lit vertex colors. */

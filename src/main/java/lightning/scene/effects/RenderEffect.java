@@ -30,6 +30,7 @@ import lightning.scene.material.Transmission;
 import lightning.scene.node.Solid;
 import lightning.scene.value.Attenuation;
 import lightning.scene.value.BarnDoors;
+import lightning.scene.value.Fog;
 import lightning.scene.value.ShapeLinks;
 
 /** Registry of optional render effects. Each effect lists its users in a scene, and can remove itself from a scene. */
@@ -122,6 +123,8 @@ public final class RenderEffect {
             register("environment", "environment", uses -> uses.scene().world().environment().stream().map(Environment::file),
                     scene -> scene.withWorld(scene.world().withEnvironment(Optional.empty())), UnaryOperator.identity(), false);
 
+    public static final RenderEffect FOG = register("fog", "fog", EffectUsers::fog,
+            scene -> scene.withWorld(scene.world().withFog(Fog.NONE)), UnaryOperator.identity(), false);
     public static final RenderEffect INDIRECT = register("indirect", "indirect light", EffectUsers::indirectLight,
             Scene::withoutIndirect, UnaryOperator.identity(), false);
 

@@ -81,6 +81,11 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
         return color.times(limitedIntensity(contribution.specular()));
     }
 
+    /** Returns the factor of the light that fog scatters. */
+    public Rgb fogWeight() {
+        return color.times(limitedIntensity(contribution.fog()));
+    }
+
     /** Returns the largest factor of a contribution to any shape. */
     public double maxWeight() {
         return color.max() * limitedIntensity(contribution.maxGain() * contribution.gains().max());

@@ -168,6 +168,10 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             of("specular", "specular gain", Contribution.GAINS, Contribution.DEFAULT.specular(),
                     "multiplies highlights", l -> l.contribution().specular(),
                     (l, v) -> l.withContribution(l.contribution().withSpecular(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<Double> FOG =
+            of("fog", "fog gain", Contribution.GAINS, Contribution.DEFAULT.fog(),
+                    "multiplies light in fog", l -> l.contribution().fog(),
+                    (l, v) -> l.withContribution(l.contribution().withFog(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<ShapeGains> GAINS = of("gains", "gains on objects",
             new ValueKind.GainsKind(Messages.key("Factors of this light on single objects and groups")),
             ShapeGains.NONE, "shapes and groups, each with a factor", l -> l.contribution().gains(),

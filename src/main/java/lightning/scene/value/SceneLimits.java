@@ -59,6 +59,10 @@ public final class SceneLimits {
     public static final double MAX_METERS = 1e9;
     public static final double MAX_ATTENUATION = 1e30;
     public static final double MAX_ANGLE = 180;
+    /** Extinction of fog and its decrease with height, per scene unit. */
+    public static final double MAX_FOG_DENSITY = 1e9;
+    /** Mean cosine of scattering in fog, either sign. */
+    public static final double MAX_ANISOTROPY = 0.9;
     public static final double MAX_FEATHER = 90;
     public static final double MAX_DROPOFF = 1e6;
     /** Radius, width and height of a light. */

@@ -58,7 +58,7 @@ class LightSettingsTest {
             .withColor(new Rgb(2, 1, 0.3)).withIntensity(0.7).withAttenuation(new Attenuation(0.1, 0.2, 0.3)).withAngle(120).withDropoff(3)
             .withDoors(new BarnDoors(10, 20, 30, 40)).withFeather(5).withIlluminates(ShapeLinks.only("floor"))
             .withShadowedBy(ShapeLinks.except("floor"))
-            .withContribution(new Contribution(false, 0.5, 2, ShapeGains.of("floor", 0.25)));
+            .withContribution(new Contribution(false, 0.5, 2, 3, ShapeGains.of("floor", 0.25)));
     private TryFolder files;
     private Path gltf;
     private Scene scene;

@@ -59,7 +59,7 @@ class ShapeGainsTest {
     @Test
     void weights_areLimited() {
         Light bright = Light.of("sun", LightType.POINT).withIntensity(1e30)
-                .withContribution(new Contribution(true, 100, 0.5, ShapeGains.of("ball", 100)));
+                .withContribution(new Contribution(true, 100, 0.5, 1, ShapeGains.of("ball", 100)));
         assertThat(bright.diffuseWeight().max()).isEqualTo(1e30);
         assertThat(bright.specularWeight().max()).isEqualTo(0.5e30);
         assertThat(bright.diffuseWeight().max() * bright.limitedGain(100)).isLessThanOrEqualTo(1e30);

@@ -2,6 +2,7 @@ package lightning.render.engine.lanes;
 
 import static java.util.Objects.requireNonNull;
 
+import java.util.Arrays;
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
@@ -303,6 +304,10 @@ final class LightLanes implements TermKernel {
     /** Uses separate loops: a vector that is one of two, or is returned by a method, would be boxed here. */
     @Override
     public void unroundedFalloffs(HitRows rows, LightSource source, double[] to) {
+        if (!source.type().hasPosition()) {
+            Arrays.fill(to, 0, rows.count, 1);
+            return;
+        }
         writeAttenuations(source.light().distanceTerms(), source.light().maxFalloff(), rows.count, to);
         if (source.hasCone()) {
             writeSpotFactors(rows, source.dropoff());

@@ -326,6 +326,10 @@ final class ScalarTerms implements TermKernel {
 
     @Override
     public void unroundedFalloffs(HitRows rows, LightSource source, double[] to) {
+        if (!source.type().hasPosition()) {
+            Arrays.fill(to, 0, rows.count, 1);
+            return;
+        }
         Attenuation a = source.light().distanceTerms();
         double max = source.light().maxFalloff();
         for (int i = 0; i < rows.count; i++) {

@@ -52,13 +52,13 @@ final class AttenuationRatio {
     private void factors(HitRows rows, LightSource source, double[] to) {
         if (!source.type().hasPosition()) {
             Arrays.fill(to, 0, rows.count, 1);
-            return;
+        } else {
+            terms.aim(rows, source);
+            if (source.hasCone()) {
+                terms.computeConeCosines(rows, source);
+            }
+            terms.unroundedFalloffs(rows, source, to);
         }
-        terms.aim(rows, source);
-        if (source.hasCone()) {
-            terms.computeConeCosines(rows, source);
-        }
-        terms.unroundedFalloffs(rows, source, to);
         AngularMask mask = AngularMask.of(source);
         if (mask != null) {
             mask.multiply(rows, to);

@@ -34,7 +34,7 @@ public record RatioMethod() implements UpdateMethod {
         if (!scene.isActive(target.light())) {
             return new LightUpdate.Keep();
         }
-        LightDifference difference = LightDifference.between(before.light(), target.light());
+        LightDifference difference = LightDifference.between(before, target);
         LightUpdate min = difference.update();
         if (min instanceof LightUpdate.Keep) {
             return min;
@@ -47,8 +47,9 @@ public record RatioMethod() implements UpdateMethod {
     }
 
     @Override
-    public LayerStamp stamp(@Nullable LayerStamp before, Light light, boolean weight, boolean falloff, double minFalloff) {
-        return RatioBound.stampAfterScaling(requireNonNull(before), light, weight, falloff, minFalloff);
+    public LayerStamp stamp(@Nullable LayerStamp before, WeightedLight light, boolean weight, boolean falloff, double minFalloff) {
+        return RatioBound.stampAfterScaling(requireNonNull(before), light.light(), weight, falloff, minFalloff)
+                .withFog(light.source().fog());
     }
 
     @Override

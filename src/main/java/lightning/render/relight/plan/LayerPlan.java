@@ -47,7 +47,8 @@ public record LayerPlan(WeightedLight target, @Nullable CachedLight base, LightU
         LayerStamp stamp = from == null ? null : from.stamp();
         WeightedLight previous = from == null ? null : WeightedLight.of(from.light(), known);
         return new LayerPlan(target, from, update, shadows, stamp == null ? null
-                : WeightedLight.ofSwitchedOn(stamp.light().withShadowsOf(shadowing(target.light(), stamp, update)), known, stage),
+                : WeightedLight.ofSwitchedOn(stamp.light().withShadowsOf(shadowing(target.light(), stamp, update)), known, stage)
+                        .withFog(stamp.fog()),
                 previous, previous == null ? GainChange.NONE : GainChange.between(previous, target, shapes));
     }
 
@@ -75,9 +76,9 @@ public record LayerPlan(WeightedLight target, @Nullable CachedLight base, LightU
         LayerStamp before = base == null ? null : base.stamp();
         return switch (update) {
             case LightUpdate.Keep _ -> before;
-            case LightUpdate.FullRecompute _,LightUpdate.Refresh _ -> LayerStamp.ofComputed(light());
-            case LightUpdate.Reweight _ -> method.stamp(before, light(), true, false, minFalloff);
-            case LightUpdate.Partial p -> method.stamp(before, light(), p.weight(), p.falloff(), minFalloff);
+            case LightUpdate.FullRecompute _,LightUpdate.Refresh _ -> LayerStamp.ofComputed(target);
+            case LightUpdate.Reweight _ -> method.stamp(before, target, true, false, minFalloff);
+            case LightUpdate.Partial p -> method.stamp(before, target, p.weight(), p.falloff(), minFalloff);
         };
     }
 
@@ -92,7 +93,7 @@ public record LayerPlan(WeightedLight target, @Nullable CachedLight base, LightU
     }
 
     /** Returns whether this plan alone changes the picture. */
-    boolean changesImage() {
+    public boolean changesImage() {
         return changesWeight() || !(update instanceof LightUpdate.Keep) || !shadows.isEmpty();
     }
 

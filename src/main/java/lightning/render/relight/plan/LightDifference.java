@@ -2,8 +2,11 @@ package lightning.render.relight.plan;
 
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import lightning.render.cache.LayerStamp;
+import lightning.render.shading.WeightedLight;
 import lightning.render.shading.layer.ConeChange;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
@@ -21,6 +24,14 @@ import lightning.scene.light.LightTerm;
  */
 public record LightDifference(boolean moved, ConeChange coneChange, boolean falloff, boolean weight, boolean shadows) {
 
+    /** Returns the difference from the light and the fog that layers were computed for. */
+    public static LightDifference between(LayerStamp before, WeightedLight target) {
+        LightDifference ofLight = between(before.light(), target.light());
+        return Objects.equals(before.fog(), target.source().fog()) ? ofLight
+                : new LightDifference(ofLight.moved, ofLight.coneChange, true, ofLight.weight, ofLight.shadows);
+    }
+
+    /** Returns the difference in clear air. */
     public static LightDifference between(Light before, Light target) {
         Set<LightTerm> changed = changedTerms(before, target);
         ConeChange cone = coneChange(changed, before, target);

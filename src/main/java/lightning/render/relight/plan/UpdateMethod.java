@@ -27,7 +27,7 @@ public interface UpdateMethod {
      * @param falloff    true if its falloff changed
      * @param minFalloff {@link LayerUpdater#minFalloff} of all threads
      */
-    LayerStamp stamp(@Nullable LayerStamp before, Light light, boolean weight, boolean falloff, double minFalloff);
+    LayerStamp stamp(@Nullable LayerStamp before, WeightedLight light, boolean weight, boolean falloff, double minFalloff);
 
     /**
      * Creates the updater of one thread.

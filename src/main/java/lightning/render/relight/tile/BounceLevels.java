@@ -10,6 +10,7 @@ import lightning.render.cache.CachedTile;
 import lightning.render.cache.TileLevel;
 import lightning.render.relight.paper.ReflectionHitList;
 import lightning.render.shading.BounceImages;
+import lightning.render.shading.fog.BounceFog;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowSplice;
@@ -26,6 +27,7 @@ final class BounceLevels {
 
     private final RenderJob job;
     private final LevelWorker worker;
+    private final @Nullable BounceFog fog;
     private final List<TileLevel> levels = new ArrayList<>();
     /** Hit shapes of the rays, used if rows are not stored. */
     private final ReflectionHitList hitShapes = new ReflectionHitList();
@@ -39,6 +41,7 @@ final class BounceLevels {
 
     BounceLevels(RenderJob job, LevelWorker worker) {
         this.job = job;
+        fog = BounceFog.of(job.mirrorTarget().scene());
         this.worker = worker;
     }
 
@@ -237,6 +240,9 @@ final class BounceLevels {
                 levels.set(at,
                         worker.compose(levels.get(at), job.storesMirrorRows() ? job.mirrorPlan() : null, below,
                                 requireNonNull(images).forBounce(bounce)));
+                if (fog != null) {
+                    fog.add(rows, levels.get(at).rows(), bounce, job.mirrorTarget().geometry().materials(), images.forBounce(bounce));
+                }
             }
         }
         return images;

@@ -53,7 +53,7 @@ public final class CacheBuilder {
     public record BuildResult(PixelCache cache, WorkCounts work) {}
 
     /**
-     * Builds a cache as a job plans it: indirect light, then tiles.
+     * Builds a cache as a job plans it: indirect light, fog, then tiles.
      *
      * @param planned     job without indirect light
      * @param old         the cache to start from, or null for a first pass
@@ -66,8 +66,10 @@ public final class CacheBuilder {
         IndirectCache mirroredIndirect = planned.mirrorTarget() == planned.target() ? indirect : requireNonNull(old).mirrored().indirect();
         RenderJob job = planned.withIndirect(indirect, mirroredIndirect, old, indirectBuilder.pointChanges())
                 .withProgress(indirectBuilder.tileProgress());
+        FogBuilder fogBuilder = new FogBuilder(job, workers, old);
+        job = job.withFog(fogBuilder.build());
         BuildResult tiles = new CacheBuilder(job, workers, old).buildTiles(indirect, mirroredIndirect, centersOnly);
-        return new BuildResult(tiles.cache(), tiles.work().plus(indirectBuilder.work()));
+        return new BuildResult(tiles.cache(), tiles.work().plus(indirectBuilder.work()).plus(fogBuilder.work()));
     }
 
     /**
@@ -78,7 +80,7 @@ public final class CacheBuilder {
      * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
      */
     public static BuildResult finish(RenderJob planned, WorkerPool workers, @Nullable PixelCache old, PixelCache centers) {
-        RenderJob job = planned.withIndirect(centers.indirect(), centers.mirrored().indirect(), old, null);
+        RenderJob job = planned.withIndirect(centers.indirect(), centers.mirrored().indirect(), old, null).withFog(centers.shown().fog());
         return new CacheBuilder(job, workers, old).addSamples(centers);
     }
 
@@ -89,12 +91,15 @@ public final class CacheBuilder {
         List<CachedLight> mirrored =
                 job.plan() == null ? lights : job.mirrorPlan() == null ? requireNonNull(oldCache).mirrored().lights()
                         : lightsAfter(job.mirrorPlan());
-        return new BuildResult(new PixelCache(job.target().geometry(), centers, fine, new CachedScene(job.scene(), lights, indirect),
-                new CachedScene(job.mirrorTarget().scene(), mirrored, mirroredIndirect)), work());
+        return new BuildResult(
+                new PixelCache(job.target().geometry(), centers, fine, new CachedScene(job.scene(), lights, indirect, job.fog()),
+                        new CachedScene(job.mirrorTarget().scene(), mirrored, mirroredIndirect, null)),
+                work());
     }
 
     private @Nullable LayerStamp freshStamp(Light light) {
-        return WeightedLight.of(light, job.scene()).isDark() ? null : LayerStamp.ofComputed(light);
+        WeightedLight weighted = WeightedLight.of(light, job.scene());
+        return weighted.isDark() ? null : LayerStamp.ofComputed(weighted);
     }
 
     private List<CachedLight> lightsAfter(@Nullable LevelPlan plan) {

@@ -22,11 +22,11 @@ public record ExactMethod() implements UpdateMethod {
     /** Layers of a dark light are updated once it shines. */
     @Override
     public LightUpdate update(LayerStamp before, WeightedLight target, Scene scene) {
-        return target.isDark() ? new LightUpdate.Keep() : LightDifference.between(before.light(), target.light()).update();
+        return target.isDark() ? new LightUpdate.Keep() : LightDifference.between(before, target).update();
     }
 
     @Override
-    public LayerStamp stamp(@Nullable LayerStamp before, Light light, boolean weight, boolean falloff, double minFalloff) {
+    public LayerStamp stamp(@Nullable LayerStamp before, WeightedLight light, boolean weight, boolean falloff, double minFalloff) {
         return LayerStamp.ofComputed(light);
     }
 

@@ -5,11 +5,13 @@ import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
 import lightning.render.gather.PointChanges;
 import lightning.render.image.Film;
+import lightning.render.relight.plan.LayerPlan;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.fog.PictureFog;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.ShapeChange;
 import lightning.scene.AntialiasMode;
@@ -25,13 +27,14 @@ import org.jspecify.annotations.Nullable;
  * @param plan         the update; null in a first pass
  * @param indirectChange changed indirect light of the first level
  * @param mirroredIndirectChange changed indirect light of the mirror levels
+ * @param fog fog of the target scene; null if its air is clear, or before it is computed
  */
 public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, RenderOptions options, UpdatePlan.@Nullable Relight plan,
-        Progress progress, IndirectChange indirectChange, IndirectChange mirroredIndirectChange) {
+        Progress progress, IndirectChange indirectChange, IndirectChange mirroredIndirectChange, @Nullable PictureFog fog) {
 
     private RenderJob(PreparedScene target, PreparedScene mirrorTarget, RenderOptions options, UpdatePlan.@Nullable Relight plan,
             Progress progress) {
-        this(target, mirrorTarget, options, plan, progress, IndirectChange.NONE, IndirectChange.NONE);
+        this(target, mirrorTarget, options, plan, progress, IndirectChange.NONE, IndirectChange.NONE, null);
     }
 
     /** Creates the job of a first pass. */
@@ -80,7 +83,8 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
         return new RenderJob(top, mirrorTarget == target ? top : mirrorTarget.withIndirect(mirroredLight, null), options, plan, progress,
                 change,
                 mirroredBefore == shownBefore && mirroredLight == shownLight ? change
-                        : IndirectChange.between(mirroredBefore, mirroredLight));
+                        : IndirectChange.between(mirroredBefore, mirroredLight),
+                fog);
     }
 
     private static @Nullable IndirectLight light(@Nullable IndirectCache indirect) {
@@ -89,7 +93,17 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
 
     /** Returns this job with another progress. */
     RenderJob withProgress(Progress v) {
-        return new RenderJob(target, mirrorTarget, options, plan, v, indirectChange, mirroredIndirectChange);
+        return new RenderJob(target, mirrorTarget, options, plan, v, indirectChange, mirroredIndirectChange, fog);
+    }
+
+    /** Returns this job with the fog of the target scene. */
+    RenderJob withFog(@Nullable PictureFog v) {
+        return new RenderJob(target, mirrorTarget, options, plan, progress, indirectChange, mirroredIndirectChange, v);
+    }
+
+    /** Returns whether fog may have another color although none of its light changes: a weight of a light changed. */
+    boolean reweightsFog() {
+        return fog != null && plan != null && plan.top().layers().stream().anyMatch(LayerPlan::changesImage);
     }
 
     /** Returns whether the scene has finer samples only at edges. */

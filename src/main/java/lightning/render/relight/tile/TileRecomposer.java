@@ -10,6 +10,7 @@ import lightning.render.shading.BounceImages;
 import lightning.render.shading.IndirectRows;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.TileComposer;
+import lightning.render.shading.fog.BounceFog;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
@@ -30,6 +31,9 @@ public final class TileRecomposer {
     /** Light of gather points that is added to the first level and to the others. */
     private float @Nullable [][] eyeIndirect;
     private float @Nullable [][] mirrorIndirect;
+    private final MaterialTable mirrored;
+    /** Fog of bounced rays. */
+    private @Nullable BounceFog mirrorFog;
     /** Index of the next level to compose. */
     private int nextLevel;
 
@@ -46,6 +50,7 @@ public final class TileRecomposer {
         this.depth = depth;
         eye = new TileComposer(materials, engine.sums(), view);
         mirror = new TileComposer(mirrored, engine.sums(), view);
+        this.mirrored = mirrored;
     }
 
     /** Sets whether surfaces glow from now on, in mirrors too; initially they do. */
@@ -61,6 +66,11 @@ public final class TileRecomposer {
     public void setIndirect(float @Nullable [][] direct, float @Nullable [][] mirrored) {
         eyeIndirect = direct;
         mirrorIndirect = mirrored;
+    }
+
+    /** Sets the fog that bounced rays pass from now on; initially the air is clear. */
+    public void setMirrorFog(@Nullable BounceFog fog) {
+        mirrorFog = fog;
     }
 
     private static @Nullable IndirectRows indirect(TileLevel level, float @Nullable [][] light) {
@@ -90,6 +100,9 @@ public final class TileRecomposer {
                 BounceImages below = composeImages(levels, at, level + 1, lights, world);
                 mirror.composeLevel(levels[at].rows(), lights, levels[at].layers(), world, indirect(levels[at], mirrorIndirect), below,
                         requireNonNull(images).forBounce(bounce));
+                if (mirrorFog != null) {
+                    mirrorFog.add(rows, levels[at].rows(), bounce, mirrored, images.forBounce(bounce));
+                }
             }
         }
         return images;

@@ -13,6 +13,10 @@ import lightning.render.relight.plan.MaterialUpdate;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.EdgeColors;
 import lightning.render.shading.RayCounts;
+import lightning.render.shading.fog.FogComposer;
+import lightning.render.shading.fog.FogLookup;
+import lightning.render.shading.fog.FogTile;
+import lightning.render.shading.fog.PictureFog;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowSplice;
 import lightning.render.trace.SamplePositions;
@@ -32,6 +36,9 @@ final class TileWorker {
     private @Nullable LevelWorker mirrorWorker;
     /** Created on first use. */
     private @Nullable BounceLevels bounceLevels;
+    /** Created on first use. */
+    private @Nullable FogLookup fogLookup;
+    private final FogComposer fogComposer = new FogComposer();
     /** Composes the colors by which edges are detected; created on first use. */
     private @Nullable TileRecomposer edgeComposer;
     /** Colors of samples whose colors are not stored; allocated on first use. */
@@ -116,7 +123,7 @@ final class TileWorker {
         if (job.progress().isCanceled()) {
             return null;
         }
-        return buildTile(places, top, below, false, null, detectEdges ? edgeColors(places, top, edgeImages(top)) : null, fine);
+        return buildTile(places, top, below, false, null, detectEdges ? edgeColors(places, top, edgeImages(top)) : null, fine, null);
     }
 
     private TileRecomposer edgeComposer() {
@@ -191,7 +198,7 @@ final class TileWorker {
         boolean known = old.levels[0].rows().owner != null;
         return !needsOwners && !known || needsOwners && known && job.shapeChange().hasSameIndices() ? old
                 : new CachedTile(needsOwners ? known ? reindexOwners(old) : withOwners(places, old) : withoutOwners(old), old.hitShapes,
-                        old.images, old.film, old.edges);
+                        old.images, old.film, old.edges, old.fog);
     }
 
     /** Traces rays again to find owner shapes; keeps rows and layers. */
@@ -259,9 +266,11 @@ final class TileWorker {
         EdgeColors edges = !detectEdges ? null
                 : !changesEdges ? old.edges
                 : edgeColors(places, top, reusesBounces ? knownEdgeImages(old) : edgeImages(top)).reuseIfEqual(old.edges);
+        FogTile fog = order == null ? old.fog : null;
         boolean isUnchanged = order == null && below.images() == old.images && !job.topPlan().canChangeColors(sorted, top.layers())
-                && !job.indirectChange().changesColors(top.weights());
-        return buildTile(places, top, below, isUnchanged, old.film, edges, fine);
+                && !job.indirectChange().changesColors(top.weights())
+                && !job.reweightsFog();
+        return buildTile(places, top, below, isUnchanged, old.film, edges, fine, fog);
     }
 
     /** Returns the colors for edges of the rays that bounce in an old tile, whose bounce levels do not change; null if none bounces. */
@@ -277,9 +286,12 @@ final class TileWorker {
      *
      * @param film previous colors
      * @param fine true if the rows are finer samples, whose colors are stored only to bound errors
+     * @param fogBefore fog before the same surfaces in the last picture; null for none
      */
-    private CachedTile buildTile(SamplePositions places, TileLevel top, BounceLevels.TracedLevels below, boolean isUnchanged,
-            float @Nullable [][] film, @Nullable EdgeColors edges, boolean fine) {
+    private CachedTile buildTile(SamplePositions places, TileLevel top, BounceLevels.TracedLevels below, boolean sameSurfaces,
+            float @Nullable [][] film, @Nullable EdgeColors edges, boolean fine, @Nullable FogTile fogBefore) {
+        FogTile fog = job.fog() == null ? null : fogLookup(job.fog()).tile(places, top.rows(), fogBefore);
+        boolean isUnchanged = sameSurfaces && fog == fogBefore;
         TileLevel[] levels = below.levels().clone();
         levels[0] = top;
         boolean storesColors = !fine || !job.options().method().isExact();
@@ -287,10 +299,18 @@ final class TileWorker {
             colors = storesColors ? new float[3][Film.TILE_PIXELS] : sampleColors();
             eyeWorker.composer.fillBackground(top.rows(), job.scene(), places, colors);
             levels[0] = eyeWorker.compose(top, job.topPlan(), below.images(), colors);
+            if (fog != null) {
+                fogComposer.add(fog, job.target().lights(), job.scene().world().fog(), colors);
+            }
             filmBytes += storesColors ? 12L * Film.TILE_PIXELS : 0;
         }
         hasNewColors = !isUnchanged;
-        return new CachedTile(levels, below.hitShapes(), below.images(), !storesColors ? null : isUnchanged ? film : colors, edges);
+        return new CachedTile(levels, below.hitShapes(), below.images(), !storesColors ? null : isUnchanged ? film : colors, edges, fog);
+    }
+
+    private FogLookup fogLookup(PictureFog fog) {
+        fogLookup = fogLookup == null ? new FogLookup(fog, job.target().lights()) : fogLookup;
+        return fogLookup;
     }
 
     private float[][] sampleColors() {

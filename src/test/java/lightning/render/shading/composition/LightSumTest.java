@@ -90,7 +90,7 @@ class LightSumTest {
 
     private Contribution contribution() {
         return random.nextBoolean() ? Contribution.DEFAULT
-                : new Contribution(true, random.nextInt(3), random.nextInt(3),
+                : new Contribution(true, random.nextInt(3), random.nextInt(3), 1,
                         random.nextBoolean() ? ShapeGains.NONE : ShapeGains.of("a", random.nextInt(2) * random.nextDouble()));
     }
 

@@ -1,0 +1,66 @@
+package lightning.render.fulltrace;
+
+import java.util.List;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.render.engine.EngineChoice;
+import lightning.render.engine.EngineWorkers;
+import lightning.render.fog.FogGrid;
+import lightning.render.fog.FogMedium;
+import lightning.render.shading.RayCounts;
+import lightning.render.shading.WeightedLight;
+import lightning.render.shading.fog.FogLight;
+import lightning.render.shading.fog.FogShadows;
+import lightning.render.shading.fog.FogSolver;
+import lightning.render.shading.fog.PictureFog;
+import lightning.render.shading.layer.PointShadows;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.ShapeChange;
+import lightning.scene.Scene;
+import lightning.scene.effects.ViewEffects;
+import org.jspecify.annotations.Nullable;
+
+/** Computes the light in the fog of a scene for a full trace. */
+final class FogTracer {
+    private final Scene scene;
+    private final WorkerPool workers;
+    private final Progress progress;
+    private final List<EngineWorkers<PointShadows>> casters;
+
+    FogTracer(Geometry geometry, Scene scene, EngineChoice engines, WorkerPool workers, Progress progress) {
+        this.scene = scene;
+        this.workers = workers;
+        this.progress = progress.cancellationOnly();
+        casters = EngineWorkers.perThread(workers.count(), engines,
+                engine -> new PointShadows(geometry, engine.tracer(geometry), ViewEffects.ALL));
+    }
+
+    /**
+     * Returns the fog; null if the air is clear.
+     *
+     * @throws java.util.concurrent.CancellationException if the progress requested cancellation
+     */
+    @Nullable
+    PictureFog trace(WeightedLight[] lights) {
+        FogMedium medium = FogMedium.of(scene);
+        if (medium == null) {
+            return null;
+        }
+        FogGrid grid = new FogGrid(scene.camera(), scene.picture());
+        var solver = new FogSolver(grid, medium, scene.world().fog().anisotropy(), workers, progress);
+        var shadows = new FogShadows(grid, workers, casters, progress);
+        @Nullable
+        FogLight[] traced = new FogLight[lights.length];
+        for (int l = 0; l < lights.length; l++) {
+            traced[l] = lights[l].isDarkInFog() ? null
+                    : solver.solve(lights[l].source(), shadows.visible(lights[l].source(), null, ShapeChange.NONE));
+        }
+        return new PictureFog(grid, medium, traced);
+    }
+
+    /** Returns the rays cast so far. */
+    RayCounts rays() {
+        return new RayCounts(0, 0, 0,
+                casters.stream().flatMap(thread -> thread.workers().stream()).mapToLong(PointShadows::rayCount).sum());
+    }
+}

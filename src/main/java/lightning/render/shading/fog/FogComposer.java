@@ -1,0 +1,73 @@
+package lightning.render.shading.fog;
+
+import java.util.Arrays;
+import lightning.base.math.Rgb;
+import lightning.render.image.Film;
+import lightning.render.shading.LightWeight;
+import lightning.render.shading.WeightedLight;
+import lightning.scene.value.Fog;
+
+/**
+ * Adds fog to the colors of a tile's camera rays:
+ *
+ * <pre>
+ * C = T·surface + color·[(1 − T)·ambient + Σ weight·scattered]
+ * </pre>
+ *
+ * <p>Holds scratch memory: use one instance per thread.
+ */
+public final class FogComposer {
+    private final float[] sum = new float[Film.TILE_PIXELS];
+
+    /** Returns one channel of a color behind fog. */
+    public static float color(float surface, float transmittance, float color, float ambient, float scattered) {
+        return surface * transmittance + color * ((1 - transmittance) * ambient + scattered);
+    }
+
+    /**
+     * Adds fog with all its lights.
+     *
+     * @param colors red, green and blue of the surfaces, {@code float[1024]} each; overwritten
+     */
+    public void add(FogTile tile, WeightedLight[] lights, Fog fog, float[][] colors) {
+        add(tile, lights, 0, lights.length, fog.color(), fog.ambient(), colors);
+    }
+
+    /**
+     * Adds fog with some of its lights.
+     *
+     * @param from    the first light
+     * @param to      the light after the last
+     * @param color   color of the fog
+     * @param ambient light that comes from all sides
+     */
+    public void add(FogTile tile, WeightedLight[] lights, int from, int to, Rgb color, Rgb ambient, float[][] colors) {
+        for (int c = 0; c < 3; c++) {
+            Arrays.fill(sum, 0);
+            for (int l = from; l < to; l++) {
+                float[] scattered = tile.scattered()[l];
+                if (scattered != null && !lights[l].isDarkInFog()) {
+                    addWeighted(scattered, lights[l].fog(), c);
+                }
+            }
+            float tint = channel(color, c);
+            float even = channel(ambient, c);
+            float[] column = colors[c];
+            float[] transmittance = tile.transmittance();
+            for (int i = 0; i < column.length; i++) {
+                column[i] = color(column[i], transmittance[i], tint, even, sum[i]);
+            }
+        }
+    }
+
+    private void addWeighted(float[] scattered, LightWeight weight, int c) {
+        float factor = weight.channel(c);
+        for (int i = 0; i < scattered.length; i++) {
+            sum[i] += factor * scattered[i];
+        }
+    }
+
+    static float channel(Rgb color, int c) {
+        return (float) (c == 0 ? color.r() : c == 1 ? color.g() : color.b());
+    }
+}

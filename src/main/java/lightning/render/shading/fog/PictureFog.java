@@ -1,0 +1,24 @@
+package lightning.render.shading.fog;
+
+import lightning.render.fog.FogGrid;
+import lightning.render.fog.FogMedium;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Fog of a picture.
+ *
+ * @param grid   rays along which it is sampled
+ * @param lights light in it of each light of the scene; null for lights of which it scatters nothing
+ */
+public record PictureFog(FogGrid grid, FogMedium medium, @Nullable FogLight[] lights) {
+    // An array in a record: written once by its creator, never after.
+
+    /** Returns the bytes of all lights. */
+    public long bytes() {
+        long bytes = 0;
+        for (FogLight light : lights) {
+            bytes += light == null ? 0 : light.bytes();
+        }
+        return bytes;
+    }
+}
