@@ -123,11 +123,14 @@ public final class SceneArbitraries {
     static Arbitrary<World> worlds() {
         Arbitrary<World> plain =
                 Combinators.combine(NumberArbitraries.rangeOrSpecial(0, 1, 0.0, 1.0, 1e6), NumberArbitraries.colors()).as(World::new);
-        return Arbitraries.frequencyOf(Tuple.of(4, plain), Tuple.of(1, Combinators.combine(plain, environmentMaps(), rotations(),
-                NumberArbitraries.rangeOrSpecial(0, 2, 0.0, 1.0), Arbitraries.of(4, 5, 7), softnesses(), environmentGains()).as(
-                        (world, sky, turn, intensity, lamps, softness, gain) -> world
-                                .withEnvironment(Optional.of(sky)).withRotation(turn).withIntensity(intensity).withLightCount(lamps)
-                                .withSoftness(softness).withGain(gain))));
+        Arbitrary<World> clear = Arbitraries.frequencyOf(Tuple.of(4, plain),
+                Tuple.of(1, Combinators.combine(plain, environmentMaps(), rotations(),
+                        NumberArbitraries.rangeOrSpecial(0, 2, 0.0, 1.0), Arbitraries.of(4, 5, 7), softnesses(), environmentGains()).as(
+                                (world, sky, turn, intensity, lamps, softness, gain) -> world
+                                        .withEnvironment(Optional.of(sky)).withRotation(turn).withIntensity(intensity).withLightCount(lamps)
+                                        .withSoftness(softness).withGain(gain))));
+        return Arbitraries.frequencyOf(Tuple.of(5, clear),
+                Tuple.of(2, Combinators.combine(clear, FogArbitraries.fogs()).as(World::withFog)));
     }
 
     static Arbitrary<Double> environmentGains() {

@@ -26,17 +26,17 @@ public enum BounceKind {
         }
 
         @Override
-        float[] originX(HitRows from) {
+        public float[] originX(HitRows from) {
             return from.px;
         }
 
         @Override
-        float[] originY(HitRows from) {
+        public float[] originY(HitRows from) {
             return from.py;
         }
 
         @Override
-        float[] originZ(HitRows from) {
+        public float[] originZ(HitRows from) {
             return from.pz;
         }
     },
@@ -54,17 +54,17 @@ public enum BounceKind {
         }
 
         @Override
-        float[] originX(HitRows from) {
+        public float[] originX(HitRows from) {
             return requireNonNull(from.backX);
         }
 
         @Override
-        float[] originY(HitRows from) {
+        public float[] originY(HitRows from) {
             return requireNonNull(from.backY);
         }
 
         @Override
-        float[] originZ(HitRows from) {
+        public float[] originZ(HitRows from) {
             return requireNonNull(from.backZ);
         }
     };
@@ -81,9 +81,9 @@ public enum BounceKind {
     public abstract boolean writeDirection(HitRows from, int row, MaterialTable materials, double[] to);
 
     /** Origins of the rays, one per row. */
-    abstract float[] originX(HitRows from);
+    public abstract float[] originX(HitRows from);
 
-    abstract float[] originY(HitRows from);
+    public abstract float[] originY(HitRows from);
 
-    abstract float[] originZ(HitRows from);
+    public abstract float[] originZ(HitRows from);
 }

@@ -39,32 +39,31 @@ public final class BounceFog {
      */
     public void add(HitRows above, HitRows below, BounceKind bounce, MaterialTable materials, float[][] colors) {
         int count = bounce.rowCount(above);
+        float[] ox = bounce.originX(above);
+        float[] oy = bounce.originY(above);
+        float[] oz = bounce.originZ(above);
         Arrays.fill(distance, 0, count, Double.POSITIVE_INFINITY);
         for (int i = 0; i < below.count; i++) {
             int from = below.parent[i];
-            double x = (double) below.px[i] - above.px[from];
-            double y = (double) below.py[i] - above.py[from];
-            double z = (double) below.pz[i] - above.pz[from];
+            double x = (double) below.px[i] - ox[from];
+            double y = (double) below.py[i] - oy[from];
+            double z = (double) below.pz[i] - oz[from];
             distance[from] = Math.sqrt(x * x + y * y + z * z);
         }
         for (int i = 0; i < count; i++) {
             boolean isInside = i < above.clearCount && above.isInside(i) == (bounce == BounceKind.MIRRORED);
             if (!isInside && bounce.writeDirection(above, i, materials, direction)) {
-                float transmittance = transmittance(medium, above.px[i], above.py[i], above.pz[i], direction, distance[i]);
+                float transmittance = transmittance(ox[i], oy[i], oz[i], distance[i]);
                 for (int c = 0; c < 3; c++) {
-                    colors[c][i] = color(colors[c][i], transmittance, fog, c);
+                    colors[c][i] = FogComposer.color(colors[c][i], transmittance, FogComposer.channel(fog.color(), c),
+                            FogComposer.channel(fog.ambient(), c), 0);
                 }
             }
         }
     }
 
     /** Returns what fog transmits of a ray. */
-    public static float transmittance(FogMedium medium, float x, float y, float z, double[] direction, double distance) {
-        return (float) FogMedium.transmittance(medium.depth(x, y, z, direction[0], direction[1], direction[2], distance));
-    }
-
-    /** Returns one channel of the color of a ray through fog without lamps. */
-    public static float color(float surface, float transmittance, Fog fog, int c) {
-        return FogComposer.color(surface, transmittance, FogComposer.channel(fog.color(), c), FogComposer.channel(fog.ambient(), c), 0);
+    private float transmittance(float x, float y, float z, double length) {
+        return (float) FogMedium.transmittance(medium.depth(x, y, z, direction[0], direction[1], direction[2], length));
     }
 }

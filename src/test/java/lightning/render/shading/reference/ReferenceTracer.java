@@ -67,6 +67,7 @@ public final class ReferenceTracer {
     private ReferenceIndirect indirect;
     /** The same for scenes with blurred reflections. */
     private ReferenceReflections reflections;
+    private ReferenceFog fog;
     /** First samples of a pixel, and the further ones of some pixels. */
     private final SampleCells firstCells;
     private final SampleCells restCells;
@@ -125,7 +126,7 @@ public final class ReferenceTracer {
 
     /** Returns the linear color at the center of one pixel, {@code float[3]}. */
     public float[] pixel(int x, int y) {
-        return color(new PixelRays(scene).ray(x, y), scene.picture().depth(), NO_PATTERN);
+        return eyeColor(new PixelRays(scene).ray(x, y), x + 0.5, y + 0.5, NO_PATTERN);
     }
 
     /** Returns the mean of a pixel's samples: the first ones, and if their colors differ visibly, the rest. */
@@ -153,7 +154,8 @@ public final class ReferenceTracer {
         for (int s = 0; s < cells.count(); s++) {
             int cell = cells.cells()[s];
             int pattern = SamplePattern.of(x, y, cells.part(s), cells.grid()) & 0xFF;
-            float[] color = color(new PixelRays(scene).ray(x, y, cell, cells.grid()), scene.picture().depth(), pattern);
+            float[] color = eyeColor(new PixelRays(scene).ray(x, y, cell, cells.grid()), x + offset(cell % cells.grid(), cells.grid()),
+                    y + offset(cell / cells.grid(), cells.grid()), pattern);
             for (int c = 0; c < 3; c++) {
                 samples[c][s] = color[c];
             }
@@ -170,6 +172,50 @@ public final class ReferenceTracer {
         return Float.isFinite(sum) ? sum / samples.length : SampleMean.meanOfLarge(samples, 0, samples.length);
     }
 
+    private static double offset(int cell, int grid) {
+        return (2 * cell + 1) / (2.0 * grid);
+    }
+
+    /** Returns the color of a camera ray through a point of the image, in pixels, with the fog before it. Fog has no edges. */
+    private float[] eyeColor(Ray ray, double x, double y, int pattern) {
+        float[] color = color(ray, scene.picture().depth(), pattern);
+        if (forEdges || !scene.world().fog().isPresent()) {
+            return color;
+        }
+        fog = fog == null ? new ReferenceFog(scene, lights, this::isVisible) : fog;
+        int primitive = geometry.nearestBruteForce(ray);
+        if (primitive < 0) {
+            return fog.color(color, x, y, Double.POSITIVE_INFINITY);
+        }
+        SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
+        return fog.color(color, x, y, fog.distance(hit.px(), hit.py(), hit.pz()));
+    }
+
+    /** Returns the color of a reflected or refracted ray with the fog along it. */
+    private float[] bouncedColor(Ray ray, int depth, int pattern, boolean isInside) {
+        float[] color = color(ray, depth, pattern);
+        if (forEdges || isInside || !scene.world().fog().isPresent()) {
+            return color;
+        }
+        int primitive = geometry.nearestBruteForce(ray);
+        if (primitive < 0) {
+            return ReferenceFog.bounced(scene, ray, color, Double.POSITIVE_INFINITY);
+        }
+        SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
+        double dx = hit.px() - ray.origin().x();
+        double dy = hit.py() - ray.origin().y();
+        double dz = hit.pz() - ray.origin().z();
+        return ReferenceFog.bounced(scene, ray, color, Math.sqrt(dx * dx + dy * dy + dz * dz));
+    }
+
+    /** Returns whether a light is visible from a point in the air. */
+    private boolean isVisible(LightSource source, Vec3 point) {
+        ShadowRayTarget target = sampleTarget(source);
+        Geometry casting = geometry.shadowGeometry(source.light().shadowCasters());
+        return source.type().hasPosition() ? !casting.isBlockedBruteForce(point, target)
+                : !casting.isBlockedBruteForce(new Ray(point, source.position()), Double.POSITIVE_INFINITY);
+    }
+
     /**
      * Returns the color of a ray; {@code depth} more bounces may be followed.
      *
@@ -184,10 +230,12 @@ public final class ReferenceTracer {
         int material = hit.material();
         float[] mirrored = {0, 0, 0};
         if (materials.isReflective(material) && depth > 0) {
-            mirrored = mirrorTracer.color(hit.reflectedRay(materials.material(material)), depth - 1, pattern);
+            mirrored = mirrorTracer.bouncedColor(hit.reflectedRay(materials.material(material)), depth - 1, pattern,
+                    materials.isClear(material) && hit.backSide().isInside());
         }
         Ray through = materials.isClear(material) && depth > 0 ? hit.refractedRay() : null;
-        float[] refracted = through == null ? new float[3] : mirrorTracer.color(through, depth - 1, pattern);
+        float[] refracted =
+                through == null ? new float[3] : mirrorTracer.bouncedColor(through, depth - 1, pattern, !hit.backSide().isInside());
         float[] color = new float[3];
         float[][] terms = terms(hit, pattern);
         float[] diffuse = diffuse(hit, terms);

@@ -1,0 +1,197 @@
+package lightning.render.shading.reference;
+
+import java.util.HashMap;
+import java.util.Map;
+import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
+import lightning.render.fog.FogGrid;
+import lightning.render.fog.FogMedium;
+import lightning.render.fog.FogPath;
+import lightning.render.shading.LightSource;
+import lightning.render.shading.LightingEquation;
+import lightning.render.shading.WeightedLight;
+import lightning.render.shading.fog.FogComposer;
+import lightning.scene.Scene;
+import lightning.scene.value.Fog;
+
+/**
+ * Fog before a surface, one camera ray after the other: each ray of the grid and each of its samples is computed when it is needed, and shadow
+ * rays test every shape.
+ */
+final class ReferenceFog {
+    /** Number of the sample of an area light, in turn. */
+    private static final double GOLDEN = 0.6180339887498949;
+
+    /** Test of whether a light, or one sample of an area light, is visible from a point in render space. */
+    interface Visibility {
+        boolean isVisible(LightSource source, Vec3 point);
+    }
+
+    private final FogGrid grid;
+    private final FogMedium medium;
+    private final Fog fog;
+    private final WeightedLight[] lights;
+    private final Visibility visibility;
+    /** Light of the parts of each ray, by light and ray. */
+    private final Map<Long, float[]> parts = new HashMap<>();
+    private final Map<Long, float[]> sums = new HashMap<>();
+
+    ReferenceFog(Scene scene, WeightedLight[] lights, Visibility visibility) {
+        grid = new FogGrid(scene.camera(), scene.picture());
+        medium = FogMedium.of(scene);
+        fog = scene.world().fog();
+        this.lights = lights;
+        this.visibility = visibility;
+    }
+
+    /**
+     * Returns the color of a surface behind fog.
+     *
+     * @param x        image coordinates, pixels from the left and the top
+     * @param distance distance of the surface; infinite for none
+     */
+    float[] color(float[] surface, double x, double y, double distance) {
+        Vec3 d = direction(x, y);
+        Vec3 eye = grid.eye();
+        float passed =
+                (float) FogMedium.transmittance(medium.depth(eye.x(), eye.y(), eye.z(), d.x(), d.y(), d.z(), distance));
+        float[] scattered = new float[3];
+        for (int l = 0; l < lights.length; l++) {
+            if (!lights[l].isDarkInFog()) {
+                FogPath path = path(lights[l].source(), d);
+                float one = before(l, x, y, path.place(distance) * FogGrid.SAMPLES);
+                for (int c = 0; c < 3; c++) {
+                    scattered[c] += lights[l].fog().channel(c) * one;
+                }
+            }
+        }
+        return new float[] {
+            FogComposer.color(surface[0], passed, (float) fog.color().r(), (float) fog.ambient().r(), scattered[0]),
+            FogComposer.color(surface[1], passed, (float) fog.color().g(), (float) fog.ambient().g(), scattered[1]),
+            FogComposer.color(surface[2], passed, (float) fog.color().b(), (float) fog.ambient().b(), scattered[2])};
+    }
+
+    private Vec3 direction(double x, double y) {
+        double[] dx = new double[1];
+        double[] dy = new double[1];
+        double[] dz = new double[1];
+        grid.writeDirection(x, y, dx, dy, dz, 0);
+        return new Vec3(dx[0], dy[0], dz[0]);
+    }
+
+    private FogPath path(LightSource source, Vec3 d) {
+        FogPath path = new FogPath();
+        if (source.type().hasPosition()) {
+            path.aimAtPoint(source.position().minus(grid.eye()), d.x(), d.y(), d.z(), grid.scale());
+        } else {
+            path.aimAlong(grid.scale());
+        }
+        return path;
+    }
+
+    /** Returns the light before a place, between the four rays around a point of the image. */
+    private float before(int light, double x, double y, double place) {
+        double column = x / FogGrid.STEP + 1;
+        double line = y / FogGrid.STEP + 1;
+        int c = Math.min(Math.max((int) column, 1), grid.columns() - 3);
+        int r = Math.min(Math.max((int) line, 1), grid.lines() - 3);
+        float u = (float) Math.min(Math.max(column - c, 0), 1);
+        float v = (float) Math.min(Math.max(line - r, 0), 1);
+        float top = before(light, c, r, place) * (1 - u) + before(light, c + 1, r, place) * u;
+        float bottom = before(light, c, r + 1, place) * (1 - u) + before(light, c + 1, r + 1, place) * u;
+        return top * (1 - v) + bottom * v;
+    }
+
+    private float before(int light, int column, int line, double place) {
+        float[] sum = sums.computeIfAbsent(key(light, column, line), _ -> sums(light, column, line));
+        int k = Math.min((int) place, FogGrid.SAMPLES - 1);
+        float share = (float) (place - k);
+        return sum[k] * (1 - share) + sum[k + 1] * share;
+    }
+
+    private long key(int light, int column, int line) {
+        return ((long) light * grid.lines() + line) * grid.columns() + column;
+    }
+
+    /** Returns the sums of a ray's parts, each a mean over 3×3 rays with weights 1, 2, 1. */
+    private float[] sums(int light, int column, int line) {
+        float[] sum = new float[FogGrid.SAMPLES + 1];
+        for (int k = 0; k < FogGrid.SAMPLES; k++) {
+            float mean =
+                    (across(light, column, line - 1, k) + 2 * across(light, column, line, k) + across(light, column, line + 1, k)) / 16;
+            sum[k + 1] = sum[k] + mean;
+        }
+        return sum;
+    }
+
+    private float across(int light, int column, int line, int k) {
+        return parts(light, column - 1, line)[k] + 2 * parts(light, column, line)[k] + parts(light, column + 1, line)[k];
+    }
+
+    private float[] parts(int light, int column, int line) {
+        return parts.computeIfAbsent(key(light, column, line), _ -> traceParts(light, column, line));
+    }
+
+    private float[] traceParts(int light, int column, int line) {
+        LightSource source = lights[light].source();
+        int ray = line * grid.columns() + column;
+        Vec3 d = direction(FogGrid.STEP * (column - 1), FogGrid.STEP * (line - 1));
+        FogPath path = path(source, d);
+        int phase = grid.phase(ray);
+        float[] traced = new float[FogGrid.SAMPLES];
+        for (int k = 0; k < FogGrid.SAMPLES; k++) {
+            double t = path.distance(grid.place(k, phase));
+            float x = (float) (grid.eye().x() + t * d.x());
+            float y = (float) (grid.eye().y() + t * d.y());
+            float z = (float) (grid.eye().z() + t * d.z());
+            LightSource sample = source.isArea() ? source.at(source.centerSamples().position(0, areaSample(source, k, phase))) : source;
+            LightingEquation equation = new LightingEquation(sample);
+            equation.moveTo(x, y, z, (float) d.x(), (float) d.y(), (float) d.z());
+            double entering = passed(path, d, k);
+            if (entering > 0 && equation.insideCone() && visibility.isVisible(sample, new Vec3(x, y, z))) {
+                double lost = entering - passed(path, d, k + 1);
+                traced[k] = (float) (lost * (equation.falloff() * phase(equation.towardLight(d.x(), d.y(), d.z()))));
+            }
+        }
+        return traced;
+    }
+
+    private static int areaSample(LightSource source, int k, int phase) {
+        double turn = (FogGrid.PHASES * k + phase) * GOLDEN;
+        return (int) ((turn - Math.floor(turn)) * source.centerSamples().samples());
+    }
+
+    /** Returns what passes from the start of a part to the eye. */
+    private double passed(FogPath path, Vec3 d, int part) {
+        Vec3 eye = grid.eye();
+        return FogMedium.transmittance(medium.depth(eye.x(), eye.y(), eye.z(), d.x(), d.y(), d.z(),
+                path.distance((double) part / FogGrid.SAMPLES)));
+    }
+
+    /** Returns π times the phase function of Henyey and Greenstein. */
+    private double phase(double cosine) {
+        double g = fog.anisotropy();
+        double square = 1 + g * g - 2 * g * cosine;
+        return 0.25 * (1 - g * g) / (square * Math.sqrt(square));
+    }
+
+    /** Returns the distance of a surface from the eye. */
+    double distance(float x, float y, float z) {
+        double dx = x - grid.eye().x();
+        double dy = y - grid.eye().y();
+        double dz = z - grid.eye().z();
+        return Math.sqrt(dx * dx + dy * dy + dz * dz);
+    }
+
+    /** Returns the color of a reflected or refracted ray: fog without lamps, and none in transparent bodies. */
+    static float[] bounced(Scene scene, Ray ray, float[] color, double distance) {
+        FogMedium medium = FogMedium.of(scene);
+        Fog fog = scene.world().fog();
+        Vec3 o = ray.origin();
+        Vec3 d = ray.direction();
+        float passed = (float) FogMedium.transmittance(medium.depth(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), distance));
+        return new float[] {FogComposer.color(color[0], passed, (float) fog.color().r(), (float) fog.ambient().r(), 0),
+            FogComposer.color(color[1], passed, (float) fog.color().g(), (float) fog.ambient().g(), 0),
+            FogComposer.color(color[2], passed, (float) fog.color().b(), (float) fog.ambient().b(), 0)};
+    }
+}
