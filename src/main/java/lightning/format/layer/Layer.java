@@ -54,7 +54,7 @@ sealed interface Layer {
         WeightedLight[] lights = WeightedLight.ofScene(scene);
         List<Light> sceneLights = scene.lights();
         for (int i = 0; i < sceneLights.size(); i++) {
-            if (all || !lights[i].isDark()) {
+            if (all || !lights[i].isDark() || scene.world().fog().isPresent() && !lights[i].isDarkInFog()) {
                 add(sceneLights.get(i).name(), i, i + 1, layers);
             }
         }

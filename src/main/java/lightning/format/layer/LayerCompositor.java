@@ -3,6 +3,7 @@ package lightning.format.layer;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
+import lightning.base.math.Rgb;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.PixelCache;
 import lightning.render.engine.Engine;
@@ -12,12 +13,15 @@ import lightning.render.shading.IndirectRows;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.LightComponent;
 import lightning.render.shading.composition.TileComposer;
+import lightning.render.shading.fog.FogComposer;
+import lightning.render.shading.fog.FogTile;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
+import lightning.scene.value.Fog;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -35,6 +39,7 @@ final class LayerCompositor {
     /** Indirect light at gather points; null if the scene has none. */
     private final float @Nullable [][] indirect;
     private final TileComposer composer;
+    private final FogComposer fogComposer = new FogComposer();
 
     LayerCompositor(PixelCache cache, Engine engine) {
         scene = cache.scene();
@@ -77,6 +82,21 @@ final class LayerCompositor {
                 composer.setComponent(LightComponent.ALL);
             }
         }
+        if (tile.fog != null) {
+            addFog(layer, tile.fog, result);
+        }
         return result;
+    }
+
+    /** Dims a layer by fog. Light of lamps in the fog belongs to their diffuse layers, ambient light to the ambient layer. */
+    private void addFog(Layer layer, FogTile tile, float[][] colors) {
+        Fog fog = scene.world().fog();
+        int from = 0;
+        int to = 0;
+        if (layer instanceof Layer.Lights some && some.part() != LightComponent.SPECULAR) {
+            from = some.first();
+            to = some.end();
+        }
+        fogComposer.add(tile, lights, from, to, fog.color(), layer instanceof Layer.Ambient ? fog.ambient() : Rgb.BLACK, colors);
     }
 }

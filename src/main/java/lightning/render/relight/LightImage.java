@@ -18,10 +18,13 @@ import lightning.render.relight.tile.SurfelSolver;
 import lightning.render.relight.tile.TileRecomposer;
 import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.fog.BounceFog;
+import lightning.render.shading.fog.FogComposer;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
+import lightning.scene.World;
 import lightning.scene.light.FaceVisibility;
 import lightning.scene.light.Light;
 import lightning.scene.material.Bulb;
@@ -52,7 +55,9 @@ public final class LightImage {
                 scene.stage().withMaterials(scene.materials().stream()
                         .map(m -> m.glow().isBlack() && m.bulb().light().isEmpty() ? m : m.withGlow(Rgb.BLACK).withBulb(Bulb.NONE))
                         .toList());
-        return new Scene(scene.picture(), scene.camera(), scene.world().withAmbience(0).withBackground(Rgb.BLACK).withIntensity(0), stage,
+        World world = scene.world();
+        return new Scene(scene.picture(), scene.camera(), world.withAmbience(0).withBackground(Rgb.BLACK).withIntensity(0)
+                .withFog(world.fog().withAmbient(Rgb.BLACK)), stage,
                 scene.rig().withLights(lights));
     }
 
@@ -80,6 +85,7 @@ public final class LightImage {
             TileRecomposer recomposer = new TileRecomposer(cache, engine, options.view());
             recomposer.setShowsGlow(false);
             recomposer.setIndirect(indirect, mirroredIndirect);
+            recomposer.setMirrorFog(BounceFog.of(composedScene(cache.mirrored().scene(), light)));
             return recomposer;
         });
         float[][][] films = new float[Math.max(cache.tileCount(), cache.fineCount())][][];
@@ -105,8 +111,12 @@ public final class LightImage {
             throw new IllegalStateException("mirror levels are stored as hit shapes");
         }
         // Without an environment map, no color needs ray directions.
-        return recomposer.composeFilm(tile.levels[0], top, scene, SamplePositions.centers(0, 0),
+        float[][] colors = recomposer.composeFilm(tile.levels[0], top, scene, SamplePositions.centers(0, 0),
                 recomposer.composeImages(tile.levels, mirrors, scene.world()));
+        if (tile.fog != null) {
+            new FogComposer().add(tile.fog, top, scene.world().fog(), colors);
+        }
+        return colors;
     }
 
     private static Film film(Scene scene, float[][][] tiles) {

@@ -14,10 +14,15 @@ import lightning.render.cache.TileLevel;
 import lightning.render.image.Film;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.RowContribution;
+import lightning.render.shading.fog.BounceFog;
+import lightning.render.shading.fog.FogComposer;
+import lightning.render.shading.fog.FogTile;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
 import lightning.scene.Scene;
+import lightning.scene.value.Fog;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -142,7 +147,7 @@ public final class LightThumbnails {
     }
 
     /** Selected rows of a tile's pixels. */
-    private record SelectedPart(TilePart part, SelectedRows rows) {}
+    private record SelectedPart(TilePart part, SelectedRows rows, @Nullable FogTile fog, short[] target) {}
 
     /** Rows of single pixels and of everything seen from there in mirrors and through clear surfaces. */
     private static final class LevelWalk {
@@ -153,6 +158,9 @@ public final class LightThumbnails {
         private final int[] mirrorLayer;
         private final RowContribution eyeShader;
         private final RowContribution mirrorShader;
+        private final Fog fog;
+        private final @Nullable BounceFog bounceFog;
+        private final MaterialTable mirrorMaterials;
         private final int depth;
         private final List<SelectedPart> parts = new ArrayList<>();
         private IndirectByLight.Solution indirect = IndirectByLight.Solution.NONE;
@@ -174,6 +182,9 @@ public final class LightThumbnails {
                     }
                 }
             }
+            fog = cache.scene().world().fog();
+            bounceFog = BounceFog.of(cache.mirrored().scene());
+            mirrorMaterials = cache.mirroredGeometry().materials();
             eyeShader = new RowContribution(cache.geometry().materials());
             mirrorShader = new RowContribution(cache.mirroredGeometry().materials());
         }
@@ -201,7 +212,7 @@ public final class LightThumbnails {
             }
             levels = tile.levels;
             nextLevel = 1;
-            parts.add(new SelectedPart(part, collectLevel(0, 0, target)));
+            parts.add(new SelectedPart(part, collectLevel(0, 0, target), tile.fog, tile.fog == null ? target : target.clone()));
         }
 
         /** Sets the indirect light that is added from now on. */
@@ -217,6 +228,14 @@ public final class LightThumbnails {
                 for (int i = 0; i < first.count; i++) {
                     System.arraycopy(colors, 3 * i, to, 3 * selected.part.index(first.parentNumber[i]), 3);
                 }
+                if (selected.fog != null) {
+                    for (int i = 0; i < selected.target.length; i++) {
+                        if (selected.target[i] >= 0) {
+                            FogComposer.addLight(selected.fog, i, lights[light], light, fog, to,
+                                    3 * selected.part.index(selected.target[i]));
+                        }
+                    }
+                }
             }
         }
 
@@ -226,7 +245,13 @@ public final class LightThumbnails {
             short[] numbers = selected.numbers();
             for (BounceKind bounce : BounceKind.values()) {
                 if (level < depth && bounce.rowCount(levels[at].rows()) > 0) {
-                    selected.bounces[bounce.ordinal()] = collectLevel(nextLevel++, level + 1, numbers);
+                    int below = nextLevel++;
+                    selected.bounces[bounce.ordinal()] = collectLevel(below, level + 1, numbers);
+                    if (bounceFog != null) {
+                        float[] passed = new float[Film.TILE_PIXELS];
+                        bounceFog.writeTransmittances(levels[at].rows(), levels[below].rows(), bounce, mirrorMaterials, passed);
+                        selected.transmittances[bounce.ordinal()] = passed;
+                    }
                 }
             }
             return selected;
@@ -238,6 +263,8 @@ public final class LightThumbnails {
         private final TileLevel level;
         /** Levels seen from these rows, by {@link BounceKind}; null if no ray bounces. */
         private final SelectedRows[] bounces = new SelectedRows[BounceKind.values().length];
+        /** What fog transmits of the rays from all rows of the level, by {@link BounceKind}; null in clear air. */
+        private final float[] @Nullable [] transmittances = new float[BounceKind.values().length][];
         private final int[] row;
         private final int[] material;
         /** Number of each row's parent. */
@@ -302,6 +329,10 @@ public final class LightThumbnails {
                 for (int i = 0; i < selected.count; i++) {
                     System.arraycopy(colors, 3 * i, images, 3 * selected.parentNumber[i], 3);
                 }
+            }
+            float[] passed = transmittances[bounce.ordinal()];
+            for (int i = 0; passed != null && i < images.length; i++) {
+                images[i] *= passed[row[i / 3]];
             }
             return images;
         }

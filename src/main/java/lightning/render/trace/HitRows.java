@@ -458,6 +458,12 @@ public final class HitRows {
         return insideDistance[row] >= 0;
     }
 
+    /** Removes all rows, so that other points can be written. */
+    public void clear() {
+        count = 0;
+        bounds = null;
+    }
+
     /** Returns the bounds of the points; there must be at least one row. */
     public PointBox bounds(Tracer tracer) {
         if (bounds == null) {

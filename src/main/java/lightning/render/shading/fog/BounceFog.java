@@ -19,6 +19,7 @@ public final class BounceFog {
     private final Fog fog;
     private final double[] distance = new double[TermKernel.MAX_ROWS];
     private final double[] direction = new double[3];
+    private final float[] transmittance = new float[TermKernel.MAX_ROWS];
 
     private BounceFog(FogMedium medium, Fog fog) {
         this.medium = medium;
@@ -38,6 +39,22 @@ public final class BounceFog {
      * @param colors red, green and blue by row of the level above; overwritten
      */
     public void add(HitRows above, HitRows below, BounceKind bounce, MaterialTable materials, float[][] colors) {
+        writeTransmittances(above, below, bounce, materials, transmittance);
+        for (int c = 0; c < 3; c++) {
+            float tint = FogComposer.channel(fog.color(), c);
+            float ambient = FogComposer.channel(fog.ambient(), c);
+            for (int i = 0; i < bounce.rowCount(above); i++) {
+                colors[c][i] = FogComposer.color(colors[c][i], transmittance[i], tint, ambient, 0);
+            }
+        }
+    }
+
+    /**
+     * Writes what the fog transmits of each ray that bounces from a level's rows; 1 inside of transparent bodies and for rows without a ray.
+     *
+     * @param below rows that these rays hit
+     */
+    public void writeTransmittances(HitRows above, HitRows below, BounceKind bounce, MaterialTable materials, float[] to) {
         int count = bounce.rowCount(above);
         float[] ox = bounce.originX(above);
         float[] oy = bounce.originY(above);
@@ -52,13 +69,8 @@ public final class BounceFog {
         }
         for (int i = 0; i < count; i++) {
             boolean isInside = i < above.clearCount && above.isInside(i) == (bounce == BounceKind.MIRRORED);
-            if (!isInside && bounce.writeDirection(above, i, materials, direction)) {
-                float transmittance = transmittance(ox[i], oy[i], oz[i], distance[i]);
-                for (int c = 0; c < 3; c++) {
-                    colors[c][i] = FogComposer.color(colors[c][i], transmittance, FogComposer.channel(fog.color(), c),
-                            FogComposer.channel(fog.ambient(), c), 0);
-                }
-            }
+            boolean passesFog = !isInside && bounce.writeDirection(above, i, materials, direction);
+            to[i] = passesFog ? transmittance(ox[i], oy[i], oz[i], distance[i]) : 1;
         }
     }
 

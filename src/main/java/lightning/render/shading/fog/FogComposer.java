@@ -60,6 +60,21 @@ public final class FogComposer {
         }
     }
 
+    /**
+     * Adds fog with one light to one color.
+     *
+     * @param position pixel or sample of the tile
+     * @param index    index of the light
+     * @param color    receives red, green and blue from {@code at}
+     */
+    public static void addLight(FogTile tile, int position, WeightedLight light, int index, Fog fog, float[] color, int at) {
+        float[] scattered = tile.scattered()[index];
+        for (int c = 0; c < 3; c++) {
+            float sum = scattered == null || light.isDarkInFog() ? 0 : light.fog().channel(c) * scattered[position];
+            color[at + c] = color(color[at + c], tile.transmittance()[position], channel(fog.color(), c), 0, sum);
+        }
+    }
+
     private void addWeighted(float[] scattered, LightWeight weight, int c) {
         float factor = weight.channel(c);
         for (int i = 0; i < scattered.length; i++) {

@@ -91,7 +91,7 @@ public final class FogShadows {
         private void test(int count, int sample, int only, FogSamples samples, PointShadows shadows, @Nullable ShapeChange change,
                 int[] visible) {
             HitRows points = shadows.points();
-            points.count = 0;
+            points.clear();
             for (int i = 0; i < count; i++) {
                 int phase = grid.phase(rays[i]);
                 if (only < 0 || phase == only) {
