@@ -6,6 +6,7 @@ import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.EdgeColors;
+import lightning.render.shading.fog.PictureFog;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.SampleCells;
 import org.jspecify.annotations.Nullable;
@@ -64,6 +65,7 @@ public final class CacheSerializer {
 
     public static void writeColors(PixelCache cache, ColumnWriter out) throws IOException {
         IndirectSerializer.writeLight(cache, out);
+        FogSerializer.write(cache.shown(), out);
         for (CachedTile tile : cache.tiles()) {
             writeColors(tile, out);
         }
@@ -80,6 +82,7 @@ public final class CacheSerializer {
     private static void writeColors(CachedTile tile, ColumnWriter out) throws IOException {
         out.writeFloatArrays(tile.film);
         write(tile.images, out);
+        FogSerializer.write(tile.fog, out);
     }
 
     private static void write(@Nullable BounceImages images, ColumnWriter out) throws IOException {
@@ -100,16 +103,18 @@ public final class CacheSerializer {
         }
         rows.expectEnd();
         IndirectSerializer.Pair indirect = IndirectSerializer.withLight(paths, colors);
+        PictureFog fog = FogSerializer.read(outline.scenes().scene(), colors);
         for (int i = 0; i < tiles.length; i++) {
-            tiles[i] = withColors(tiles[i], colors);
+            tiles[i] = withColors(tiles[i], fog, colors);
         }
         for (int i = 0; i < fine.length; i++) {
             fine[i] =
-                    new FineTile(withColors(fine[i].first(), colors), withColors(fine[i].rest(), colors), colors.readOptionalFloatArrays());
+                    new FineTile(withColors(fine[i].first(), fog, colors), withColors(fine[i].rest(), fog, colors),
+                            colors.readOptionalFloatArrays());
         }
         colors.expectEnd();
         return new PixelCache(outline.geometry(), tiles, fine,
-                new CachedScene(outline.scenes().scene(), outline.lights(), indirect.scene(), null),
+                new CachedScene(outline.scenes().scene(), outline.lights(), indirect.scene(), fog),
                 new CachedScene(outline.scenes().mirrored(), outline.mirroredLights(), indirect.mirrored(), null));
     }
 
@@ -137,18 +142,18 @@ public final class CacheSerializer {
         return new CachedTile(levels, hitShapes, null, null, edges, null);
     }
 
-    private static FineSamples withColors(FineSamples samples, ColumnReader in) throws IOException {
+    private static FineSamples withColors(FineSamples samples, @Nullable PictureFog fog, ColumnReader in) throws IOException {
         SampleBlock[] blocks = new SampleBlock[samples.blocks().length];
         for (int b = 0; b < blocks.length; b++) {
             SampleBlock block = samples.blocks()[b];
-            blocks[b] = new SampleBlock(block.pixels(), withColors(block.rows(), in), in.readOptionalFloatArrays());
+            blocks[b] = new SampleBlock(block.pixels(), withColors(block.rows(), fog, in), in.readOptionalFloatArrays());
         }
         return new FineSamples(samples.cells(), samples.pixels(), blocks);
     }
 
-    private static CachedTile withColors(CachedTile tile, ColumnReader in) throws IOException {
+    private static CachedTile withColors(CachedTile tile, @Nullable PictureFog fog, ColumnReader in) throws IOException {
         float[][] film = in.readOptionalFloatArrays();
-        return new CachedTile(tile.levels, tile.hitShapes, readImages(in), film, tile.edges, null);
+        return new CachedTile(tile.levels, tile.hitShapes, readImages(in), film, tile.edges, FogSerializer.read(fog, in));
     }
 
     private static @Nullable BounceImages readImages(ColumnReader in) throws IOException {

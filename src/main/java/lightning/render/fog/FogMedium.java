@@ -68,6 +68,13 @@ public record FogMedium(double density, double top, double decay, @Nullable Vec3
         return decay == 0 ? density * (to - from) : density * decaying(oy - top, dy, from, to);
     }
 
+    /** Returns the density at a point in render space, per scene unit, ≥ 0. */
+    public double densityAt(double x, double y, double z) {
+        boolean isInside = low == null || high == null
+                || x >= low.x() && x <= high.x() && y >= low.y() && y <= high.y() && z >= low.z() && z <= high.z();
+        return isInside ? decay == 0 ? density : density * share(y - top) : 0;
+    }
+
     /** Returns the integral of the density over the density up to the top. */
     private double decaying(double height, double dy, double from, double to) {
         double start = height + dy * from;

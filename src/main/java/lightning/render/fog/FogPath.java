@@ -64,6 +64,18 @@ public final class FogPath {
         return distance > 0 ? distance : 0;
     }
 
+    /** Returns whether the light is at a point, so that its samples are dense near it. */
+    public boolean isPoint() {
+        return isPoint;
+    }
+
+    /** Returns the derivative of the distance to a point light's place, 0…1, exclusive. */
+    public double slope(double place) {
+        double w = start + (1 - start) * place;
+        double product = (1 - w) * (1 + w);
+        return (1 - start) * offset * (2 * (1 + w * w) / (product * product));
+    }
+
     /** Returns the place of a distance along the ray, 0…1. */
     public double place(double distance) {
         if (distance == Double.POSITIVE_INFINITY) {

@@ -21,7 +21,7 @@ public final class FogLight {
      * @param visible    samples of each ray that see the light, the lowest bit for the first: {@code int[rays]}
      * @param sums       sum of the samples before each place, filtered over neighboring rays: {@code float[rays × (samples + 1)]}
      */
-    FogLight(Light light, FogMedium medium, double anisotropy, int[] visible, float[] sums) {
+    public FogLight(Light light, FogMedium medium, double anisotropy, int[] visible, float[] sums) {
         this.light = light;
         this.medium = medium;
         this.anisotropy = anisotropy;
@@ -49,7 +49,7 @@ public final class FogLight {
     }
 
     /** Returns the sums before each {@link FogPath#place} of each ray; must not be modified. */
-    float[] sums() {
+    public float[] sums() {
         return sums;
     }
 

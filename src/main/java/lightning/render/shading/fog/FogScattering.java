@@ -12,13 +12,16 @@ import org.jspecify.annotations.Nullable;
  * Light that fog scatters toward the camera along a ray: single scattering of one light of weight 1 by white fog.
  *
  * <pre>
- * L = Σ (T(a) − T(b)) · π·4p(θ)/4π … = Σ (T(a) − T(b)) · phase · falloff · V
+ * L = Σ lost · π·p(θ) · falloff · V
  * </pre>
  *
- * <p>The sum is over the parts of the ray from a to b, each with one sample between. T(a) − T(b) is the share of the ray's light that is lost in a
- * part and, in white fog, scattered into it from elsewhere; no density is too large for it. The falloff contains the way through the
- * fog from the light. A white surface reflects 1 under a light of weight 1, so its irradiance is π, and the fog sends π·p of it per
- * steradian, where p is the phase function of Henyey and Greenstein (Diffuse radiation in the galaxy, 1941):
+ * <p>The sum is over the parts of the ray, with one sample in each. {@code lost} is the share of the ray's light that a part absorbs, and in white
+ * fog scatters from other directions: T(a) − T(b) for a part from a to b, so that no density is too large. The falloff of a light at a point
+ * changes within a part about as the density of places does. So {@code lost} is the mean of density times transmittance, (T(a) − T(b))/(b − a), times
+ * the length that the sample stands for, dt/du / n. In the last part, which has no end, it is their value at the sample.
+ *
+ * <p>The falloff contains the way through the fog from the light. A white surface reflects 1 under a light of weight 1, so its irradiance is π, and
+ * the fog sends π·p of it per steradian, where p is the phase function of Henyey and Greenstein (Diffuse radiation in the galaxy, 1941):
  * π·p = ¼·(1 − g²)/(1 + g² − 2g·cosθ)<sup>3/2</sup>. θ is 0 where light keeps its direction.
  */
 final class FogScattering {
@@ -70,25 +73,46 @@ final class FogScattering {
             double before = known == k ? passed : transmittance(k);
             passed = transmittance(k + 1);
             known = k + 1;
-            to[at + k] = before == 0 ? 0 : (float) ((before - passed) * scattered(k, phase));
+            to[at + k] = before == 0 ? 0 : (float) scattered(k, phase, before - passed);
         }
     }
 
     /** Returns what passes from the start of a part to the eye. */
     private double transmittance(int part) {
+        return transmittanceAt(path.distance((double) part / FogGrid.SAMPLES));
+    }
+
+    private double transmittanceAt(double distance) {
         Vec3 eye = grid.eye();
-        double distance = path.distance((double) part / FogGrid.SAMPLES);
         return FogMedium.transmittance(medium.depth(eye.x(), eye.y(), eye.z(), dx[0], dy[0], dz[0], distance));
     }
 
-    private double scattered(int sample, int phase) {
-        double t = path.distance(grid.place(sample, phase));
+    /** @param lost what the fog absorbs in the part of a sample */
+    private double scattered(int sample, int phase, double lost) {
+        double place = grid.place(sample, phase);
+        double t = path.distance(place);
         float x = (float) (grid.eye().x() + t * dx[0]);
         float y = (float) (grid.eye().y() + t * dy[0]);
         float z = (float) (grid.eye().z() + t * dz[0]);
         LightingEquation equation = equation(sample, phase);
         equation.moveTo(x, y, z, (float) dx[0], (float) dy[0], (float) dz[0]);
-        return equation.insideCone() ? equation.falloff() * phase(equation.towardLight(dx[0], dy[0], dz[0])) : 0;
+        return equation.insideCone()
+                ? lost(sample, place, t, lost) * (equation.falloff() * phase(equation.towardLight(dx[0], dy[0], dz[0]))) : 0;
+    }
+
+    private double lost(int sample, double place, double t, double ofPart) {
+        if (!path.isPoint()) {
+            return ofPart;
+        }
+        double stands = path.slope(place) / FogGrid.SAMPLES;
+        if (sample == FogGrid.SAMPLES - 1) {
+            double x = grid.eye().x() + t * dx[0];
+            double y = grid.eye().y() + t * dy[0];
+            double z = grid.eye().z() + t * dz[0];
+            return medium.densityAt(x, y, z) * transmittanceAt(t) * stands;
+        }
+        double length = path.distance((sample + 1.0) / FogGrid.SAMPLES) - path.distance((double) sample / FogGrid.SAMPLES);
+        return length > 0 ? ofPart / length * stands : 0;
     }
 
     private double phase(double cosine) {

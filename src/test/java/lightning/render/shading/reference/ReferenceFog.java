@@ -149,11 +149,28 @@ final class ReferenceFog {
             equation.moveTo(x, y, z, (float) d.x(), (float) d.y(), (float) d.z());
             double entering = passed(path, d, k);
             if (entering > 0 && equation.insideCone() && visibility.isVisible(sample, new Vec3(x, y, z))) {
-                double lost = entering - passed(path, d, k + 1);
+                double lost = lost(path, d, k, phase, entering - passed(path, d, k + 1));
                 traced[k] = (float) (lost * (equation.falloff() * phase(equation.towardLight(d.x(), d.y(), d.z()))));
             }
         }
         return traced;
+    }
+
+    /** Returns what the fog absorbs in the length that a sample stands for. */
+    private double lost(FogPath path, Vec3 d, int k, int phase, double ofPart) {
+        if (!path.isPoint()) {
+            return ofPart;
+        }
+        double place = grid.place(k, phase);
+        double stands = path.slope(place) / FogGrid.SAMPLES;
+        if (k == FogGrid.SAMPLES - 1) {
+            double t = path.distance(place);
+            Vec3 eye = grid.eye();
+            return medium.densityAt(eye.x() + t * d.x(), eye.y() + t * d.y(), eye.z() + t * d.z())
+                    * FogMedium.transmittance(medium.depth(eye.x(), eye.y(), eye.z(), d.x(), d.y(), d.z(), t)) * stands;
+        }
+        double length = path.distance((k + 1.0) / FogGrid.SAMPLES) - path.distance((double) k / FogGrid.SAMPLES);
+        return length > 0 ? ofPart / length * stands : 0;
     }
 
     private static int areaSample(LightSource source, int k, int phase) {

@@ -1,0 +1,107 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.function.UnaryOperator;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.render.relight.paper.MirrorStorage;
+import lightning.render.relight.paper.ReflectionMode;
+import lightning.render.shading.reference.ReferenceTracer;
+import lightning.sample.StudioScene;
+import lightning.scene.Scene;
+import lightning.scene.light.LightType;
+import lightning.scene.value.Attenuation;
+import lightning.scene.value.Fog;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Tests that edits of fog and of lights in it cast no ray unless a light or an object moves. */
+class FogWorkTest {
+    private static final Fog FOG = Fog.NONE.withDensity(0.1).withAnisotropy(0.4);
+
+    private static StudioRenderer studio(LightType type) {
+        return new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, withFog(StudioScene.of(type), _ -> FOG));
+    }
+
+    private static Scene withFog(Scene scene, UnaryOperator<Fog> change) {
+        return scene.withWorld(scene.world().withFog(change.apply(scene.world().fog())));
+    }
+
+    private static void assertNoRay(StudioRenderer studio, UpdateResult update) {
+        assertThat(update.rays().total()).as(update.plan().description()).isZero();
+        assertExact(studio);
+    }
+
+    private static void assertExact(StudioRenderer studio) {
+        assertThat(studio.renderer().film().hasSameBits(new ReferenceTracer(studio.scene()).trace())).isTrue();
+    }
+
+    @ParameterizedTest
+    @EnumSource(LightType.class)
+    void edits_ofFog_castNoRay(LightType type) {
+        try (StudioRenderer studio = studio(type)) {
+            assertNoRay(studio, studio.render(withFog(studio.scene(), fog -> fog.withDensity(0.3))));
+            assertNoRay(studio, studio.render(withFog(studio.scene(), fog -> fog.withColor(new Rgb(1, 0.5, 0.2)))));
+            assertNoRay(studio, studio.render(withFog(studio.scene(), fog -> fog.withAmbient(Rgb.gray(0.2)))));
+            assertNoRay(studio, studio.render(withFog(studio.scene(), fog -> fog.withAnisotropy(-0.5))));
+            assertNoRay(studio, studio.render(withFog(studio.scene(), fog -> fog.withFalloff(0.5).withHeight(1))));
+            assertNoRay(studio, studio.render(withFog(studio.scene(), fog -> fog.withSize(new Vec3(5, 5, 5)))));
+            assertNoRay(studio, studio.render(withFog(studio.scene(), _ -> Fog.NONE)));
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(LightType.class)
+    void edits_ofWeight_touchNoRow(LightType type) {
+        try (StudioRenderer studio = studio(type)) {
+            for (UpdateResult update : new UpdateResult[] {studio.edit(light -> light.withIntensity(3)),
+                studio.edit(light -> light.withColor(new Rgb(1, 0.2, 0.1))),
+                studio.edit(light -> light.withContribution(light.contribution().withFog(0.3))),
+                studio.edit(light -> light.withOn(false)), studio.edit(light -> light.withOn(true))}) {
+                assertThat(update.rowsTouched()).isZero();
+                assertNoRay(studio, update);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(value = LightType.class, names = {"POINT", "SPOT", "RECT", "DISC"})
+    void attenuation_castsNoRay(LightType type) {
+        try (StudioRenderer studio = studio(type)) {
+            assertNoRay(studio, studio.edit(light -> light.withAttenuation(new Attenuation(0.3, 0.1, 0.2))));
+        }
+    }
+
+    @Test
+    void narrowerCone_castsNoRay() {
+        try (StudioRenderer studio = studio(LightType.SPOT)) {
+            assertNoRay(studio, studio.edit(light -> light.withAngle(0.5 * light.angle())));
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(LightType.class)
+    void movedLight_testsItsSamplesAgain(LightType type) {
+        try (StudioRenderer studio = studio(type)) {
+            UpdateResult update = studio.edit(light -> light.withPosition(light.position().plus(new Vec3(0.5, 0.2, 0)))
+                    .withDirection(light.direction().plus(new Vec3(0.1, 0, 0.1))));
+            assertThat(update.rays().shadow()).isPositive();
+            assertExact(studio);
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(LightType.class)
+    void light_thatWasOff_isInFogOnceItShines(LightType type) {
+        Scene scene = withFog(StudioScene.of(type), _ -> FOG);
+        Scene off = scene.withLight(scene.light(StudioScene.KEY).orElseThrow().withOn(false));
+        try (var studio = new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, off)) {
+            assertExact(studio);
+            studio.render(withFog(off, fog -> fog.withDensity(0.4)));
+            studio.render(withFog(scene, fog -> fog.withDensity(0.4)));
+            assertExact(studio);
+        }
+    }
+}

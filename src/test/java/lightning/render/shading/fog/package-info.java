@@ -1,0 +1,2 @@
+/** Tests of light in fog. */
+package lightning.render.shading.fog;
