@@ -23,12 +23,15 @@ final class FogSerializer {
     static void write(CachedScene shown, ColumnWriter out) throws IOException {
         PictureFog fog = shown.fog();
         out.writeInt(fog == null ? 0 : 1);
+        if (fog != null) {
+            out.writeFloatArrays(new float[][] {fog.depths()});
+        }
         for (int l = 0; fog != null && l < fog.lights().length; l++) {
             FogLight light = shown.scene().isActive(shown.lights().get(l).light()) ? fog.lights()[l] : null;
             out.writeInt(light == null ? 0 : 1);
             if (light != null) {
                 out.writeArray(light.visible());
-                out.writeFloatArrays(new float[][] {light.sums()});
+                out.writeFloatArrays(new float[][] {light.parts()});
             }
         }
     }
@@ -39,15 +42,16 @@ final class FogSerializer {
         }
         List<Light> lights = scene.rig().effectiveLights();
         FogMedium medium = requireNonNull(FogMedium.of(scene));
+        float[] depths = requireNonNull(in.readOptionalFloatArrays())[0];
         @Nullable
         FogLight[] read = new FogLight[lights.size()];
         for (int l = 0; l < read.length; l++) {
             if (in.readInt() != 0) {
-                read[l] = new FogLight(lights.get(l), medium, scene.world().fog().anisotropy(), in.readInts(),
+                read[l] = new FogLight(lights.get(l), medium, scene.world().fog().anisotropy(), depths, in.readInts(),
                         requireNonNull(in.readOptionalFloatArrays())[0]);
             }
         }
-        return new PictureFog(new FogGrid(scene.camera(), scene.picture()), medium, read);
+        return new PictureFog(new FogGrid(scene.camera(), scene.picture()), medium, depths, read);
     }
 
     static void write(@Nullable FogTile tile, ColumnWriter out) throws IOException {

@@ -9,6 +9,7 @@ import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogMedium;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.fog.FogDepths;
 import lightning.render.shading.fog.FogLight;
 import lightning.render.shading.fog.FogShadows;
 import lightning.render.shading.fog.FogSolver;
@@ -22,12 +23,14 @@ import org.jspecify.annotations.Nullable;
 
 /** Computes the light in the fog of a scene for a full trace. */
 final class FogTracer {
+    private final Geometry geometry;
     private final Scene scene;
     private final WorkerPool workers;
     private final Progress progress;
     private final List<EngineWorkers<PointShadows>> casters;
 
     FogTracer(Geometry geometry, Scene scene, EngineChoice engines, WorkerPool workers, Progress progress) {
+        this.geometry = geometry;
         this.scene = scene;
         this.workers = workers;
         this.progress = progress.cancellationOnly();
@@ -47,7 +50,8 @@ final class FogTracer {
             return null;
         }
         FogGrid grid = new FogGrid(scene.camera(), scene.picture());
-        var solver = new FogSolver(grid, medium, scene.world().fog().anisotropy(), workers, progress);
+        float[] depths = FogDepths.trace(grid, geometry, workers, progress);
+        var solver = new FogSolver(grid, medium, scene.world().fog().anisotropy(), depths, workers, progress);
         var shadows = new FogShadows(grid, workers, casters, progress);
         @Nullable
         FogLight[] traced = new FogLight[lights.length];
@@ -55,7 +59,7 @@ final class FogTracer {
             traced[l] = lights[l].isDarkInFog() ? null
                     : solver.solve(lights[l].source(), shadows.visible(lights[l].source(), null, ShapeChange.NONE));
         }
-        return new PictureFog(grid, medium, traced);
+        return new PictureFog(grid, medium, depths, traced);
     }
 
     /** Returns the rays cast so far. */

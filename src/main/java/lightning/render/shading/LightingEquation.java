@@ -42,7 +42,9 @@ public final class LightingEquation {
     /** 1 for a directional light. */
     private double distance = 1;
     private final @Nullable AngularMask angularMask;
-    private double maskFactor;
+    private float px;
+    private float py;
+    private float pz;
 
     public LightingEquation(LightSource source) {
         this.source = source;
@@ -50,15 +52,17 @@ public final class LightingEquation {
     }
 
     /** Moves to a row: its point and its unit normal. At distance 0 the light is straight above. */
-    public void moveTo(float px, float py, float pz, float nx, float ny, float nz) {
-        maskFactor = angularMask == null ? 1 : angularMask.factor(px, py, pz);
+    public void moveTo(float x, float y, float z, float nx, float ny, float nz) {
+        px = x;
+        py = y;
+        pz = z;
         lx = source.position().x();
         ly = source.position().y();
         lz = source.position().z();
         if (source.type().hasPosition()) {
-            double vx = lx - px;
-            double vy = ly - py;
-            double vz = lz - pz;
+            double vx = lx - x;
+            double vy = ly - y;
+            double vz = lz - z;
             distance = Math.sqrt(vx * vx + vy * vy + vz * vz);
             boolean atLight = distance < MIN_DISTANCE;
             double inverse = 1 / distance;
@@ -212,14 +216,18 @@ public final class LightingEquation {
         return SheenLayer.term(roughness, nx, ny, nz, vx, vy, vz, lx, ly, lz);
     }
 
+    private double maskFactor() {
+        return angularMask == null ? 1 : angularMask.factor(px, py, pz);
+    }
+
     /** Returns atten·spot·doors·fog: 1 for a directional light in clear air. */
     public float falloff() {
         return switch (source.type()) {
-            case DIRECTIONAL -> (float) maskFactor;
-            case POINT -> (float) (attenuation() * maskFactor);
+            case DIRECTIONAL -> (float) maskFactor();
+            case POINT -> (float) (attenuation() * maskFactor());
             case SPOT, RECT, DISC -> {
                 double c = axisCosine();
-                yield (float) (attenuation() * PowerFunction.pow(c > 0 ? c : 0, source.dropoff()) * maskFactor);
+                yield (float) (attenuation() * PowerFunction.pow(c > 0 ? c : 0, source.dropoff()) * maskFactor());
             }
         };
     }

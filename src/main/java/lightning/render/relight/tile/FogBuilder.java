@@ -2,6 +2,7 @@ package lightning.render.relight.tile;
 
 import static java.util.Objects.requireNonNull;
 
+import java.util.Arrays;
 import java.util.List;
 import lightning.base.work.WorkerPool;
 import lightning.render.cache.LayerStamp;
@@ -14,6 +15,7 @@ import lightning.render.relight.plan.LightDifference;
 import lightning.render.relight.plan.LightUpdate;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.fog.FogDepths;
 import lightning.render.shading.fog.FogLight;
 import lightning.render.shading.fog.FogShadows;
 import lightning.render.shading.fog.FogSolver;
@@ -56,17 +58,18 @@ final class FogBuilder {
         }
         FogGrid grid = before != null ? before.grid() : new FogGrid(scene.camera(), scene.picture());
         WeightedLight[] lights = job.target().lights();
-        var solver = new FogSolver(grid, medium, scene.world().fog().anisotropy(), workers, job.progress());
+        float[] depths = depths(grid);
+        var solver = new FogSolver(grid, medium, scene.world().fog().anisotropy(), depths, workers, job.progress());
         var shadows = new FogShadows(grid, workers, casters, job.progress());
         @Nullable
         FogLight[] built = new FogLight[lights.length];
         for (int l = 0; l < lights.length; l++) {
-            built[l] = light(l, lights[l], medium, shadows, solver);
+            built[l] = light(l, lights[l], medium, depths, shadows, solver);
         }
-        return new PictureFog(grid, medium, built);
+        return new PictureFog(grid, medium, depths, built);
     }
 
-    private @Nullable FogLight light(int l, WeightedLight light, FogMedium medium, FogShadows shadows, FogSolver solver) {
+    private @Nullable FogLight light(int l, WeightedLight light, FogMedium medium, float[] depths, FogShadows shadows, FogSolver solver) {
         FogLight known = known(l);
         if (known != null && light.isDarkInFog()) {
             // Updated once it shines.
@@ -84,8 +87,18 @@ final class FogBuilder {
         }
         boolean isSame = !difference.falloff() && difference.update().equals(new LightUpdate.Keep())
                 || difference.update().equals(new LightUpdate.Reweight());
-        return isSame && known.medium().equals(medium) && known.anisotropy() == job.scene().world().fog().anisotropy() ? known
-                : solver.solve(light.source(), known.visible());
+        return isSame && known.hasDepths(depths) && known.medium().equals(medium)
+                && known.anisotropy() == job.scene().world().fog().anisotropy() ? known
+                        : solver.solve(light.source(), known.visible());
+    }
+
+    /** Returns the distances of the first surfaces; the same array as before if none changed. */
+    private float[] depths(FogGrid grid) {
+        if (before != null && job.shapeChange().isEmpty()) {
+            return before.depths();
+        }
+        float[] depths = FogDepths.trace(grid, job.target().geometry(), workers, job.progress());
+        return before != null && Arrays.equals(depths, before.depths()) ? before.depths() : depths;
     }
 
     private ShapeChange shapeChange(int l) {

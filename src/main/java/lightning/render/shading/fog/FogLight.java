@@ -1,7 +1,6 @@
 package lightning.render.shading.fog;
 
 import lightning.render.fog.FogMedium;
-import lightning.render.fog.FogPath;
 import lightning.scene.light.Light;
 
 /**
@@ -12,21 +11,25 @@ public final class FogLight {
     private final Light light;
     private final FogMedium medium;
     private final double anisotropy;
+    private final float[] depths;
     private final int[] visible;
-    private final float[] sums;
+    private final float[] parts;
 
     /**
      * @param light      light that it was computed for
      * @param anisotropy mean cosine of scattering
+     * @param depths     distance of the first surface along each ray: {@code float[rays]}
      * @param visible    samples of each ray that see the light, the lowest bit for the first: {@code int[rays]}
-     * @param sums       sum of the samples before each place, filtered over neighboring rays: {@code float[rays × (samples + 1)]}
+     * @param parts      light of each sample of each ray: {@code float[rays × samples]}
+
      */
-    public FogLight(Light light, FogMedium medium, double anisotropy, int[] visible, float[] sums) {
+    public FogLight(Light light, FogMedium medium, double anisotropy, float[] depths, int[] visible, float[] parts) {
         this.light = light;
         this.medium = medium;
         this.anisotropy = anisotropy;
+        this.depths = depths;
         this.visible = visible;
-        this.sums = sums;
+        this.parts = parts;
     }
 
     /** Returns the light that it was computed for. */
@@ -43,18 +46,23 @@ public final class FogLight {
         return anisotropy;
     }
 
+    /** Returns whether it was computed for the same arrays of depths. */
+    public boolean hasDepths(float[] of) {
+        return depths == of;
+    }
+
     /** Returns the samples of each ray that see the light; must not be modified. */
     public int[] visible() {
         return visible;
     }
 
-    /** Returns the sums before each {@link FogPath#place} of each ray; must not be modified. */
-    public float[] sums() {
-        return sums;
+    /** Returns the light of each sample of each ray; must not be modified. */
+    public float[] parts() {
+        return parts;
     }
 
     /** Returns the bytes of the arrays. */
     public long bytes() {
-        return 4L * visible.length + 4L * sums.length;
+        return 4L * visible.length + 4L * parts.length;
     }
 }

@@ -2,7 +2,6 @@ package lightning.render.shading.fog;
 
 import java.util.Arrays;
 import lightning.base.math.Vec3;
-import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogMedium;
 import lightning.render.fog.FogPath;
 import lightning.render.image.Film;
@@ -25,11 +24,18 @@ public final class FogLookup {
     private final double[] dz = new double[SIZE];
     private final double[] x = new double[SIZE];
     private final double[] y = new double[SIZE];
+    /** Bounds of x and y. */
+    private double minX;
+    private double minY;
+    private double maxX;
+    private double maxY;
+    private final FogSums sums;
 
     /** @param lights lights of the scene, in its order */
     public FogLookup(PictureFog fog, WeightedLight[] lights) {
         this.fog = fog;
         this.lights = lights;
+        sums = new FogSums(fog.grid());
     }
 
     /**
@@ -88,7 +94,15 @@ public final class FogLookup {
             double pz = rows.pz[i] - eye.z();
             distance[rows.parent[i]] = Math.sqrt(px * px + py * py + pz * pz);
         }
+        minX = Double.POSITIVE_INFINITY;
+        minY = Double.POSITIVE_INFINITY;
+        maxX = 0;
+        maxY = 0;
         for (int i = 0; i < count; i++) {
+            minX = Math.min(minX, x[i]);
+            minY = Math.min(minY, y[i]);
+            maxX = Math.max(maxX, x[i]);
+            maxY = Math.max(maxY, y[i]);
             fog.grid().writeDirection(x[i], y[i], dx, dy, dz, i);
         }
     }
@@ -104,34 +118,12 @@ public final class FogLookup {
 
     private float[] scattered(int count, FogLight light, LightSource source) {
         FogSamples samples = new FogSamples(fog.grid(), source);
+        sums.set(light, minX, minY, maxX, maxY);
         float[] to = new float[SIZE];
         for (int i = 0; i < count; i++) {
             samples.aim(path, dx[i], dy[i], dz[i]);
-            to[i] = sum(light.sums(), x[i], y[i], path.place(distance[i]) * FogGrid.SAMPLES);
+            to[i] = sums.before(x[i], y[i], path.place(distance[i]));
         }
         return to;
-    }
-
-    /** Interpolates the sums of the four rays around a point of the image. */
-    private float sum(float[] sums, double px, double py, double place) {
-        FogGrid grid = fog.grid();
-        double column = FogGrid.position(px);
-        double line = FogGrid.position(py);
-        int c = Math.clamp((int) column, 1, grid.columns() - 3);
-        int r = Math.clamp((int) line, 1, grid.lines() - 3);
-        float u = (float) Math.clamp(column - c, 0, 1);
-        float v = (float) Math.clamp(line - r, 0, 1);
-        int k = Math.min((int) place, FogGrid.SAMPLES - 1);
-        float share = (float) (place - k);
-        int stride = FogGrid.SAMPLES + 1;
-        int at = (r * grid.columns() + c) * stride + k;
-        int below = at + grid.columns() * stride;
-        float top = before(sums, at, share) * (1 - u) + before(sums, at + stride, share) * u;
-        float bottom = before(sums, below, share) * (1 - u) + before(sums, below + stride, share) * u;
-        return top * (1 - v) + bottom * v;
-    }
-
-    private static float before(float[] sums, int at, float share) {
-        return sums[at] * (1 - share) + sums[at + 1] * share;
     }
 }

@@ -25,6 +25,9 @@ import org.jspecify.annotations.Nullable;
  * π·p = ¼·(1 − g²)/(1 + g² − 2g·cosθ)<sup>3/2</sup>. θ is 0 where light keeps its direction.
  */
 final class FogScattering {
+    /** Length behind a surface, as a share of all places, in which samples do not count. */
+    static final double HIDDEN = 1.0 / 16;
+
     private final FogGrid grid;
     private final FogMedium medium;
     private final double anisotropy;
@@ -32,6 +35,9 @@ final class FogScattering {
     private final FogPath path = new FogPath();
     /** By sample and phase; only the first for a light without an area. */
     private final @Nullable LightingEquation[] equations = new LightingEquation[FogGrid.SAMPLES * FogGrid.PHASES];
+    /** Part whose transmittance at the start is known. */
+    private int known;
+    private double passed;
     private final double[] dx = new double[1];
     private final double[] dy = new double[1];
     private final double[] dz = new double[1];
@@ -57,24 +63,30 @@ final class FogScattering {
      * Writes the light of each part of a ray.
      *
      * @param visible samples that see the light
+     * @param depth   distance of the ray's first surface
      * @param to      receives one value for each sample
      */
-    void write(int ray, int visible, float[] to, int at) {
+    void write(int ray, int visible, float depth, float[] to, int at) {
         grid.writeDirection(ray, dx, dy, dz, 0);
         samples.aim(path, dx[0], dy[0], dz[0]);
         int phase = grid.phase(ray);
-        int known = -1;
-        double passed = 1;
+        double surface = path.place(depth);
+        known = -1;
         for (int k = 0; k < FogGrid.SAMPLES; k++) {
-            if ((visible >>> k & 1) == 0) {
-                to[at + k] = 0;
-                continue;
-            }
-            double before = known == k ? passed : transmittance(k);
-            passed = transmittance(k + 1);
-            known = k + 1;
-            to[at + k] = before == 0 ? 0 : (float) scattered(k, phase, before - passed);
+            boolean counts = (visible >>> k & 1) != 0 && !isHidden(grid.place(k, phase) - surface);
+            to[at + k] = counts ? (float) scattered(k, phase) : 0;
         }
+    }
+
+    /**
+     * Returns whether a sample is just behind the first surface along its ray, and may be in the light on the other side of a wall. Pixels
+     * around the ray may see the wall a little farther away and would count the sample. Much deeper samples are behind an object, beside which other
+     * pixels look into the depth, and count there.
+     *
+     * @param behind place of the sample less that of the surface
+     */
+    static boolean isHidden(double behind) {
+        return behind > 0 && behind < HIDDEN;
     }
 
     /** Returns what passes from the start of a part to the eye. */
@@ -87,8 +99,7 @@ final class FogScattering {
         return FogMedium.transmittance(medium.depth(eye.x(), eye.y(), eye.z(), dx[0], dy[0], dz[0], distance));
     }
 
-    /** @param lost what the fog absorbs in the part of a sample */
-    private double scattered(int sample, int phase, double lost) {
+    private double scattered(int sample, int phase) {
         double place = grid.place(sample, phase);
         double t = path.distance(place);
         float x = (float) (grid.eye().x() + t * dx[0]);
@@ -96,8 +107,14 @@ final class FogScattering {
         float z = (float) (grid.eye().z() + t * dz[0]);
         LightingEquation equation = equation(sample, phase);
         equation.moveTo(x, y, z, (float) dx[0], (float) dy[0], (float) dz[0]);
-        return equation.insideCone()
-                ? lost(sample, place, t, lost) * (equation.falloff() * phase(equation.towardLight(dx[0], dy[0], dz[0]))) : 0;
+        if (!equation.insideCone()) {
+            return 0;
+        }
+        double before = known == sample ? passed : transmittance(sample);
+        passed = transmittance(sample + 1);
+        known = sample + 1;
+        return before == 0 ? 0 : lost(sample, place, t, before - passed)
+                * (equation.falloff() * phase(equation.towardLight(dx[0], dy[0], dz[0])));
     }
 
     private double lost(int sample, double place, double t, double ofPart) {

@@ -8,14 +8,15 @@ import org.jspecify.annotations.Nullable;
  * Fog of a picture.
  *
  * @param grid   rays along which it is sampled
+ * @param depths distance of the first surface along each ray: {@code float[rays]}
  * @param lights light in it of each light of the scene; null for lights of which it scatters nothing
  */
-public record PictureFog(FogGrid grid, FogMedium medium, @Nullable FogLight[] lights) {
+public record PictureFog(FogGrid grid, FogMedium medium, float[] depths, @Nullable FogLight[] lights) {
     // An array in a record: written once by its creator, never after.
 
     /** Returns the bytes of all lights. */
     public long bytes() {
-        long bytes = 0;
+        long bytes = 4L * depths.length;
         for (FogLight light : lights) {
             bytes += light == null ? 0 : light.bytes();
         }

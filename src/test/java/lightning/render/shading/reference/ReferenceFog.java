@@ -11,6 +11,7 @@ import lightning.render.shading.LightSource;
 import lightning.render.shading.LightingEquation;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.fog.FogComposer;
+import lightning.render.trace.SurfacePoint;
 import lightning.scene.Scene;
 import lightning.scene.value.Fog;
 
@@ -25,6 +26,9 @@ final class ReferenceFog {
     /** Test of whether a light, or one sample of an area light, is visible from a point in render space. */
     interface Visibility {
         boolean isVisible(LightSource source, Vec3 point);
+
+        /** Returns the first surface along a camera ray; null for none. */
+        SurfacePoint surface(Ray ray);
     }
 
     private final FogGrid grid;
@@ -59,7 +63,7 @@ final class ReferenceFog {
         for (int l = 0; l < lights.length; l++) {
             if (!lights[l].isDarkInFog()) {
                 FogPath path = path(lights[l].source(), d);
-                float one = before(l, x, y, path.place(distance) * FogGrid.SAMPLES);
+                float one = before(l, x, y, path.place(distance));
                 for (int c = 0; c < 3; c++) {
                     scattered[c] += lights[l].fog().channel(c) * one;
                 }
@@ -104,8 +108,10 @@ final class ReferenceFog {
 
     private float before(int light, int column, int line, double place) {
         float[] sum = sums.computeIfAbsent(key(light, column, line), _ -> sums(light, column, line));
-        int k = Math.min((int) place, FogGrid.SAMPLES - 1);
-        float share = (float) (place - k);
+        int places = FogGrid.SAMPLES * FogGrid.PHASES;
+        double counted = place >= 1 ? places : Math.max(0, place * places - 0.5);
+        int k = Math.min((int) counted, places - 1);
+        float share = (float) (counted - k);
         return sum[k] * (1 - share) + sum[k + 1] * share;
     }
 
@@ -113,19 +119,21 @@ final class ReferenceFog {
         return ((long) light * grid.lines() + line) * grid.columns() + column;
     }
 
-    /** Returns the sums of a ray's parts, each a mean over 3×3 rays with weights 1, 2, 1. */
+    /** Returns the sums before each place, of the samples of 3×3 rays with weights 1, 2, 1. */
     private float[] sums(int light, int column, int line) {
-        float[] sum = new float[FogGrid.SAMPLES + 1];
-        for (int k = 0; k < FogGrid.SAMPLES; k++) {
-            float mean =
-                    (across(light, column, line - 1, k) + 2 * across(light, column, line, k) + across(light, column, line + 1, k)) / 16;
-            sum[k + 1] = sum[k] + mean;
+        float[] sum = new float[FogGrid.SAMPLES * FogGrid.PHASES + 1];
+        for (int y = line - 1; y <= line + 1; y++) {
+            for (int x = column - 1; x <= column + 1; x++) {
+                float weight = (x == column ? 0.5f : 0.25f) * (y == line ? 0.5f : 0.25f);
+                for (int k = 0; k < FogGrid.SAMPLES; k++) {
+                    sum[1 + FogGrid.PHASES * k + grid.phase(y * grid.columns() + x)] += weight * parts(light, x, y)[k];
+                }
+            }
+        }
+        for (int i = 1; i < sum.length; i++) {
+            sum[i] += sum[i - 1];
         }
         return sum;
-    }
-
-    private float across(int light, int column, int line, int k) {
-        return parts(light, column - 1, line)[k] + 2 * parts(light, column, line)[k] + parts(light, column + 1, line)[k];
     }
 
     private float[] parts(int light, int column, int line) {
@@ -138,6 +146,8 @@ final class ReferenceFog {
         Vec3 d = direction(FogGrid.STEP * (column - 1), FogGrid.STEP * (line - 1));
         FogPath path = path(source, d);
         int phase = grid.phase(ray);
+        SurfacePoint hit = visibility.surface(new Ray(grid.eye(), d));
+        double surface = path.place(hit == null ? Float.POSITIVE_INFINITY : (float) distance(hit.px(), hit.py(), hit.pz()));
         float[] traced = new float[FogGrid.SAMPLES];
         for (int k = 0; k < FogGrid.SAMPLES; k++) {
             double t = path.distance(grid.place(k, phase));
@@ -148,7 +158,9 @@ final class ReferenceFog {
             LightingEquation equation = new LightingEquation(sample);
             equation.moveTo(x, y, z, (float) d.x(), (float) d.y(), (float) d.z());
             double entering = passed(path, d, k);
-            if (entering > 0 && equation.insideCone() && visibility.isVisible(sample, new Vec3(x, y, z))) {
+            double behind = grid.place(k, phase) - surface;
+            if (!(behind > 0 && behind < 1.0 / 16) && entering > 0 && equation.insideCone()
+                    && visibility.isVisible(sample, new Vec3(x, y, z))) {
                 double lost = lost(path, d, k, phase, entering - passed(path, d, k + 1));
                 traced[k] = (float) (lost * (equation.falloff() * phase(equation.towardLight(d.x(), d.y(), d.z()))));
             }

@@ -182,7 +182,7 @@ public final class ReferenceTracer {
         if (forEdges || !scene.world().fog().isPresent()) {
             return color;
         }
-        fog = fog == null ? new ReferenceFog(scene, lights, this::isVisible) : fog;
+        fog = fog == null ? new ReferenceFog(scene, lights, new AirVisibility()) : fog;
         int primitive = geometry.nearestBruteForce(ray);
         if (primitive < 0) {
             return fog.color(color, x, y, Double.POSITIVE_INFINITY);
@@ -208,12 +208,21 @@ public final class ReferenceTracer {
         return ReferenceFog.bounced(scene, ray, color, Math.sqrt(dx * dx + dy * dy + dz * dz));
     }
 
-    /** Returns whether a light is visible from a point in the air. */
-    private boolean isVisible(LightSource source, Vec3 point) {
-        ShadowRayTarget target = sampleTarget(source);
-        Geometry casting = geometry.shadowGeometry(source.light().shadowCasters());
-        return source.type().hasPosition() ? !casting.isBlockedBruteForce(point, target)
-                : !casting.isBlockedBruteForce(new Ray(point, source.position()), Double.POSITIVE_INFINITY);
+    /** Visibility of lights from points in the air. */
+    private final class AirVisibility implements ReferenceFog.Visibility {
+        @Override
+        public boolean isVisible(LightSource source, Vec3 point) {
+            ShadowRayTarget target = sampleTarget(source);
+            Geometry casting = geometry.shadowGeometry(source.light().shadowCasters());
+            return source.type().hasPosition() ? !casting.isBlockedBruteForce(point, target)
+                    : !casting.isBlockedBruteForce(new Ray(point, source.position()), Double.POSITIVE_INFINITY);
+        }
+
+        @Override
+        public SurfacePoint surface(Ray ray) {
+            int primitive = geometry.nearestBruteForce(ray);
+            return primitive < 0 ? null : geometry.surfaceBruteForce(primitive, ray);
+        }
     }
 
     /**

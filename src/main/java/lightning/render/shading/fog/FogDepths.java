@@ -1,0 +1,44 @@
+package lightning.render.shading.fog;
+
+import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.render.fog.FogGrid;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.SurfacePoint;
+
+/** Finds the first surface along each ray of a grid, on all threads. */
+public final class FogDepths {
+    /** Rays of a task. */
+    private static final int RAYS = 512;
+
+    private FogDepths() {}
+
+    /** Returns the distance of each ray's first surface, scene units, infinite for none: {@code float[rays]}. */
+    public static float[] trace(FogGrid grid, Geometry geometry, WorkerPool workers, Progress progress) {
+        float[] depths = new float[grid.count()];
+        workers.run((depths.length + RAYS - 1) / RAYS, (_, task) -> {
+            double[] dx = new double[1];
+            double[] dy = new double[1];
+            double[] dz = new double[1];
+            for (int ray = task * RAYS; ray < Math.min(depths.length, (task + 1) * RAYS); ray++) {
+                grid.writeDirection(ray, dx, dy, dz, 0);
+                depths[ray] = depth(geometry, new Ray(grid.eye(), new Vec3(dx[0], dy[0], dz[0])));
+            }
+        }, progress.cancellationOnly());
+        return depths;
+    }
+
+    private static float depth(Geometry geometry, Ray ray) {
+        int primitive = geometry.nearest(ray);
+        if (primitive < 0) {
+            return Float.POSITIVE_INFINITY;
+        }
+        SurfacePoint at = geometry.surface(primitive, ray);
+        double x = at.px() - ray.origin().x();
+        double y = at.py() - ray.origin().y();
+        double z = at.pz() - ray.origin().z();
+        return (float) Math.sqrt(x * x + y * y + z * z);
+    }
+}

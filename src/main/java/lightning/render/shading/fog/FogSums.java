@@ -1,0 +1,94 @@
+package lightning.render.shading.fog;
+
+import java.util.Arrays;
+import lightning.render.fog.FogGrid;
+
+/**
+ * Light that fog scatters before each place along the rays of a part of the grid. Each ray has the samples of its 3×3 neighbors, by place: those of a
+ * phase have weights 1, 2, 1 in both directions, so that the four phases weigh the same. Holds scratch memory.
+ *
+ * <p>A sample counts once it is before a surface, and fully one step later. So no light from behind a surface is added.
+ */
+final class FogSums {
+    private static final int PLACES = FogGrid.SAMPLES * FogGrid.PHASES;
+    private static final int STRIDE = PLACES + 1;
+
+    private final FogGrid grid;
+    /** Sum of the samples before each place, by ray; the first is 0. */
+    private float[] sums = new float[0];
+    private int left;
+    private int top;
+    private int columns;
+
+    FogSums(FogGrid grid) {
+        this.grid = grid;
+    }
+
+    /** Sets the rays around some points of the image, in pixels. */
+    void set(FogLight light, double minX, double minY, double maxX, double maxY) {
+        left = column(minX);
+        top = line(minY);
+        columns = column(maxX) + 2 - left;
+        int lines = line(maxY) + 2 - top;
+        if (sums.length < columns * lines * STRIDE) {
+            sums = new float[columns * lines * STRIDE];
+        }
+        Arrays.fill(sums, 0, columns * lines * STRIDE, 0);
+        for (int i = 0; i < columns * lines; i++) {
+            addNeighbors(light.parts(), left + i % columns, top + i / columns, i * STRIDE);
+        }
+    }
+
+    private void addNeighbors(float[] parts, int column, int line, int to) {
+        for (int dy = -1; dy <= 1; dy++) {
+            for (int dx = -1; dx <= 1; dx++) {
+                int ray = (line + dy) * grid.columns() + column + dx;
+                float weight = weight(dx) * weight(dy);
+                int at = to + 1 + grid.phase(ray);
+                for (int k = 0; k < FogGrid.SAMPLES; k++) {
+                    sums[at + FogGrid.PHASES * k] += weight * parts[ray * FogGrid.SAMPLES + k];
+                }
+            }
+        }
+        for (int i = 1; i < STRIDE; i++) {
+            sums[to + i] += sums[to + i - 1];
+        }
+    }
+
+    private static float weight(int offset) {
+        return offset == 0 ? 0.5f : 0.25f;
+    }
+
+    private int column(double x) {
+        return Math.clamp((int) FogGrid.position(x), 1, grid.columns() - 3);
+    }
+
+    private int line(double y) {
+        return Math.clamp((int) FogGrid.position(y), 1, grid.lines() - 3);
+    }
+
+    /**
+     * Interpolates the sums of the four rays around a point of the image, one of those that were set.
+     *
+     * @param place place of a surface along its ray, 0…1
+     */
+    float before(double x, double y, double place) {
+        int c = column(x);
+        int r = line(y);
+        float u = (float) Math.clamp(FogGrid.position(x) - c, 0, 1);
+        float v = (float) Math.clamp(FogGrid.position(y) - r, 0, 1);
+        // Half a step after its place, a sample counts by a half.
+        double counted = place >= 1 ? PLACES : Math.max(0, place * PLACES - 0.5);
+        int k = Math.min((int) counted, PLACES - 1);
+        float share = (float) (counted - k);
+        int at = ((r - top) * columns + c - left) * STRIDE + k;
+        int below = at + columns * STRIDE;
+        float upper = before(at, share) * (1 - u) + before(at + STRIDE, share) * u;
+        float lower = before(below, share) * (1 - u) + before(below + STRIDE, share) * u;
+        return upper * (1 - v) + lower * v;
+    }
+
+    private float before(int at, float share) {
+        return sums[at] * (1 - share) + sums[at + 1] * share;
+    }
+}
