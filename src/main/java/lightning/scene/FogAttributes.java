@@ -29,11 +29,11 @@ public final class FogAttributes {
     public static final SceneAttribute<World, Double> FALLOFF = of("fog_falloff", "fog falloff with height",
             NumericKind.number(0, SceneLimits.MAX_FOG_DENSITY, 0.1), "per scene unit above the height, 0 = none",
             Fog::falloff, Fog::withFalloff);
-    public static final SceneAttribute<World, Vec3> CENTER = of("fog_center", "center of the fog box", NumericKind.position(),
-            "scene units", Fog::center, Fog::withCenter);
-    public static final SceneAttribute<World, Vec3> SIZE = of("fog_size", "size of the fog box",
+    public static final SceneAttribute<World, Vec3> CENTER = of("fog_center", "fog center", NumericKind.position(),
+            "center of the box, scene units", Fog::center, Fog::withCenter);
+    public static final SceneAttribute<World, Vec3> SIZE = of("fog_size", "fog size",
             NumericKind.axes(SceneLimits.MAX_COORDINATE, 0.1, NumberUnit.FACTOR, Fog::checkSize),
-            "scene units, 0 = fog everywhere", Fog::size, Fog::withSize);
+            "lengths of the box, scene units, 0 = fog everywhere", Fog::size, Fog::withSize);
 
     /** All attributes, in file order. */
     static final List<SceneAttribute<World, ?>> ALL = List.of(DENSITY, COLOR, AMBIENT, ANISOTROPY, HEIGHT, FALLOFF, CENTER, SIZE);

@@ -6,8 +6,10 @@ import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
 import lightning.base.text.NumberUnit;
+import lightning.scene.FogAttributes;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
@@ -18,6 +20,8 @@ import lightning.scene.light.LightAttribute;
 
 /** Numeric parameter of the property editor's arrow widgets and sliders (paper §3.2, Figure 5), of the selected light or of the scene. */
 public final class NumericParameter {
+    /** Beginnings of titles that the section says. */
+    private static final List<String> PREFIXES = List.of("environment ", "fog ");
     /** Ambient light of the scene. */
     public static final NumericParameter AMBIENCE = ofWorld(World.AMBIENCE);
     /** Factor of the environment's image and light. */
@@ -32,15 +36,24 @@ public final class NumericParameter {
     public static final NumericParameter ENVIRONMENT_SOFTNESS = ofWorld(World.SOFTNESS);
     /** Meters per scene unit, for photometric units. */
     public static final NumericParameter METERS = ofWorld(World.METERS);
+    /** Extinction of fog. */
+    public static final NumericParameter FOG_DENSITY = ofWorld(FogAttributes.DENSITY);
+    /** Fog where there is any: its scattering, and how it ends upward. */
+    public static final List<NumericParameter> FOG =
+            List.of(ofWorld(FogAttributes.ANISOTROPY), ofWorld(FogAttributes.HEIGHT), ofWorld(FogAttributes.FALLOFF));
+    /** Center of the box that contains the fog: x, y, z. */
+    public static final List<NumericParameter> FOG_CENTER = vectorOfWorld(FogAttributes.CENTER);
+    /** Lengths of this box: x, y, z. All are 0 without a box, so that none can be set alone. */
+    public static final List<NumericParameter> FOG_SIZE = vectorOfWorld(FogAttributes.SIZE);
     /** Reflection bounces, an integer. */
-    public static final NumericParameter DEPTH = ofScene(PictureSettings.DEPTH, Scene::picture, Scene::withPicture, _ -> Optional.empty());
+    public static final NumericParameter DEPTH =
+            ofScene(PictureSettings.DEPTH, 0, Scene::picture, Scene::withPicture, _ -> Optional.empty());
 
     /** All parameters, those of lights first. */
     public static final List<NumericParameter> ALL =
-            Stream.concat(LightAttribute.ALL.stream().flatMap(a -> of(a).stream()), Stream.of(AMBIENCE, ENVIRONMENT_INTENSITY,
-                    ENVIRONMENT_GAIN, ENVIRONMENT_ROTATION, ENVIRONMENT_LAMPS, ENVIRONMENT_SOFTNESS, METERS, DEPTH)).toList();
-
-    private static final String ENVIRONMENT = "environment ";
+            Stream.of(LightAttribute.ALL.stream().flatMap(a -> of(a).stream()), Stream.of(AMBIENCE, ENVIRONMENT_INTENSITY,
+                    ENVIRONMENT_GAIN, ENVIRONMENT_ROTATION, ENVIRONMENT_LAMPS, ENVIRONMENT_SOFTNESS, METERS, DEPTH, FOG_DENSITY),
+                    FOG.stream(), FOG_CENTER.stream()).flatMap(all -> all).toList();
 
     private final String id;
     private final String title;
@@ -105,21 +118,30 @@ public final class NumericParameter {
     }
 
     private static NumericParameter ofWorld(SceneAttribute<World, ?> attribute) {
-        return ofScene(attribute, Scene::world, Scene::withWorld, scene -> scene.world().inactiveReason(attribute));
+        return ofScene(attribute, 0, Scene::world, Scene::withWorld, scene -> scene.world().inactiveReason(attribute));
     }
 
-    private static <T, V> NumericParameter ofScene(SceneAttribute<T, V> attribute, PartGetter<T> getPart, PartSetter<T> setPart,
+    private static List<NumericParameter> vectorOfWorld(SceneAttribute<World, Vec3> attribute) {
+        return IntStream.range(0, 3).mapToObj(
+                i -> ofScene(attribute, i, Scene::world, Scene::withWorld, scene -> scene.world().inactiveReason(attribute))).toList();
+    }
+
+    private static <T, V> NumericParameter ofScene(SceneAttribute<T, V> attribute, int index, PartGetter<T> getPart, PartSetter<T> setPart,
             Function<Scene, Optional<String>> disabledReason) {
         if (!(attribute.kind() instanceof NumericKind<V> quantity)) {
             throw new IllegalArgumentException(attribute.title() + " is no number");
         }
-        String title = attribute.title();
-        String label = title.startsWith(ENVIRONMENT) ? title.substring(ENVIRONMENT.length()) : title;
-        return new NumericParameter(attribute.id().replace(' ', '-'), title, label, quantity, true,
+        String part = quantity.labels().get(index);
+        String title = part.isEmpty() ? attribute.title() : attribute.title() + " " + part;
+        String label =
+                PREFIXES.stream().filter(title::startsWith).findFirst().map(prefix -> title.substring(prefix.length())).orElse(title);
+        return new NumericParameter((part.isEmpty() ? attribute.id() : attribute.id() + " " + part).replace(' ', '-'), title, label,
+                quantity,
+                true,
                 (scene, _) -> disabledReason.apply(scene),
-                (scene, _) -> quantity.number(attribute.get(getPart.get(scene)), 0),
+                (scene, _) -> quantity.number(attribute.get(getPart.get(scene)), index),
                 (scene, _, value) -> setPart.set(scene,
-                        attribute.with(getPart.get(scene), quantity.with(attribute.get(getPart.get(scene)), 0, value))));
+                        attribute.with(getPart.get(scene), quantity.with(attribute.get(getPart.get(scene)), index, value))));
     }
 
     /** Returns the stable id of the parameter's control: {@code linear}. */

@@ -109,7 +109,8 @@ class NumericParameterTest {
                 .containsExactlyInAnyOrder("spread", "width", "height", "environment intensity", "environment light gain",
                         "environment rotation",
                         "environment bright lights",
-                        "environment shadow smoothing");
+                        "environment shadow smoothing", "fog anisotropy", "fog height", "fog falloff with height", "fog center x",
+                        "fog center y", "fog center z");
     }
 
     @Test
@@ -128,7 +129,8 @@ class NumericParameterTest {
                 .isEqualTo(List.of(LightAttribute.COLOR, LightAttribute.INTENSITY, LightAttribute.EXPOSURE, LightAttribute.UNIT,
                         LightAttribute.TEMPERATURE, LightAttribute.DIRECTION, LightAttribute.SPREAD,
                         LightAttribute.SAMPLES, LightAttribute.ILLUMINATES, LightAttribute.SHADOWED_BY,
-                        LightAttribute.CASTS_SHADOWS, LightAttribute.DIFFUSE, LightAttribute.SPECULAR, LightAttribute.GAINS));
+                        LightAttribute.CASTS_SHADOWS, LightAttribute.DIFFUSE, LightAttribute.SPECULAR, LightAttribute.FOG,
+                        LightAttribute.GAINS));
         assertThat(DeskScene.parameter("attenuation constant").disabledReason(scene, scene.light("sun")))
                 .contains("a directional light has no attenuation");
     }
@@ -137,7 +139,8 @@ class NumericParameterTest {
     void noSelection_onlySceneParametersCanChange() {
         for (NumericParameter dial : NumericParameter.ALL) {
             assertThat(dial.disabledReason(scene, Optional.empty()).isEmpty())
-                    .isEqualTo(dial == NumericParameter.AMBIENCE || dial == NumericParameter.METERS || dial == NumericParameter.DEPTH);
+                    .isEqualTo(dial == NumericParameter.AMBIENCE || dial == NumericParameter.METERS || dial == NumericParameter.DEPTH
+                            || dial == NumericParameter.FOG_DENSITY);
         }
     }
 

@@ -9,34 +9,38 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.scene.World;
 import lightning.scene.attribute.NumericKind;
-import lightning.scene.value.SceneLimits;
+import lightning.scene.attribute.SceneAttribute;
 import org.jspecify.annotations.Nullable;
 
-/** Background color of the scene. */
-record WorldColor(SceneEditor editor) implements AttributeColor<Rgb> {
-    private static final NumericKind<Rgb> QUANTITY = (NumericKind<Rgb>) World.BACKGROUND.kind();
+/**
+ * Color of the scene's world.
+ *
+ * @param attribute the color
+ * @param id        id of its control
+ * @param help      what it is, for a tooltip
+ */
+record WorldColor(SceneEditor editor, SceneAttribute<World, Rgb> attribute, String id, String help) implements AttributeColor<Rgb> {
 
     /** Creates the sliders of the color. The caller updates them. */
     ColorSliders sliders() {
-        var sliders = ColorSliders.forSurface(Messages.tr(World.BACKGROUND.title()),
-                Messages.tr("Color behind the scene, also seen in reflections"), SceneLimits.MAX_EMISSION, this);
-        sliders.setId("world-background");
+        var sliders = ColorSliders.forSurface(Messages.tr(attribute.title()), help, quantity().max(), this);
+        sliders.setId(id);
         return sliders;
     }
 
     @Override
     public String title() {
-        return World.BACKGROUND.title();
+        return attribute.title();
     }
 
     @Override
     public NumericKind<Rgb> quantity() {
-        return QUANTITY;
+        return (NumericKind<Rgb>) attribute.kind();
     }
 
     @Override
     public Optional<String> edit(UnaryOperator<Rgb> change, @Nullable Object gesture) {
         return editor.edit(scene -> EditOutcome
-                .of(() -> scene.withWorld(World.BACKGROUND.with(scene.world(), change.apply(scene.world().background())))), gesture);
+                .of(() -> scene.withWorld(attribute.with(scene.world(), change.apply(attribute.get(scene.world()))))), gesture);
     }
 }

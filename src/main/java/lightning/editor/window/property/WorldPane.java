@@ -25,9 +25,10 @@ import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.render.image.DisplayCurve;
+import lightning.scene.World;
 import org.jspecify.annotations.Nullable;
 
-/** Properties of the scene as a whole: ambient light, background, environment, indirect light and view. */
+/** Properties of the scene as a whole: ambient light, background, environment, fog, indirect light and view. */
 final class WorldPane extends VBox {
     private final SceneEditor editor;
     private final ViewActions views;
@@ -38,6 +39,7 @@ final class WorldPane extends VBox {
     private final VBox backgroundRows;
     private final VBox environmentRows;
     private final ComboBox<DisplayCurve> curve = new ComboBox<>();
+    private final FogControls fog;
     private final ArrowWidget exposure;
     private final CheckBox solo = new CheckBox(Messages.tr("Solo"));
     private @Nullable Object shownDocument;
@@ -50,7 +52,9 @@ final class WorldPane extends VBox {
         visibleState = editor.editorStateProperty().when(tabSelected);
         setId("world");
         getStyleClass().add("properties");
-        background = new WorldColor(editor).sliders();
+        background = new WorldColor(editor, World.BACKGROUND, "world-background",
+                Messages.tr("Color behind the scene, also seen in reflections")).sliders();
+        fog = new FogControls(editor, visibleState);
         solo.setId("world-solo");
         solo.setTooltip(new Tooltip(Messages.tr("Mute all lights that are not solo")));
         solo.setOnAction(_ -> {
@@ -69,6 +73,7 @@ final class WorldPane extends VBox {
                         FileField.forWorld(editor, model.commands(), model.fileImporter(), visibleState),
                         new EnvironmentPicture(editor, visibleState), environmentRows,
                         number(NumericParameter.AMBIENCE), backgroundRows, number(NumericParameter.METERS)),
+                SectionLayout.section(Messages.tr("Fog"), fog),
                 SectionLayout.section(Messages.tr("Indirect Light"), new IndirectControls(editor, model.commands(), visibleState)),
                 SectionLayout.section(Messages.tr("View"), SectionLayout.caption(Messages.tr("View Transform")), curveBox(), exposure,
                         lut(model)));
@@ -120,11 +125,13 @@ final class WorldPane extends VBox {
             numbers.forEach(ArrowWidget::revert);
             exposure.revert();
             background.revert();
+            fog.revert();
         }
         boolean hasEnvironment = state.scene().world().environment().isPresent();
         setShown(environmentRows, hasEnvironment);
         setShown(backgroundRows, !hasEnvironment);
         background.show(state.scene().world().background());
+        fog.show(state.scene().world().fog());
         solo.setSelected(state.scene().world().solo());
     }
 
