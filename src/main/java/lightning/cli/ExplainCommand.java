@@ -22,10 +22,12 @@ import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.SceneView;
 import lightning.render.relight.TraceMemory;
 import lightning.render.shading.IndirectLight;
+import lightning.render.shading.explanation.FogReport;
 import lightning.render.shading.explanation.LightReport;
 import lightning.render.shading.explanation.PixelExplainer;
 import lightning.render.shading.explanation.PointContributions;
 import lightning.render.shading.explanation.PointReport;
+import lightning.render.shading.fog.PictureFog;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.NormalSteps;
 import lightning.render.trace.SurfacePoint;
@@ -84,7 +86,7 @@ final class ExplainCommand implements Callable<Integer> {
         }
         PixelExplainer direct = new PixelExplainer(scene);
         IndirectLight indirect = traceIndirect(scene, direct.geometry());
-        PixelExplainer explainer = direct.withIndirect(indirect);
+        PixelExplainer explainer = direct.withIndirect(indirect).withFog(traceFog(scene, direct.geometry()));
         PointReport report = explainer.explainPixel(pixel.x(), pixel.y());
         console.print("pixel %d,%d of %d x %d", pixel.x(), pixel.y(), width, height);
         print(explainer, report, "", 1);
@@ -105,6 +107,19 @@ final class ExplainCommand implements Callable<Integer> {
         TraceMemory.check(scene, HeapBudget.availableBytes());
         try (WorkerPool workers = new WorkerPool(WorkerPool.processorCount())) {
             return new TraditionalTracer(scene, geometry).traceIndirect(workers, Progress.NONE);
+        }
+    }
+
+    /** Returns the fog of the picture; null if the air is clear. */
+    private static @Nullable PictureFog traceFog(Scene scene, Geometry geometry) {
+        try (WorkerPool workers = new WorkerPool(WorkerPool.processorCount())) {
+            return new TraditionalTracer(scene, geometry).traceFog(workers, Progress.NONE);
+        }
+    }
+
+    private void printFog(@Nullable FogReport fog, String indent) {
+        if (fog != null) {
+            console.print("%s  fog passes %.4g of it and adds %s", indent, fog.transmittance(), formatRgb(fog.adds()));
         }
     }
 
@@ -159,7 +174,9 @@ final class ExplainCommand implements Callable<Integer> {
                     .collect(Collectors.joining(", ")));
         }
         if (report.isBackground()) {
-            console.print("%snothing: the background, %s", indent, formatRgb(report.color()));
+            console.print("%snothing: the background, %s", indent,
+                    formatRgb(report.fog() == null ? report.color() : report.fog().surface()));
+            printFog(report.fog(), indent);
             return;
         }
         SurfacePoint at = requireNonNull(report.hit());
@@ -198,7 +215,9 @@ final class ExplainCommand implements Callable<Integer> {
         float[] refracted = report.refracted() == null ? null : parts.refractedPart(report.refracted().color());
         printPart("mirror", mirrored, total, indent);
         printPart("behind", refracted, total, indent);
-        console.print("%s  sum          is   %s", indent, formatRgb(report.color()));
+        console.print("%s  sum          is   %s", indent,
+                formatRgb(report.fog() == null ? report.color() : report.fog().surface()));
+        printFog(report.fog(), indent);
         if (mirrored != null && parts.shouldFollow(mirrored, report.color(), share)) {
             console.print("%s  reflected ray hits", indent);
             print(explainer, requireNonNull(report.reflected()), indent + "    ",

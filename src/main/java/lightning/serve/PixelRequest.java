@@ -36,7 +36,7 @@ final class PixelRequest {
         Renderer renderer = session.renderer();
         var indirect = renderer.cache().indirect();
         PixelExplainer explainer = new PixelExplainer(renderer.scene(), renderer.cache().geometry())
-                .withIndirect(indirect == null ? null : indirect.light()).withPassedCutouts();
+                .withIndirect(indirect == null ? null : indirect.light()).withFog(renderer.cache().shown().fog()).withPassedCutouts();
         Film film = renderer.film();
         ExplainReport report = new PixelReporter(scene, explainer).report(x, y, explainer.explainPixel(x, y),
                 new float[] {film.red(x, y), film.green(x, y), film.blue(x, y)});

@@ -24,13 +24,22 @@ public record ExplainReport(int x, int y, int widthPixels, int heightPixels, Poi
      * @param ambient      what ambient light adds
      * @param indirect     what indirect light adds; absent if there is none
      * @param reflection   what a blurred reflection adds; absent if there is none
-     * @param color        sum of all
+     * @param color        sum of all, with fog
+     * @param fog          fog before the point; absent if there is none
      */
     public record Point(@Nullable String object, @Nullable String material, List<String> throughHoles, double @Nullable [] position,
             double @Nullable [] normal, @Nullable Normals normals,
             float @Nullable [] ambient, float @Nullable [] glow, @Nullable List<LightShare> lights, float @Nullable [] indirect,
             float @Nullable [] reflection,
-            @Nullable Ray reflected, @Nullable Ray refracted, float[] color) {}
+            @Nullable Ray reflected, @Nullable Ray refracted, float[] color, @Nullable Fog fog) {}
+
+    /**
+     * Fog along a ray.
+     *
+     * @param transmittance share of the surface's light that passes
+     * @param adds          what the fog adds
+     */
+    public record Fog(float transmittance, float[] adds) {}
 
     /**
      * Steps of a changed normal.

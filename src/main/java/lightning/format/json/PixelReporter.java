@@ -9,6 +9,7 @@ import lightning.base.math.Vec3;
 import lightning.render.gather.GatherStructure;
 import lightning.render.relight.SceneView;
 import lightning.render.shading.IndirectLight;
+import lightning.render.shading.explanation.FogReport;
 import lightning.render.shading.explanation.LightReport;
 import lightning.render.shading.explanation.PixelExplainer;
 import lightning.render.shading.explanation.PointContributions;
@@ -59,7 +60,8 @@ public final class PixelReporter {
     private ExplainReport.Point point(PointReport report, double share) {
         List<String> holes = report.passedCutouts().stream().map(this::name).toList();
         if (report.isBackground()) {
-            return new ExplainReport.Point(null, null, holes, null, null, null, null, null, null, null, null, null, null, report.color());
+            return new ExplainReport.Point(null, null, holes, null, null, null, null, null, null, null, null, null, null, report.color(),
+                    fog(report.fog()));
         }
         SurfacePoint at = requireNonNull(report.hit());
         Material material = geometry.material(at.primitive());
@@ -73,7 +75,11 @@ public final class PixelReporter {
                 report.surroundings() == null ? null : parts.ofSurroundings(report.surroundings()),
                 ray(report.reflected(), parts::reflectedPart, report, parts, share),
                 ray(report.refracted(), parts::refractedPart, report, parts, share),
-                report.color());
+                report.color(), fog(report.fog()));
+    }
+
+    private static ExplainReport.@Nullable Fog fog(@Nullable FogReport fog) {
+        return fog == null ? null : new ExplainReport.Fog(fog.transmittance(), fog.adds());
     }
 
     /** @param from the point that the ray starts from; {@code share} is its share of the pixel */

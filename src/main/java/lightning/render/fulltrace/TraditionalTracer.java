@@ -15,6 +15,7 @@ import lightning.render.shading.RayCounts;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.EdgeDetector;
+import lightning.render.shading.fog.PictureFog;
 import lightning.render.trace.Geometry;
 import lightning.scene.GatherSettings;
 import lightning.scene.SamplingSettings;
@@ -90,6 +91,15 @@ public final class TraditionalTracer {
      */
     public @Nullable IndirectLight traceIndirect(WorkerPool workers, Progress progress) {
         return new IndirectTracer(geometry, scene, WeightedLight.ofScene(scene), engines, workers, progress).trace();
+    }
+
+    /**
+     * Traces the fog of the picture alone; returns null if its air is clear.
+     *
+     * @throws java.util.concurrent.CancellationException if the progress requested cancellation
+     */
+    public @Nullable PictureFog traceFog(WorkerPool workers, Progress progress) {
+        return new FogTracer(geometry, scene, engines, workers, progress).trace(WeightedLight.ofScene(scene));
     }
 
     private int[] allTiles() {

@@ -10,6 +10,7 @@ import lightning.render.cache.CachedLight;
 import lightning.render.cache.CachedScene;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.FineTile;
+import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
@@ -25,6 +26,8 @@ import lightning.render.relight.tile.WorkCounts;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.fog.BounceFog;
+import lightning.render.shading.fog.FogComposer;
 import lightning.render.shading.layer.LightKernel;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.Geometry;
@@ -45,7 +48,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
 
     /** Returns whether a cache can be converted: neither mirror levels stored as hit shapes, which have no rows, nor gathered light. */
     static boolean canConvert(PixelCache cache) {
-        return cache.shown().fog() == null && cache.indirect() == null && cache.mirrored().indirect() == null
+        return cache.indirect() == null && cache.mirrored().indirect() == null
                 && cache.allTiles().stream().allMatch(CachedTile::storesRows);
     }
 
@@ -89,7 +92,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
 
     /** Returns the scene with stamps of layers that were just computed; only scenes without gathered light are converted. */
     private static CachedScene recomputed(CachedScene known) {
-        return new CachedScene(known.scene(), known.lights().stream().map(CachedLight::withComputedStamp).toList(), null, null);
+        return new CachedScene(known.scene(), known.lights().stream().map(CachedLight::withComputedStamp).toList(), null, known.fog());
     }
 
     /** Lights of a scene that levels show: as they shine and as they are cached. */
@@ -117,7 +120,11 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         private @Nullable LightLayer convert(TileLevel old, CachedLight light, Scene scene) {
             LightLayer before = light.layer(old);
             return before == null ? null
-                    : updater.convert(old.rows(), WeightedLight.ofSwitchedOn(requireNonNull(light.stamp()).light(), scene), before);
+                    : updater.convert(old.rows(), withFogOf(requireNonNull(light.stamp()), scene), before);
+        }
+
+        private static WeightedLight withFogOf(LayerStamp stamp, Scene scene) {
+            return WeightedLight.ofSwitchedOn(stamp.light(), scene).withFog(stamp.fog());
         }
 
         WorkCounts work(long rowsComposed) {
@@ -130,12 +137,14 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         private final LayerConverter eye;
         private final LayerConverter mirror;
         private final TileRecomposer recomposer;
+        private final FogComposer fogComposer = new FogComposer();
         private long rowsComposed;
 
         TileConverter(PixelCache cache, RenderOptions to, Engine engine) {
             eye = new LayerConverter(cache.geometry(), to, engine);
             mirror = new LayerConverter(cache.mirroredGeometry(), to, engine);
             recomposer = new TileRecomposer(cache, engine, to.view());
+            recomposer.setMirrorFog(BounceFog.of(cache.mirrored().scene()));
         }
 
         CachedTile convert(SamplePositions places, CachedTile old, LevelLights top, LevelLights mirrors) {
@@ -146,9 +155,11 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
             }
             BounceImages scratch = recomposer.composeImages(levels, mirrors.lights(), mirrors.scene().world());
             BounceImages images = scratch == null ? null : scratch.compact(levels[0].rows());
-            return new CachedTile(levels, old.hitShapes, images,
-                    recomposer.composeFilm(levels[0], top.lights(), top.scene(), places, images),
-                    old.edges, null);
+            float[][] film = recomposer.composeFilm(levels[0], top.lights(), top.scene(), places, images);
+            if (old.fog != null) {
+                fogComposer.add(old.fog, top.lights(), top.scene().world().fog(), film);
+            }
+            return new CachedTile(levels, old.hitShapes, images, film, old.edges, old.fog);
         }
 
         WorkCounts work() {

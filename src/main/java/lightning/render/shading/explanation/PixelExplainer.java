@@ -11,6 +11,7 @@ import java.util.function.Function;
 import java.util.stream.IntStream;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
+import lightning.render.fog.FogMedium;
 import lightning.render.gather.RowWeigher;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.BackgroundShader;
@@ -23,6 +24,10 @@ import lightning.render.shading.LightingEquation;
 import lightning.render.shading.SurfaceWeights;
 import lightning.render.shading.Transmittance;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.fog.FogComposer;
+import lightning.render.shading.fog.FogLookup;
+import lightning.render.shading.fog.FogTile;
+import lightning.render.shading.fog.PictureFog;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.NormalSteps;
@@ -46,23 +51,26 @@ public final class PixelExplainer {
     /** Null without indirect light, as the weigher. */
     private final @Nullable IndirectLight indirect;
     private final @Nullable RowWeigher weigher;
+    /** Null for reports without fog. */
+    private final @Nullable PictureFog pictureFog;
 
     /** Shadow ray targets by light position. */
     private final Map<Vec3, ShadowRayTarget> shadowRayTargets;
 
     /** Creates an explainer that also reports cutouts that rays passed; builds a second BVH for this. */
     public PixelExplainer(Scene scene) {
-        this(scene, Geometry.of(scene), new HashMap<>(), withoutCutouts(scene), null);
+        this(scene, Geometry.of(scene), new HashMap<>(), withoutCutouts(scene), null, null);
     }
 
     /** @param known existing geometry that serves the scene, from its traced picture */
     public PixelExplainer(Scene scene, Geometry known) {
-        this(scene, known.forScene(scene, known.castsReflections()), new HashMap<>(), null, null);
+        this(scene, known.forScene(scene, known.castsReflections()), new HashMap<>(), null, null, null);
     }
 
     private PixelExplainer(Scene scene, Geometry geometry, Map<Vec3, ShadowRayTarget> ends, @Nullable Geometry uncut,
-            @Nullable IndirectLight indirect) {
+            @Nullable IndirectLight indirect, @Nullable PictureFog fog) {
         this.scene = scene;
+        pictureFog = fog;
         this.geometry = geometry;
         this.shadowRayTargets = ends;
         materials = geometry.materials();
@@ -76,17 +84,23 @@ public final class PixelExplainer {
     public PixelExplainer forScene(Scene other, Geometry known) {
         boolean isUnchanged = geometry.canServe(other);
         return new PixelExplainer(other, (isUnchanged ? geometry : known).forScene(other, known.castsReflections()),
-                isUnchanged ? shadowRayTargets : new HashMap<>(), null, null);
+                isUnchanged ? shadowRayTargets : new HashMap<>(), null, null, null);
     }
 
     /** Returns this explainer with the indirect light of its scene; null for none, as initially. */
     public PixelExplainer withIndirect(@Nullable IndirectLight light) {
-        return light == indirect ? this : new PixelExplainer(scene, geometry, shadowRayTargets, uncutGeometry, light);
+        return light == indirect ? this : new PixelExplainer(scene, geometry, shadowRayTargets, uncutGeometry, light, pictureFog);
+    }
+
+    /** Returns this explainer with the fog of its scene's picture; null for reports without fog, as initially. */
+    public PixelExplainer withFog(@Nullable PictureFog fog) {
+        return new PixelExplainer(scene, geometry, shadowRayTargets, uncutGeometry, indirect, fog);
     }
 
     /** Returns this explainer with a report of the cutouts that rays passed; builds a second BVH if the scene has any. */
     public PixelExplainer withPassedCutouts() {
-        return uncutGeometry == null ? new PixelExplainer(scene, geometry, shadowRayTargets, withoutCutouts(scene), indirect) : this;
+        return uncutGeometry == null ? new PixelExplainer(scene, geometry, shadowRayTargets, withoutCutouts(scene), indirect, pictureFog)
+                : this;
     }
 
     /** Returns the indirect light of the scene; null for none. */
@@ -101,7 +115,14 @@ public final class PixelExplainer {
 
     /** Explains the pixel in column {@code x} from the left and row {@code y} from the top. */
     public PointReport explainPixel(int x, int y) {
-        return explainRay(new PixelRays(scene).ray(x, y), scene.picture().depth());
+        Ray ray = new PixelRays(scene).ray(x, y);
+        PointReport report = explainRay(ray, scene.picture().depth());
+        if (pictureFog == null) {
+            return report;
+        }
+        WeightedLight[] weighted = lights.toArray(WeightedLight[]::new);
+        FogTile tile = new FogLookup(pictureFog, weighted).point(x + 0.5, y + 0.5, distance(report, ray.origin()));
+        return behindFog(report, tile.transmittance()[0], FogComposer.scattered(tile, 0, weighted));
     }
 
     private PointReport explainRay(Ray ray, int depth) {
@@ -109,14 +130,16 @@ public final class PixelExplainer {
         if (shape < 0) {
             return new PointReport(null, passedCutouts(ray, Double.POSITIVE_INFINITY), null,
                     BackgroundShader.color(scene.world(), ray.direction()), ZERO, ZERO, null, null,
-                    List.of(), null, null);
+                    List.of(), null, null, null);
         }
         SurfacePoint hit = geometry.surface(shape, ray);
         NormalSteps normals = geometry.normalSteps(shape, ray);
         PointReport reflected = materials.isReflective(hit.material()) && depth > 0
-                ? explainRay(hit.reflectedRay(materials.material(hit.material())), depth - 1) : null;
+                ? explainBounce(hit.reflectedRay(materials.material(hit.material())), depth - 1,
+                        materials.isClear(hit.material()) && requireNonNull(hit.backSide()).isInside())
+                : null;
         Ray through = materials.isClear(hit.material()) && depth > 0 ? hit.refractedRay() : null;
-        PointReport refracted = through == null ? null : explainRay(through, depth - 1);
+        PointReport refracted = through == null ? null : explainBounce(through, depth - 1, !requireNonNull(hit.backSide()).isInside());
         List<LightReport> reports = new ArrayList<>();
         for (WeightedLight light : lights) {
             reports.add(lightReport(light, hit, normals));
@@ -168,7 +191,42 @@ public final class PixelExplainer {
         return new PointReport(hit, passedCutouts(ray, geometry.distance(shape, ray)), normals, color, ambient, glow, bounced,
                 surroundings, reports,
                 reflected,
-                refracted);
+                refracted, null);
+    }
+
+    /** Explains a reflected or refracted ray with the fog along it. */
+    private PointReport explainBounce(Ray ray, int depth, boolean isInside) {
+        PointReport report = explainRay(ray, depth);
+        FogMedium medium = pictureFog == null || isInside ? null : pictureFog.medium();
+        if (medium == null) {
+            return report;
+        }
+        Vec3 o = ray.origin();
+        Vec3 d = ray.direction();
+        float passed = (float) FogMedium.transmittance(medium.depth(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), distance(report, o)));
+        return behindFog(report, passed, ZERO);
+    }
+
+    private static double distance(PointReport report, Vec3 from) {
+        SurfacePoint hit = report.hit();
+        if (hit == null) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double x = hit.px() - from.x();
+        double y = hit.py() - from.y();
+        double z = hit.pz() - from.z();
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+
+    /** @param scattered light of lamps that white fog scatters, by channel */
+    private PointReport behindFog(PointReport report, float passed, float[] scattered) {
+        float[] color = new float[3];
+        float[] adds = new float[3];
+        for (int c = 0; c < 3; c++) {
+            color[c] = FogComposer.color(report.color()[c], passed, scene.world().fog(), c, scattered[c]);
+            adds[c] = FogComposer.color(0, passed, scene.world().fog(), c, scattered[c]);
+        }
+        return report.behind(new FogReport(passed, report.color(), adds), color);
     }
 
     /** Returns the primitives that the ray would hit before a distance if nothing were cut out of them. */

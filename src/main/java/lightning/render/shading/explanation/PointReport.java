@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * @param hit           the hit; null if the ray hit nothing and shows the background
  * @param passedCutouts primitives through whose cutouts the ray passed, each once; empty if not tested
  * @param normals       steps from the geometric to the shading normal; null if both are equal
- * @param color         the color of the ray, linear, {@code float[3]}
+ * @param color         the color of the ray with fog, linear, {@code float[3]}
  * @param ambient       ka·ambience·(1 − kr), linear, {@code float[3]}
  * @param glow          glow·(1 − kr), linear, {@code float[3]}
  * @param indirect      indirect light in the units of the lights' diffuse sum, linear, {@code float[3]}; null if there is none
@@ -20,11 +20,18 @@ import org.jspecify.annotations.Nullable;
  * @param lights        one report for each light of the scene, in its order
  * @param refracted     report of the refracted ray; null if the material is opaque, reflects totally, or the depth ends here
  * @param reflected     report of the mirrored ray; null if the material does not mirror or the depth ends here
+ * @param fog           fog along the ray; null if there is none
  */
 public record PointReport(@Nullable SurfacePoint hit, List<Integer> passedCutouts, @Nullable NormalSteps normals, float[] color,
         float[] ambient, float[] glow, float @Nullable [] indirect, float @Nullable [] surroundings, List<LightReport> lights,
         @Nullable PointReport reflected,
-        @Nullable PointReport refracted) {
+        @Nullable PointReport refracted, @Nullable FogReport fog) {
+
+    /** Returns the report of the same point behind fog. */
+    PointReport behind(FogReport air, float[] seen) {
+        return new PointReport(hit, passedCutouts, normals, seen, ambient, glow, indirect, surroundings, lights, reflected, refracted, air);
+    }
+
     /** Returns whether the ray hit nothing. */
     public boolean isBackground() {
         return hit == null;

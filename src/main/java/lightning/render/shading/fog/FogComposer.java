@@ -24,6 +24,23 @@ public final class FogComposer {
         return surface * transmittance + color * ((1 - transmittance) * ambient + scattered);
     }
 
+    /** Returns channel {@code c} of a color behind fog. */
+    public static float color(float surface, float transmittance, Fog fog, int c, float scattered) {
+        return color(surface, transmittance, channel(fog.color(), c), channel(fog.ambient(), c), scattered);
+    }
+
+    /** Returns what white fog scatters of all lights at a position of a tile: red, green, blue. */
+    public static float[] scattered(FogTile tile, int position, WeightedLight[] lights) {
+        float[] sum = new float[3];
+        for (int c = 0; c < 3; c++) {
+            for (int l = 0; l < lights.length; l++) {
+                float[] column = tile.scattered()[l];
+                sum[c] += column == null || lights[l].isDarkInFog() ? 0 : lights[l].fog().channel(c) * column[position];
+            }
+        }
+        return sum;
+    }
+
     /**
      * Adds fog with all its lights.
      *
@@ -46,7 +63,7 @@ public final class FogComposer {
             Arrays.fill(sum, 0);
             for (int l = from; l < to; l++) {
                 float[] scattered = tile.scattered()[l];
-                if (scattered != null && !lights[l].isDarkInFog()) {
+                if (scattered != null && !FogLookup.isDark(scattered) && !lights[l].isDarkInFog()) {
                     addWeighted(scattered, lights[l].fog(), c);
                 }
             }

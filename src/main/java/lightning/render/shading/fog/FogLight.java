@@ -1,5 +1,6 @@
 package lightning.render.shading.fog;
 
+import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogMedium;
 import lightning.scene.light.Light;
 
@@ -14,6 +15,8 @@ public final class FogLight {
     private final float[] depths;
     private final int[] visible;
     private final float[] parts;
+    /** Whether any sample of a ray has light. */
+    private final boolean[] shines;
 
     /**
      * @param light      light that it was computed for
@@ -30,6 +33,10 @@ public final class FogLight {
         this.depths = depths;
         this.visible = visible;
         this.parts = parts;
+        shines = new boolean[visible.length];
+        for (int i = 0; i < parts.length; i++) {
+            shines[i / FogGrid.SAMPLES] |= parts[i] != 0;
+        }
     }
 
     /** Returns the light that it was computed for. */
@@ -61,8 +68,13 @@ public final class FogLight {
         return parts;
     }
 
+    /** Returns whether any sample of a ray has light. */
+    boolean shines(int ray) {
+        return shines[ray];
+    }
+
     /** Returns the bytes of the arrays. */
     public long bytes() {
-        return 4L * visible.length + 4L * parts.length;
+        return 5L * visible.length + 4L * parts.length;
     }
 }

@@ -14,6 +14,8 @@ import org.jspecify.annotations.Nullable;
 /** Looks up the fog before the surfaces of a tile. Casts no ray. Holds scratch memory: use one instance per thread. */
 public final class FogLookup {
     private static final int SIZE = Film.TILE_PIXELS;
+    /** Column of a tile that a light does not reach; never written. */
+    private static final float[] DARK = new float[SIZE];
 
     private final PictureFog fog;
     private final WeightedLight[] lights;
@@ -74,6 +76,30 @@ public final class FogLookup {
         return new FogTile(fog.medium(), known != null ? known.transmittance() : transmittance(places.count()), sources, scattered);
     }
 
+    /**
+     * Returns the fog before one point of the image, as that of a tile with one position.
+     *
+     * @param px       image coordinates, pixels, as {@code py}
+     * @param length distance of the surface from the eye; infinite for none
+     */
+    public FogTile point(double px, double py, double length) {
+        x[0] = px;
+        y[0] = py;
+        distance[0] = length;
+        setDirections(1);
+        @Nullable
+        FogLight[] sources = new FogLight[lights.length];
+        float[] @Nullable [] scattered = new float[lights.length][];
+        for (int l = 0; l < lights.length; l++) {
+            FogLight light = fog.lights()[l];
+            if (light != null && !lights[l].isDarkInFog()) {
+                scattered[l] = scattered(1, light, lights[l].source());
+                sources[l] = light;
+            }
+        }
+        return new FogTile(fog.medium(), transmittance(1), sources, scattered);
+    }
+
     private static float @Nullable [] column(@Nullable FogTile known, FogLight light) {
         for (int i = 0; known != null && i < known.sources().length; i++) {
             if (known.sources()[i] == light) {
@@ -81,6 +107,11 @@ public final class FogLookup {
             }
         }
         return null;
+    }
+
+    /** Returns whether a column is the shared one of tiles that a light does not reach. */
+    static boolean isDark(float[] column) {
+        return column == DARK;
     }
 
     private void setRays(SamplePositions places, HitRows rows) {
@@ -94,6 +125,10 @@ public final class FogLookup {
             double pz = rows.pz[i] - eye.z();
             distance[rows.parent[i]] = Math.sqrt(px * px + py * py + pz * pz);
         }
+        setDirections(count);
+    }
+
+    private void setDirections(int count) {
         minX = Double.POSITIVE_INFINITY;
         minY = Double.POSITIVE_INFINITY;
         maxX = 0;
@@ -118,7 +153,9 @@ public final class FogLookup {
 
     private float[] scattered(int count, FogLight light, LightSource source) {
         FogSamples samples = new FogSamples(fog.grid(), source);
-        sums.set(light, minX, minY, maxX, maxY);
+        if (!sums.set(light, minX, minY, maxX, maxY)) {
+            return DARK;
+        }
         float[] to = new float[SIZE];
         for (int i = 0; i < count; i++) {
             samples.aim(path, dx[i], dy[i], dz[i]);

@@ -24,25 +24,47 @@ final class FogSums {
         this.grid = grid;
     }
 
-    /** Sets the rays around some points of the image, in pixels. */
-    void set(FogLight light, double minX, double minY, double maxX, double maxY) {
+    /**
+     * Sets the rays around some points of the image, in pixels.
+     *
+     * @return false if the light reaches none of their samples, so that all sums are 0
+     */
+    boolean set(FogLight light, double minX, double minY, double maxX, double maxY) {
         left = column(minX);
         top = line(minY);
         columns = column(maxX) + 2 - left;
         int lines = line(maxY) + 2 - top;
+        if (!shines(light, lines)) {
+            return false;
+        }
         if (sums.length < columns * lines * STRIDE) {
             sums = new float[columns * lines * STRIDE];
         }
         Arrays.fill(sums, 0, columns * lines * STRIDE, 0);
         for (int i = 0; i < columns * lines; i++) {
-            addNeighbors(light.parts(), left + i % columns, top + i / columns, i * STRIDE);
+            addNeighbors(light, left + i % columns, top + i / columns, i * STRIDE);
         }
+        return true;
     }
 
-    private void addNeighbors(float[] parts, int column, int line, int to) {
+    private boolean shines(FogLight light, int lines) {
+        boolean any = false;
+        for (int line = top - 1; line <= top + lines; line++) {
+            for (int column = left - 1; column <= left + columns; column++) {
+                any |= light.shines(line * grid.columns() + column);
+            }
+        }
+        return any;
+    }
+
+    private void addNeighbors(FogLight light, int column, int line, int to) {
         for (int dy = -1; dy <= 1; dy++) {
             for (int dx = -1; dx <= 1; dx++) {
                 int ray = (line + dy) * grid.columns() + column + dx;
+                if (!light.shines(ray)) {
+                    continue;
+                }
+                float[] parts = light.parts();
                 float weight = weight(dx) * weight(dy);
                 int at = to + 1 + grid.phase(ray);
                 for (int k = 0; k < FogGrid.SAMPLES; k++) {

@@ -19,7 +19,7 @@ public record FogTile(FogMedium medium, float[] transmittance, @Nullable FogLigh
     public long bytes() {
         long bytes = 4L * transmittance.length;
         for (float[] column : scattered) {
-            bytes += column == null ? 0 : 4L * column.length;
+            bytes += column == null || FogLookup.isDark(column) ? 0 : 4L * column.length;
         }
         return bytes;
     }

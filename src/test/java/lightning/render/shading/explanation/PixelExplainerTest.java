@@ -63,7 +63,8 @@ class PixelExplainerTest {
 
     private static PixelExplainer withGatheredLight(PixelExplainer explainer, Scene scene) {
         try (WorkerPool workers = new WorkerPool(1)) {
-            return explainer.withIndirect(new TraditionalTracer(scene, explainer.geometry()).traceIndirect(workers, Progress.NONE));
+            TraditionalTracer tracer = new TraditionalTracer(scene, explainer.geometry());
+            return explainer.withIndirect(tracer.traceIndirect(workers, Progress.NONE)).withFog(tracer.traceFog(workers, Progress.NONE));
         }
     }
 
@@ -75,7 +76,8 @@ class PixelExplainerTest {
         var tracer = new TraditionalTracer(scene, explainer.geometry());
         try (WorkerPool workers = new WorkerPool(1)) {
             Film film = tracer.trace(workers, Progress.NONE).film();
-            explainer = explainer.withIndirect(tracer.traceIndirect(workers, Progress.NONE));
+            explainer =
+                    explainer.withIndirect(tracer.traceIndirect(workers, Progress.NONE)).withFog(tracer.traceFog(workers, Progress.NONE));
             for (int i = 0; i < 30; i++) {
                 int x = pixels.nextInt(scene.picture().width());
                 int y = pixels.nextInt(scene.picture().height());
