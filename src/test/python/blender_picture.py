@@ -42,4 +42,20 @@ scene.lightning_indirect = "AUTO"
 bpy.ops.mesh.primitive_cube_add(size=100)
 assert "the camera is in a closed room, so indirect light is on" in transfer.send(bpy.context, FILE)
 assert "indirect" in FILE.read_text(encoding="utf-8")
+# The bounces of Blender's engine, also in the open.
+bpy.data.objects.remove(bpy.context.object)
+scene.render.engine = "CYCLES"
+scene.cycles.diffuse_bounces = 3
+assert "indirect light is on with 3 bounces, as in Cycles" in transfer.send(bpy.context, FILE)
+assert "bounces 3" in FILE.read_text(encoding="utf-8")
+scene.cycles.diffuse_bounces = 20
+assert "indirect light is on with 8 bounces, as in Cycles, which has 12" in transfer.send(bpy.context, FILE)
+scene.cycles.diffuse_bounces = 0
+assert "indirect light is off, because Cycles has no diffuse bounces" in transfer.send(bpy.context, FILE)
+assert "indirect" not in FILE.read_text(encoding="utf-8")
+scene.render.engine = "BLENDER_EEVEE"
+scene.eevee.use_raytracing = True
+assert "indirect light is on with 4 bounces, as in EEVEE with ray tracing" in transfer.send(bpy.context, FILE)
+scene.eevee.use_raytracing = False
+assert not [line for line in transfer.send(bpy.context, FILE) if "indirect" in line]
 print("the picture is equal")

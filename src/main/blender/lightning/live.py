@@ -235,7 +235,7 @@ class LiveView:
         shown += [(obj.name, obj.hide_render, obj.visible_camera) for obj in visibility.in_instances(scene)]
         groups = {name: group for name, group in memory.of_scene(scene).get("banks", {}).items()
                   if any(group.get(key, neutral) != neutral for key, neutral in NEUTRAL.items())}
-        return shot.size(scene), scene.lightning_indirect, shown, scene.camera and scene.camera.name, groups
+        return shot.size(scene), scene.lightning_indirect, picture.bounces(scene), shown, scene.camera and scene.camera.name, groups
 
     def _edit(self, scene) -> None:
         """Sends the changes and requests a picture."""

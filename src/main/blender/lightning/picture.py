@@ -6,9 +6,15 @@ from . import axes, shot
 # Lightning's curves for Blender's view transforms.
 VIEWS = {"AgX": "agx", "ACES 2.0": "aces2", "Filmic": "filmic", "Standard": "srgb", "Raw": "linear"}
 # Choices of indirect light, as for the import.
-INDIRECT = [("AUTO", "Automatic", "Indirect light if the camera is in a closed room"),
+INDIRECT = [("AUTO", "Automatic", "Indirect light with the bounces of Cycles; with other engines, if rays are traced or the camera is in a closed room"),
             ("ON", "On", "Indirect light: light that surfaces scatter onto each other"),
             ("OFF", "Off", "Direct light only")]
+# Engines that trace rays if the scene says so. The name changed twice.
+EEVEE = ("BLENDER_EEVEE", "BLENDER_EEVEE_NEXT")
+# Bounces of Cycles by default, for EEVEE, which has no number of its own.
+DEFAULT_BOUNCES = 4
+# Maximum bounces in Lightning.
+MAX_BOUNCES = 8
 
 
 def send(scene, remembered: dict, messages: list[str]) -> dict:
@@ -22,15 +28,41 @@ def send(scene, remembered: dict, messages: list[str]) -> dict:
         messages.append(f"the view transform {scene.view_settings.view_transform} is not sent")
     result = {"antialias": "edges"} | remembered.get("lightning", {})
     result |= {key: value for key, value in now.items() if key not in result or value != before.get(key)}
-    # Automatic is decided again at each import.
+    # Automatic is decided again each time.
     if scene.lightning_indirect != "ON":
         result.pop("indirect", None)
+    if scene.lightning_indirect == "AUTO":
+        _add_indirect(scene, result, messages)
     return result
+
+
+def _add_indirect(scene, result: dict, messages: list[str]) -> None:
+    count = bounces(scene)
+    if count is None:
+        return
+    engine = "EEVEE with ray tracing" if scene.render.engine in EEVEE else "Cycles"
+    if count == 0:
+        messages.append("indirect light is off, because Cycles has no diffuse bounces")
+        return
+    used = min(count, MAX_BOUNCES)
+    result["indirect"] = {"bounces": used}
+    messages.append(f"indirect light is on with {used} {'bounce' if used == 1 else 'bounces'}, as in {engine}"
+                    + (f", which has {count}" if count > used else ""))
+
+
+def bounces(scene) -> int | None:
+    """Returns the diffuse bounces of a render in Blender; None if its engine has no such light."""
+    if scene.render.engine == "CYCLES":
+        return min(scene.cycles.diffuse_bounces, scene.cycles.max_bounces)
+    return DEFAULT_BOUNCES if scene.render.engine in EEVEE and scene.eevee.use_raytracing else None
 
 
 def indirect(scene) -> str:
     """Returns whether an import gives the scene indirect light: auto, on or off."""
-    return scene.lightning_indirect.lower()
+    count = bounces(scene)
+    if scene.lightning_indirect != "AUTO" or count is None:
+        return scene.lightning_indirect.lower()
+    return "on" if count else "off"
 
 
 def store(scene, shown: dict) -> dict:

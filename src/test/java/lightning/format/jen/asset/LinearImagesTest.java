@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -51,6 +53,28 @@ class LinearImagesTest {
                 new float[] {map.channel(0, 0, 0), map.channel(0, 0, 1), map.channel(0, 0, 2), map.channel(1, 0, 0), map.channel(1, 0, 1),
                     map.channel(1, 0, 2)})
                 .containsExactly(1e-5f, 3, 70_000, 0.1f, 0, 0);
+    }
+
+    /** The data of 2×1 pixels are the right half of the second line of a window of 4×2 pixels. */
+    @Test
+    void environmentOfCroppedOpenExr_fillsItsDisplayWindowWithBlack() throws Exception {
+        exr("sky.exr", 2, 1, 1, 2, 3, 4, 5, 6);
+        Path file = folder.resolve("sky.exr");
+        byte[] bytes = Files.readAllBytes(file);
+        String text = new String(bytes, StandardCharsets.ISO_8859_1);
+        String attribute = "displayWindow\0box2i\0";
+        ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN)
+                .position(text.indexOf(attribute) + attribute.length() + Integer.BYTES)
+                .putInt(-2).putInt(-1).putInt(1).putInt(0);
+        Files.write(file, bytes);
+        EnvironmentMap map = read("world { environment \"sky.exr\" }").scene().world().environment().orElseThrow().map();
+        assertThat(map.width()).isEqualTo(4);
+        assertThat(map.height()).isEqualTo(2);
+        float[] red = new float[8];
+        for (int i = 0; i < red.length; i++) {
+            red[i] = map.channel(i % 4, i / 4, 0);
+        }
+        assertThat(red).containsExactly(0, 0, 0, 0, 0, 0, 1, 4);
     }
 
     @Test
