@@ -21,11 +21,11 @@ import lightning.scene.value.SceneLimits;
 public record Beam(double cone, double softness, double spread) implements BeamBuilder.With {
     /** Cone and spread that hold nothing back, in degrees. */
     public static final double OPEN_ANGLE = 90;
-    /** All light of a face. */
-    public static final Beam OPEN = new Beam(OPEN_ANGLE, 0, OPEN_ANGLE);
     static final NumericKind<Double> CONES = NumericKind.degrees(0, OPEN_ANGLE, 1);
     static final NumericKind<Double> SOFTNESSES = NumericKind.number(0, 1, 0.1);
     static final NumericKind<Double> SPREADS = NumericKind.degrees(SceneLimits.MIN_BEAM_SPREAD, OPEN_ANGLE, 1);
+    /** All light of a face. */
+    public static final Beam OPEN = new Beam(OPEN_ANGLE, 0, OPEN_ANGLE);
     /** Intervals of Simpson's rule on each side of the beginning of the soft edge. */
     private static final int INTERVALS = 128;
     /** Natural logarithm of a share of the light that does not count. */
