@@ -107,8 +107,7 @@ class UsdShapingTest {
     void spotThatBecomesARectangle_losesItsCone() throws Exception {
         assertThat(imported("SphereLight", CONE).type()).isEqualTo(LightType.SPOT);
         assertThat(exported(light -> light.withType(LightType.RECT).withDirection(new Vec3(0, -1, 0))))
-                .contains("def RectLight", "shaping:cone:angle = 90", "shaping:cone:softness = 0", "shaping:focus = 0",
-                        "shaping:ies:file = @@");
+                .contains("def RectLight", "shaping:cone:angle = 90", "shaping:cone:softness = 0").doesNotContain("focus");
     }
 
     @Test

@@ -186,7 +186,7 @@ public final class UsdLightChanges {
         Set<String> all = new HashSet<>(POWER);
         if (!isDirect) {
             all.addAll(SIZE);
-            all.addAll(Set.of("angle", "dropoff"));
+            all.addAll(Set.of("angle", "dropoff", "cone", "cone_softness", "beam_spread"));
         }
         return all;
     }
