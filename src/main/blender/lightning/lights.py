@@ -200,11 +200,11 @@ def receive(obj, settings: dict, groups: dict, messages: list[str]) -> None:
         light.specular_factor = settings["specular"]
     if changed("bank"):
         obj.lightgroup = settings["bank"]
-    for key, neutral, what in (("doors", [90, 90, 90, 90], "barn doors"), ("gobo", "", "the gobo"), ("cone", 90, "the cone"), ("texture", "", "the texture"), ("gains", {}, "gains")):
+    for key, neutral, what in (("doors", [90, 90, 90, 90], "barn doors"), ("gobo", "", "the gobo"), ("texture", "", "the texture"), ("gains", {}, "gains")):
         if settings.get(key, neutral) != neutral and changed(key):
             messages.append(f"{obj.name}: {what} stay in Lightning only")
     if light.type == "AREA":
-        for key, neutral, what in (("dropoff", 0, "the edge falloff"), ("profile", "", "the IES profile")):
+        for key, neutral, what in (("cone", 90, "the cone"), ("dropoff", 0, "the edge falloff"), ("profile", "", "the IES profile")):
             if settings.get(key, neutral) != neutral and changed(key):
                 messages.append(f"{obj.name}: {what} stays in Lightning only")
 
