@@ -45,6 +45,9 @@ def build() -> None:
         "wide_sun": lambda: sample.add_light("SUN", "L", rotation=(0.5, 0.4, 0), energy=2, angle=math.radians(60)),
         "rect": lambda: sample.add_light("AREA", "L", (2, -2, 3), (0.6, 0.5, 0), energy=300, shape="RECTANGLE", size=1.5, size_y=0.5),
         "disc": lambda: sample.add_light("AREA", "L", (2, -2, 3), (0.6, 0.5, 0), energy=300, shape="DISK", size=1, exposure=0.5),
+        "softbox": lambda: sample.add_light("AREA", "L", (2, -2, 3), (0.6, 0.5, 0), energy=300, shape="RECTANGLE", size=1.5, size_y=0.5,
+                                            spread=math.radians(70)),
+        "snoot": lambda: sample.add_light("AREA", "L", (1, -2, 4), (0.4, 0.2, 0), energy=100, shape="DISK", size=0.5, spread=math.radians(25)),
         "warm": lambda: sample.add_light("POINT", "L", (1, -2, 3), energy=400, use_temperature=True, temperature=2500,
                                          shadow_soft_size=0),
         "screen": lambda: sample.show_image(sample.add_light("AREA", "L", (1, -1, 1.6), (0.7, 0.5, 0.4), energy=100, shape="RECTANGLE", size=2, size_y=1)),
@@ -156,6 +159,6 @@ ratio = ours.sum() / theirs.sum()
 print(f"{KIND}: sum {ratio:.5f}, median error {numpy.median(error / numpy.maximum(theirs, 1e-3 * white)):.5f}, "
       f"noise {noise.mean() / theirs.mean():.5f}, beyond the bound {beyond:.5f}")
 # Where 16 or 64 samples of an area light see part of it, they can miss by one sample more.
-samples = 1 / 64 if KIND in ("ball", "wide_sun", "rect", "disc", "screen", "window") else 0
+samples = 1 / 64 if KIND in ("ball", "wide_sun", "rect", "disc", "softbox", "snoot", "screen", "window") else 0
 assert not (error > bound + samples * white).any(), KIND
 assert abs(ratio - 1) <= (bound + samples * theirs).sum() / theirs.sum(), KIND

@@ -13,8 +13,8 @@ from . import light_nodes, lights, memory
 # Attributes that change the same properties in Blender, and these properties: of the object, of its light, or of its light's node.
 GROUPS = (
     (("at", "direction", "up"), ("location", "rotation_euler", "rotation_quaternion", "rotation_axis_angle")),
-    (("color", "intensity", "relative_intensity", "exposure", "temperature", "bank.color", "bank.intensity"),
-     ("data.color", "data.energy", "data.exposure", "data.temperature", "data.use_temperature", "node.Color", "node.Strength")),
+    (("color", "intensity", "relative_intensity", "exposure", "temperature", "bank.color", "bank.intensity", "beam_spread"),
+     ("data.color", "data.energy", "data.spread", "data.exposure", "data.temperature", "data.use_temperature", "node.Color", "node.Strength")),
     (("radius", "width", "height"), ("data.shadow_soft_size", "data.size", "data.size_y")),
     (("angle", "dropoff"), ("data.spot_size", "data.spot_blend")),
     (("spread",), ("data.angle",)),

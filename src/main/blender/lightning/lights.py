@@ -14,6 +14,10 @@ from . import axes, light_nodes, linking, memory, temperature, visibility
 
 # Lightning's intensity for one watt, or for one watt per square meter of a sun: the brightness of a white surface at distance 1.
 PER_WATT = {"POINT": 1 / (4 * math.pi ** 2), "SPOT": 1 / (4 * math.pi ** 2), "AREA": 1 / math.pi ** 2, "SUN": 1 / math.pi}
+# Values of settings that older versions did not remember.
+OLD = {"beam_spread": 90}
+# Smallest half-angle of an area light's beam in Lightning, in degrees.
+NARROWEST = 1
 TYPES = {"point": "POINT", "spot": "SPOT", "directional": "SUN", "rect": "AREA", "disc": "AREA"}
 
 
@@ -67,7 +71,7 @@ def describe(obj, groups: dict, messages: list[str], matrix=None) -> dict:
     result = {
         "type": {"POINT": "point", "SPOT": "spot", "SUN": "directional"}.get(light.type, _area_type(light)),
         "color": [_ratio(axes.number(c) * e * k, g) for c, e, k, g in zip(light.color, color, correction, group.get("color", [1, 1, 1]))],
-        "intensity": _ratio(max(axes.number(light.energy) * strength * _area_factor(light, scale), 0) * PER_WATT[light.type],
+        "intensity": _ratio(max(axes.number(light.energy) * strength * _area_factor(light, scale) * _spread_gain(light), 0) * PER_WATT[light.type],
                             group.get("intensity", 1)),
         "exposure": axes.number(light.exposure),
         "temperature": axes.number(kelvin),
@@ -105,8 +109,9 @@ def describe(obj, groups: dict, messages: list[str], matrix=None) -> dict:
                 messages.append(f"{obj.name}: an ellipse became a disc of the same area")
         else:
             result["width"], result["height"] = axes.number(width), axes.number(height)
-        if light.spread < math.radians(179.9):
-            messages.append(f"{obj.name}: the beam spread of an area light is not sent")
+        result["beam_spread"] = _beam_spread(light)
+        if math.degrees(light.spread) < 2 * NARROWEST - 1e-3:
+            messages.append(f"{obj.name}: its beam spread became {2 * NARROWEST} degrees, the smallest of Lightning")
     return result
 
 
@@ -116,6 +121,20 @@ def _ratio(value: float, factor: float) -> float:
 
 def _area_type(light) -> str:
     return "disc" if light.type == "AREA" and light.shape in ("DISK", "ELLIPSE") else "rect"
+
+
+def _beam_spread(light) -> float:
+    """Returns the half-angle of an area light's beam in degrees; 90 for one without a limit."""
+    return min(max(axes.degrees(light.spread / 2), NARROWEST), 90)
+
+
+def _spread_gain(light) -> float:
+    """Returns the factor along the axis by which Cycles makes a narrow area light brighter, so that its power stays.
+
+    The light at angle x is 1 - tan(x) / tan(a), and the integral of that times cos(x) * sin(x) is (tan(a) - a) / (2 * tan(a)).
+    """
+    half = math.radians(_beam_spread(light)) if light.type == "AREA" else math.pi / 2
+    return math.tan(half) / (math.tan(half) - half) if half < math.radians(89.999) else 1
 
 
 def _area_factor(light, scale) -> float:
@@ -144,7 +163,7 @@ def receive(obj, settings: dict, groups: dict, messages: list[str]) -> None:
     before = remembered.get("settings", {})
 
     def changed(*keys: str) -> bool:
-        return any(settings.get(key) != before.get(key) for key in keys)
+        return any(settings.get(key) != before.get(key, OLD.get(key)) for key in keys)
 
     light = obj.data
     kind = settings["type"]
@@ -184,6 +203,10 @@ def receive(obj, settings: dict, groups: dict, messages: list[str]) -> None:
     for key, neutral, what in (("doors", [90, 90, 90, 90], "barn doors"), ("gobo", "", "the gobo"), ("texture", "", "the texture"), ("gains", {}, "gains")):
         if settings.get(key, neutral) != neutral and changed(key):
             messages.append(f"{obj.name}: {what} stay in Lightning only")
+    if light.type == "AREA":
+        for key, neutral, what in (("cone", 90, "the cone"), ("dropoff", 0, "the edge falloff"), ("profile", "", "the IES profile")):
+            if settings.get(key, neutral) != neutral and changed(key):
+                messages.append(f"{obj.name}: {what} stays in Lightning only")
 
 
 def _place(obj, settings: dict, before: dict) -> None:
@@ -214,6 +237,8 @@ def _receive_shape(obj, light, settings: dict, changed, messages: list[str]) -> 
                     messages.append(f"{obj.name}: the IES profile stays in Lightning only")
     if light.type == "SUN" and changed("type", "spread"):
         light.angle = math.radians(2 * settings["spread"])
+    if light.type == "AREA" and changed("type", "beam_spread") and "beam_spread" in settings:
+        light.spread = math.radians(2 * settings["beam_spread"])
     if light.type == "AREA" and changed("type", "radius", "width", "height"):
         if settings["type"] == "disc":
             light.shape = "DISK"
@@ -234,10 +259,10 @@ def _blend(angle: float, dropoff: float) -> float:
 
 def _receive_strength(obj, light, settings: dict, before: dict, groups: dict, messages: list[str]) -> None:
     neutral = {"color": [1, 1, 1], "intensity": 1}
-    keys = ("color", "intensity", "exposure", "temperature", "bank", "falloff", "attenuation", "unit")
+    keys = ("color", "intensity", "exposure", "temperature", "bank", "falloff", "attenuation", "unit", "beam_spread")
     group = groups.get(settings["bank"]) or neutral
     old_group = neutral | memory.of_light(obj).get("group", {})
-    if before and all(settings.get(k) == before.get(k) for k in keys) and all(group[k] == old_group[k] for k in neutral):
+    if before and all(settings.get(k) == before.get(k, OLD.get(k)) for k in keys) and all(group[k] == old_group[k] for k in neutral):
         return
     kelvin = settings["temperature"]
     if before.get("temperature") != kelvin:
@@ -261,7 +286,7 @@ def _receive_strength(obj, light, settings: dict, before: dict, groups: dict, me
         intensity /= max(constant + linear + quadratic, 1) if constant or linear else quadratic or 1
         if constant or linear:
             messages.append(f"{obj.name}: its falloff is not inverse-square; Blender's light is equal at distance 1")
-    factor = PER_WATT[light.type] * _area_factor(light, placement(obj).to_scale())
+    factor = PER_WATT[light.type] * _area_factor(light, placement(obj).to_scale()) * _spread_gain(light)
     power = intensity * group["intensity"] / factor if factor > 0 else 0
     if node is not None and light.energy > 0:
         node.inputs["Strength"].default_value = power / light.energy

@@ -8,7 +8,7 @@ import bpy
 from . import axes, lights, motion, visibility
 
 # Properties of lights that can have keys in Lightning.
-KEYED = ("color", "intensity", "exposure", "temperature", "at", "direction", "up", "on", "angle", "radius", "spread", "width", "height",
+KEYED = ("color", "intensity", "exposure", "temperature", "at", "direction", "up", "on", "angle", "radius", "spread", "beam_spread", "width", "height",
          "diffuse", "specular", "casts_shadows")
 
 

@@ -10,6 +10,7 @@ import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.LightTexture;
 import lightning.scene.asset.Texture;
 import lightning.scene.light.AreaShape;
+import lightning.scene.light.Beam;
 import lightning.scene.light.Contribution;
 import lightning.scene.light.Emission;
 import lightning.scene.light.FaceVisibility;
@@ -47,7 +48,7 @@ final class LightArbitraries {
                         .withOn(shines[0]).withSolo(shines[1]).withArea(area))
                 .flatMap(light -> doors().map(light::withDoors)).flatMap(light -> feathers().map(light::withFeather))
                 .flatMap(light -> textures().map(light::withTexture)).flatMap(light -> gobos().map(light::withGobo))
-                .flatMap(light -> profiles().map(light::withProfile))
+                .flatMap(light -> profiles().map(light::withProfile)).flatMap(light -> beams().map(light::withBeam))
                 .flatMap(light -> Combinators.combine(emissions(), falloffs()).as((e, f) -> light.withEmission(e).withFalloff(f)))
                 .flatMap(light -> rarelyTrue().map(light::withIlluminates)).flatMap(light -> rarelyTrue().map(light::withShadowedBy))
                 .flatMap(light -> contributions().map(light::withContribution))
@@ -106,6 +107,15 @@ final class LightArbitraries {
         Arbitrary<Double> door = NumberArbitraries.rangeOrSpecial(-20, 40, 90.0, 90.0, 0.0, -90.0);
         return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(BarnDoors.OPEN)),
                 Tuple.of(1, Combinators.combine(door, door, door, door).as(BarnDoors::new)));
+    }
+
+    /** Returns beams of rectangles and discs, half of them open. */
+    static Arbitrary<Beam> beams() {
+        Arbitrary<Double> cone = NumberArbitraries.rangeOrSpecial(5, 80, 90.0, 90.0, 0.0, 1e-3);
+        Arbitrary<Double> softness = NumberArbitraries.rangeOrSpecial(0, 1, 0.0, 0.0, 1.0, 1e-9);
+        Arbitrary<Double> spread = NumberArbitraries.rangeOrSpecial(5, 85, 90.0, 90.0, 1.0, 89.9999);
+        return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(Beam.OPEN)),
+                Tuple.of(3, Combinators.combine(cone, softness, spread).as(Beam::new)));
     }
 
     static Arbitrary<Optional<Gobo>> gobos() {

@@ -20,6 +20,7 @@ import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.light.AreaShape;
+import lightning.scene.light.Beam;
 import lightning.scene.light.Cone;
 import lightning.scene.light.Contribution;
 import lightning.scene.light.DistanceFalloff;
@@ -62,6 +63,7 @@ class AttributePropertiesTest {
                     entry("LayerMaps.sheen", "sheen map"), entry("LayerMaps.sheenRoughness", "sheen roughness map"),
                     entry("Cone.angle", "cone half-angle"),
                     entry("Cone.dropoff", "edge falloff"), entry("Cone.doors", "barn doors"), entry("Cone.profile", "IES profile"),
+                    entry("Beam.cone", "cone cutoff"), entry("Beam.softness", "cone softness"), entry("Beam.spread", "beam spread"),
                     entry("AreaShape.up", "roll axis"), entry("AreaShape.visibility", "visible to camera"),
                     entry("Transmission.ior", "IOR"), entry("Anisotropy.strength", "anisotropy"),
                     entry("Anisotropy.rotation", "anisotropy rotation"), entry("Coat.weight", "coat"),
@@ -119,7 +121,8 @@ class AttributePropertiesTest {
             // Only a view without soft shadows has it.
             return Stream.empty();
         }
-        return component.getType() == AreaShape.class || component.getType() == Cone.class || component.getType() == Switches.class
+        return component.getType() == AreaShape.class || component.getType() == Cone.class || component.getType() == Beam.class
+                || component.getType() == Switches.class
                 || component.getType() == DistanceFalloff.class || component.getType() == Emission.class
                 || component.getType() == BumpMapping.class
                 || component.getType() == Anisotropy.class

@@ -32,16 +32,16 @@ final class PunctualLightExport {
         double scale = Math.max(light.color().max(), 1);
         Rgb color = light.color().times(1 / scale);
         double intensity = scale * light.intensity() * attenuationFactor(light, notes) / units.intensityOfOneUnit(type);
-        double outer = Math.max(Math.toRadians(type.isSurface() ? 90 : Math.min(light.angle(), 90)), MIN_OUTER);
+        double outer = Math.max(Math.toRadians(type.isSurface() ? light.beam().outerAngle() : Math.min(light.angle(), 90)), MIN_OUTER);
         OptionalDouble inner = type.hasCone() ? SpotEdges.inner(light) : OptionalDouble.empty();
         notes.add("area lights, exported as points", light.isArea() ? 1 : 0);
         notes.add("spots wider than 90 degrees", type.hasCone() && light.angle() > 90 ? 1 : 0);
         notes.add("edges of spots, falloff approximated", type.hasCone() && light.dropoff() > 0 || type.isSurface() ? 1 : 0);
-        double dropoff = type.isSurface() ? 1 : light.dropoff();
+        double dropoff = type.isSurface() ? 1 + light.dropoff() : light.dropoff();
         notes.add("faces of visible lights",
                 light.isArea() && LightAttribute.VISIBLE.appliesTo(type) && LightAttribute.VISIBLE.get(light) ? 1 : 0);
         notes.add("barn doors", LightAttribute.DOORS.appliesTo(type) && !light.doors().isOpen() ? 1 : 0);
-        notes.add("gobos", type.hasCone() && light.gobo().isPresent() ? 1 : 0);
+        notes.add("gobos", LightAttribute.GOBO.appliesTo(type) && light.gobo().isPresent() ? 1 : 0);
         notes.add("textures of lights", light.faceImage().isPresent() ? 1 : 0);
         notes.add("profiles", LightAttribute.PROFILE.appliesTo(type) && light.profile().isPresent() && inner.isEmpty() ? 1 : 0);
         notes.add("light linking, exported as illuminating everything", light.isLinked() ? 1 : 0);

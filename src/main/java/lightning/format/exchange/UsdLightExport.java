@@ -19,6 +19,7 @@ import lightning.format.exchange.usd.UsdSparseLights;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.usd.UsdLayer;
 import lightning.scene.Scene;
+import lightning.scene.light.Beam;
 import lightning.scene.light.Falloff;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
@@ -158,7 +159,8 @@ public final class UsdLightExport {
     private void noteLosses(Light light) {
         LightType type = light.type();
         notes.add("barn doors", LightAttribute.DOORS.appliesTo(type) && !light.doors().isOpen() ? 1 : 0);
-        notes.add("gobos", type.hasCone() && light.gobo().isPresent() ? 1 : 0);
+        notes.add("gobos", LightAttribute.GOBO.appliesTo(type) && light.gobo().isPresent() ? 1 : 0);
+        notes.add("beam spreads of area lights", type.isSurface() && light.beam().spread() < Beam.OPEN_ANGLE ? 1 : 0);
         notes.add("textures of disc lights", type == LightType.DISC && light.faceImage().isPresent() ? 1 : 0);
         notes.add("gains on single objects", light.contribution().gains().isNone() ? 0 : 1);
         notes.add("lights without inverse-square falloff, exact only at distance 1",

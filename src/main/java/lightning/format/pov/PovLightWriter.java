@@ -30,6 +30,12 @@ record PovLightWriter(BoundingSphere bounds, List<String> warnings) {
         if (LightAttribute.DOORS.appliesTo(light.type()) && !light.doors().isOpen()) {
             warnings.add("light " + light.name() + ": its barn doors are left out");
         }
+        if (LightAttribute.GOBO.appliesTo(light.type()) && light.gobo().isPresent()) {
+            warnings.add("light " + light.name() + ": its gobo is left out");
+        }
+        if (light.type().isSurface() && !light.beam().isOpen()) {
+            warnings.add("light " + light.name() + ": its cone has a hard edge, and its beam spread is left out");
+        }
         if (light.isLinked()) {
             // POV-Ray's light_group excludes its shapes from all other lights, so it can express links of a single light
             // only.
@@ -88,9 +94,6 @@ record PovLightWriter(BoundingSphere bounds, List<String> warnings) {
         if (light.angle() >= 90) {
             warnings.add("light " + light.name() + ": its cone is limited to 90 degrees");
         }
-        if (light.gobo().isPresent()) {
-            warnings.add("light " + light.name() + ": its gobo is left out");
-        }
         double angle = Math.min(light.angle(), 90);
         Vec3 target = light.position().plus(light.direction().normalized().times(bounds.radius()));
         return List.of("spotlight point_at " + PovFormat.vector(target),
@@ -100,7 +103,8 @@ record PovLightWriter(BoundingSphere bounds, List<String> warnings) {
     /** Returns a half space with cosine falloff. */
     private List<String> surface(Light light) {
         Vec3 target = light.position().plus(light.direction().normalized().times(bounds.radius()));
-        return List.of("spotlight point_at " + PovFormat.vector(target), "radius 90 falloff 90 tightness 1");
+        return List.of("spotlight point_at " + PovFormat.vector(target), "radius " + light.beam().cone() + " falloff " + light.beam().cone()
+                + " tightness " + (1 + light.dropoff()));
     }
 
     /**

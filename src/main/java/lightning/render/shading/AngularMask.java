@@ -6,6 +6,8 @@ import lightning.render.trace.HitRows;
 import lightning.scene.asset.Gobo;
 import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.Texture;
+import lightning.scene.light.Beam;
+import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
 import lightning.scene.value.BarnDoors;
@@ -13,7 +15,7 @@ import lightning.scene.value.Photometry;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Mask of a light: the product of its barn doors, gobo and photometric profile in a direction, and of what fog transmits on the way to a
+ * Mask of a light: the product of its barn doors, beam, gobo and photometric profile in a direction, and of what fog transmits on the way to a
  * point. It multiplies the falloff.
  *
  * <p>The light looks along its axis, with y upwards. A point has an angle to the right and one to the top, each measured in the
@@ -22,12 +24,13 @@ import org.jspecify.annotations.Nullable;
  * <p>A door at angle θ passes 1 up to θ minus the feather, and 0 beyond θ. Between them it passes t²(3 − 2t), where t is the angle
  * inside θ over the feather. Without a feather, a point on the edge is lit. The factors of the four doors are multiplied.
  *
- * <p>A gobo is a square that just contains the cone, or a cone of 89 degrees if the light's is wider. Seen from the light, its left
+ * <p>A gobo is a square that just contains the cone, or a cone of 89 degrees if the light's is wider. The
+ * cone of a rectangle or disc is {@link Beam#outerAngle}. Seen from the light, its left
  * is left and its top is up. It is sampled bilinearly between pixel centers and clamped beyond them. It passes its luminance,
  * 0.2126 R + 0.7152 G + 0.0722 B of linear light (ITU-R BT.709). For a light that looks straight up or down, z is upwards.
  *
- * <p>A rectangle is oriented by its {@code up}. Its doors cut off each of its samples at the same angle, like the slats of a
- * honeycomb grid, so that their shadow fades over the rectangle's width.
+ * <p>A rectangle or disc is oriented by its {@code up}. The mask acts at each of its samples by the same angles, like the slats of a
+ * honeycomb grid, so that the edges of doors, gobo, cone and profile fade over the width of the face.
  *
  * <p>A profile is a function of two angles. Type C measures from the axis and around it, counterclockwise from the right as the
  * light looks out, so that 90 is its top; on the axis the second angle is 0. Type A has vertical planes: one angle is from the axis
@@ -47,6 +50,7 @@ public final class AngularMask {
     private final Vec3 up;
     private final BarnDoors doors;
     private final double feather;
+    private final @Nullable Beam beam;
     private final @Nullable Texture gobo;
     private final @Nullable Photometry photometry;
     /** Half the gobo's side at distance 1 along the axis. */
@@ -59,17 +63,19 @@ public final class AngularMask {
         position = source.position();
         fog = source.fog();
         isDirectional = source.type() == LightType.DIRECTIONAL;
-        boolean spot = source.type() == LightType.SPOT;
+        boolean isSurface = source.type().isSurface();
         boolean hasDoors = LightAttribute.DOORS.appliesTo(source.type());
         axis = hasDoors ? source.axis() : DOWN;
-        right = source.type() == LightType.RECT ? source.light().area().right(axis) : right(axis);
+        right = isSurface ? source.light().area().right(axis) : right(axis);
         up = right.cross(axis);
         doors = hasDoors ? source.light().doors() : BarnDoors.OPEN;
         feather = source.light().feather();
-        gobo = spot ? source.light().gobo().map(Gobo::image).orElse(null) : null;
+        gobo = hasDoors ? source.light().gobo().map(Gobo::image).orElse(null) : null;
         photometry =
                 LightAttribute.PROFILE.appliesTo(source.type()) ? source.light().profile().map(IesProfile::photometry).orElse(null) : null;
-        goboHalfSize = StrictMath.tan(Math.toRadians(Math.min(source.light().angle(), MAX_GOBO_ANGLE)));
+        beam = isSurface && !source.light().beam().isOpen() ? source.light().beam() : null;
+        goboHalfSize = StrictMath.tan(Math.toRadians(
+                Math.min(isSurface ? source.light().beam().outerAngle() : source.light().angle(), MAX_GOBO_ANGLE)));
     }
 
     private static Vec3 right(Vec3 axis) {
@@ -80,11 +86,15 @@ public final class AngularMask {
     /** Returns whether the light has a mask. */
     public static boolean isActive(LightSource source) {
         return source.fog() != null || switch (source.type()) {
-            case SPOT -> !source.light().doors().isOpen() || source.light().gobo().isPresent() || source.light().profile().isPresent();
+            case SPOT -> isShaped(source.light());
             case POINT -> source.light().profile().isPresent();
-            case RECT -> !source.light().doors().isOpen();
-            case DIRECTIONAL, DISC -> false;
+            case RECT, DISC -> isShaped(source.light()) || !source.light().beam().isOpen();
+            case DIRECTIONAL -> false;
         };
+    }
+
+    private static boolean isShaped(Light light) {
+        return !light.doors().isOpen() || light.gobo().isPresent() || light.profile().isPresent();
     }
 
     /** Returns the mask of a light, or null if it has none. */
@@ -121,6 +131,7 @@ public final class AngularMask {
         double height = x * up.x() + y * up.y() + z * up.z();
         return doorFactor(-side, forward, doors.left()) * doorFactor(side, forward, doors.right())
                 * doorFactor(-height, forward, doors.bottom()) * doorFactor(height, forward, doors.top())
+                * (beam == null ? 1 : beam.factor(Math.sqrt(side * side + height * height), forward))
                 * (gobo == null ? 1 : goboFactor(side, height, forward * goboHalfSize))
                 * (photometry == null ? 1 : profileFactor(side, height, forward));
     }

@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
  * @param position the position; for a directional light the unit vector towards it
  * @param axis     the unit direction in which the light shines
  * @param cosAngle cosine of the cone's half-angle; a surface light has a half-space
- * @param dropoff  exponent of the falloff from the axis; 1 for a surface (Lambert's cosine)
+ * @param dropoff  exponent of the falloff from the axis; of a surface one more than its focus (Lambert's cosine)
  * @param centerSamples samples of an area light that rows of pixel centers use; null for a point light, whose only sample is its
  *     position
  * @param fog           fog that dims it on its way to a point; null if none does. A directional light is dimmed only by fog with bounds, so that
@@ -37,7 +37,8 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
         Vec3 source = light.type().hasPosition() ? light.position().minus(scene.camera().origin()) : axis.negated();
         boolean surface = light.type().isSurface();
         FogMedium fog = FogMedium.of(scene);
-        return new LightSource(light, source, axis, surface ? 0 : Transform.cosDegrees(light.angle()), surface ? 1 : light.dropoff(),
+        return new LightSource(light, source, axis, surface ? 0 : Transform.cosDegrees(light.angle()),
+                surface ? 1 + light.dropoff() : light.dropoff(),
                 fog != null && (light.type().hasPosition() || fog.hasBounds()) ? fog : null,
                 light.isArea() ? AreaSamples.ofCenters(light, source, axis) : null,
                 light.isArea() && scene.picture().sampling().isSupersampled()

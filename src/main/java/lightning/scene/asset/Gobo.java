@@ -1,7 +1,7 @@
 package lightning.scene.asset;
 
 /**
- * Image projected by a spot light: white passes the light, black blocks it.
+ * Image projected by a spot, rectangle or disc light: white passes the light, black blocks it.
  *
  * @param file  name as written in the scene file
  * @param image the decoded image

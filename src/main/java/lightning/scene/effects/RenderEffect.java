@@ -13,6 +13,7 @@ import lightning.scene.AntialiasMode;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.asset.Environment;
+import lightning.scene.light.Beam;
 import lightning.scene.light.Contribution;
 import lightning.scene.light.FaceVisibility;
 import lightning.scene.light.Falloff;
@@ -78,13 +79,16 @@ public final class RenderEffect {
             register("spot-cone", "spotlight cones", uses -> uses.lights(l -> l.type().hasCone() && l.angle() < 180),
                     scene -> EffectRemoval.mapLights(scene, l -> l.withAngle(180)), EffectInjection::addFullCones);
     public static final RenderEffect DROPOFF =
-            register("dropoff", "dropoff", uses -> uses.lights(l -> l.type().hasCone() && l.dropoff() != 0),
+            register("dropoff", "dropoff", uses -> uses.lights(l -> LightAttribute.DROPOFF.appliesTo(l.type()) && l.dropoff() != 0),
                     scene -> EffectRemoval.mapLights(scene, l -> l.withDropoff(0)));
     public static final RenderEffect BARN_DOORS =
             register("barn-doors", "barn doors", uses -> uses.lights(l -> LightAttribute.DOORS.appliesTo(l.type()) && !l.doors().isOpen()),
                     scene -> EffectRemoval.mapLights(scene, l -> l.withDoors(BarnDoors.OPEN)));
+    public static final RenderEffect BEAMS =
+            register("beams", "beams of area lights", uses -> uses.lights(l -> l.type().isSurface() && !l.beam().isOpen()),
+                    scene -> EffectRemoval.mapLights(scene, l -> l.withBeam(Beam.OPEN)));
     public static final RenderEffect GOBOS =
-            register("gobos", "gobos", uses -> uses.lights(l -> l.type().hasCone() && l.gobo().isPresent()),
+            register("gobos", "gobos", uses -> uses.lights(l -> LightAttribute.GOBO.appliesTo(l.type()) && l.gobo().isPresent()),
                     scene -> EffectRemoval.mapLights(scene, l -> l.withGobo(Optional.empty())));
     public static final RenderEffect PROFILES = register("profiles", "IES profiles",
             uses -> uses.lights(l -> LightAttribute.PROFILE.appliesTo(l.type()) && l.profile().isPresent()),

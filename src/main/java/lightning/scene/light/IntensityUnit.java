@@ -50,12 +50,12 @@ public enum IntensityUnit {
         return positioned ? lux / (Math.PI * meters * meters) : lux / Math.PI;
     }
 
-    /** Returns the flux of a light of 1 candela along its axis, without doors, gobo and profile. */
+    /** Returns the flux of a light of 1 candela along its axis, with its cone and spread, without doors, gobo and profile. */
     private static double solidAngle(Light light) {
         return switch (light.type()) {
             case DIRECTIONAL -> 1;
             case POINT -> 4 * Math.PI;
-            case RECT, DISC -> Math.PI;
+            case RECT, DISC -> Math.max(light.beam().flux(1 + light.dropoff()), MIN_SOLID_ANGLE);
             case SPOT -> {
                 double n = light.dropoff() + 1;
                 double edge = StrictMath.cos(Math.toRadians(light.dropoff() > 0 ? Math.min(light.angle(), 90) : light.angle()));

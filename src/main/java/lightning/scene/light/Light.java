@@ -224,6 +224,16 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
         return withCone(cone.withDropoff(v));
     }
 
+    /** Returns {@link Cone#beam}. */
+    public Beam beam() {
+        return cone.beam();
+    }
+
+    /** Returns this light with another {@link Cone#beam}. */
+    public Light withBeam(Beam v) {
+        return withCone(cone.withBeam(v));
+    }
+
     /** Returns {@link Cone#doors}. */
     public BarnDoors doors() {
         return cone.doors();

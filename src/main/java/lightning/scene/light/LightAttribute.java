@@ -93,19 +93,29 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     public static final LightAttribute<Double> ANGLE = of("angle", "cone half-angle", Cone.ANGLES, Cone.DEFAULT.angle(),
             "degrees, half-angle", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.CONE_ANGLE));
     public static final LightAttribute<Double> DROPOFF = of("dropoff", "edge falloff", Cone.DROPOFFS, Cone.DEFAULT.dropoff(), "exponent",
-            Light::dropoff, Light::withDropoff, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
+            Light::dropoff, Light::withDropoff, Section.CONE, forShapedTypes());
+    public static final LightAttribute<Double> CONE = of("cone", "cone cutoff", Beam.CONES, Beam.OPEN.cone(),
+            "degrees, half-angle, 90 = open", l -> l.beam().cone(), (l, v) -> l.withBeam(l.beam().withCone(v)), Section.CONE,
+            forSurfaces());
+    public static final LightAttribute<Double> CONE_SOFTNESS = of("cone_softness", "cone softness", Beam.SOFTNESSES,
+            Beam.OPEN.softness(), "share of the cone", l -> l.beam().softness(), (l, v) -> l.withBeam(l.beam().withSoftness(v)),
+            Section.CONE, forSurfaces());
+    public static final LightAttribute<Double> BEAM_SPREAD = of("beam_spread", "beam spread", Beam.SPREADS, Beam.OPEN.spread(),
+            "degrees, half-angle, 90 = open", l -> l.beam().spread(), (l, v) -> l.withBeam(l.beam().withSpread(v)), Section.CONE,
+            forSurfaces());
     public static final LightAttribute<BarnDoors> DOORS =
             of("doors", "barn doors", NumericKind.doors(), Cone.DEFAULT.doors(), "degrees from the axis, 90 = open",
-                    Light::doors, Light::withDoors, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
+                    Light::doors, Light::withDoors, Section.CONE, forShapedTypes());
     public static final LightAttribute<Double> FEATHER = of("feather", Cone.FEATHERS, Cone.DEFAULT.feather(),
             "degrees inside the door's edge", Light::feather, Light::withFeather, Section.CONE,
-            Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
+            forShapedTypes());
     public static final LightAttribute<Optional<Gobo>> GOBO =
             of("gobo", new ValueKind.GoboKind(), Optional.empty(), "a PNG, JPEG, Radiance HDR or OpenEXR file",
-                    Light::gobo, Light::withGobo, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
+                    Light::gobo, Light::withGobo, Section.CONE, forShapedTypes());
     public static final LightAttribute<Optional<IesProfile>> PROFILE =
             of("profile", "IES profile", new ValueKind.ProfileKind(), Optional.empty(), "an IES file",
-                    Light::profile, Light::withProfile, Section.CONE, Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF));
+                    Light::profile, Light::withProfile, Section.CONE,
+                    Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
     public static final LightAttribute<Double> RADIUS =
             of("radius", AreaShape.EXTENTS, AreaShape.DEFAULT.radius(),
                     "scene units", l -> l.area().radius(), (l, v) -> l.withArea(l.area().withRadius(v)), Section.AREA,
@@ -205,6 +215,16 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     private static <V> LightAttribute<V> of(String name, String title, ValueKind.LightKind<V> kind, V initial, String unit,
             Function<Light, V> get, BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
         return new LightAttribute<>(name, name, title, kind, initial, unit, get, with, section, terms);
+    }
+
+    /** Returns the falloff of rectangles and discs. */
+    private static Map<LightType, LightTerm> forSurfaces() {
+        return Map.of(RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF);
+    }
+
+    /** Returns the falloff of lights with a position and a direction. */
+    private static Map<LightType, LightTerm> forShapedTypes() {
+        return Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF);
     }
 
     private static Map<LightType, LightTerm> forAllTypes(LightTerm term) {

@@ -27,7 +27,7 @@ public enum LightType {
         return this == RECT || this == DISC;
     }
 
-    /** Returns whether angle and dropoff act. */
+    /** Returns whether its angle acts. */
     public boolean hasCone() {
         return this == SPOT;
     }

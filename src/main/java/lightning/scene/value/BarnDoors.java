@@ -1,8 +1,8 @@
 package lightning.scene.value;
 
 /**
- * Four barn doors of a spot or rectangle light. Each is the angle from the light's axis at which it cuts the light off, in degrees, −90 …
- * 90; 90 is open. Left, right and top are seen from the light, with y or the rectangle's {@code up} upwards.
+ * Four barn doors of a spot, rectangle or disc light. Each is the angle from the light's axis at which it cuts the light off, in degrees, −90 …
+ * 90; 90 is open. Left, right and top are seen from the light, with y, or the {@code up} of a rectangle or disc, upwards.
  */
 public record BarnDoors(double left, double right, double bottom, double top) {
     /** Angle of an open door. */

@@ -68,6 +68,8 @@ public final class SceneLimits {
     /** Radius, width and height of a light. */
     public static final double MAX_EXTENT = 1e9;
     public static final double MAX_SPREAD = 90;
+    /** Smallest half-angle of the beam of a rectangle or disc, in degrees. */
+    public static final double MIN_BEAM_SPREAD = 1;
     public static final int MIN_LIGHT_SAMPLES = 4;
     public static final int MAX_LIGHT_SAMPLES = 64;
     public static final double MAX_SHININESS = 1e6;

@@ -15,6 +15,7 @@ import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
 import lightning.sample.PythonPrograms;
 import lightning.scene.Scene;
+import lightning.scene.light.Beam;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import org.junit.jupiter.api.BeforeEach;
@@ -53,7 +54,7 @@ class UsdShapingTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"RectLight, rect", "CylinderLight, cylinder", "DistantLight, distant"})
+    @CsvSource({"CylinderLight, cylinder", "DistantLight, distant"})
     void coneThatALightCannotHave_isNoted(String type, String name) throws Exception {
         imported(type, CONE);
         assertThat(imported.notes()).containsEntry("cones and profiles of " + name + " lights", 1);
@@ -64,6 +65,34 @@ class UsdShapingTest {
     void editOfAnotherValue_leavesTheConeOfTheStage(String type) throws Exception {
         imported(type, CONE);
         assertThat(exported(light -> light.withIntensity(2 * light.intensity()))).contains("inputs:intensity").doesNotContain("shaping");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"RectLight, RECT", "DiskLight, DISC"})
+    void coneAndFocusOfAFace_areImported(String type, LightType expected) throws Exception {
+        Light light = imported(type, CONE + "\nfloat inputs:shaping:focus = 2");
+        assertThat(light.type()).isEqualTo(expected);
+        assertThat(light.beam()).isEqualTo(new Beam(40, 0.3, Beam.OPEN_ANGLE));
+        assertThat(light.dropoff()).isEqualTo(2);
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("cone"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"RectLight", "DiskLight"})
+    void editedConeAndFocusOfAFace_areWritten(String type) throws Exception {
+        imported(type, CONE + "\nfloat inputs:shaping:focus = 2");
+        assertThat(exported(light -> light.withBeam(light.beam().withCone(25)))).contains("shaping:cone:angle = 25")
+                .doesNotContain("softness", "focus");
+        assertThat(exported(light -> light.withBeam(light.beam().withSoftness(0.5)))).contains("shaping:cone:softness = 0.5")
+                .doesNotContain("cone:angle", "focus");
+        assertThat(exported(light -> light.withDropoff(3))).contains("shaping:focus = 3").doesNotContain("shaping:cone");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"RectLight", "DiskLight"})
+    void movingConeOfAFace_getsKeys(String type) throws Exception {
+        imported(type, "float inputs:shaping:cone:angle.timeSamples = { 1: 20, 9: 60 }");
+        assertThat(imported.text()).containsPattern("cone \\{\\s+1 20\\s+9 60");
     }
 
     /** The schema alone has a cone of 90 degrees, the half space that these lights have anyway. */
@@ -78,8 +107,7 @@ class UsdShapingTest {
     void spotThatBecomesARectangle_losesItsCone() throws Exception {
         assertThat(imported("SphereLight", CONE).type()).isEqualTo(LightType.SPOT);
         assertThat(exported(light -> light.withType(LightType.RECT).withDirection(new Vec3(0, -1, 0))))
-                .contains("def RectLight", "shaping:cone:angle = 180", "shaping:cone:softness = 0", "shaping:focus = 0",
-                        "shaping:ies:file = @@");
+                .contains("def RectLight", "shaping:cone:angle = 90", "shaping:cone:softness = 0").doesNotContain("focus");
     }
 
     @Test

@@ -20,9 +20,12 @@ import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
+import lightning.scene.asset.Gobo;
+import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.LightTexture;
 import lightning.scene.asset.Texture;
 import lightning.scene.light.AreaShape;
+import lightning.scene.light.Beam;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.material.Material;
@@ -31,6 +34,7 @@ import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
 import lightning.scene.value.Attenuation;
 import lightning.scene.value.BarnDoors;
+import lightning.scene.value.Photometry;
 import lightning.scene.value.Placement;
 import lightning.scene.value.ShapeLinks;
 import org.junit.jupiter.api.Test;
@@ -66,6 +70,24 @@ class AreaLightWorkTest {
             for (UnaryOperator<Light> edit : List.<UnaryOperator<Light>>of(l -> l.withColor(new Rgb(1, 0, 0.5)), l -> l.withIntensity(0.3),
                     l -> l.withOn(false), l -> l.withOn(true), l -> l.withSolo(true))) {
                 assertThat(edit(studio, edit).rays().shadow()).isZero();
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"RECT", "DISC"})
+    void shapeOfTheBeam_castsNoRays(LightType type) {
+        var gobo = Optional.of(new Gobo("gobo.png", RED_AND_GREEN));
+        var profile = Optional.of(new IesProfile("p.ies",
+                new Photometry(Photometry.Type.C, new double[] {0, 30, 90}, new double[] {0, 90}, new double[] {3, 2, 1, 3, 1, 0})));
+        try (StudioRenderer studio = studio(type)) {
+            for (UnaryOperator<Light> edit : List.<UnaryOperator<Light>>of(l -> l.withBeam(Beam.OPEN.withCone(20)),
+                    l -> l.withBeam(l.beam().withSoftness(0.6)), l -> l.withBeam(l.beam().withCone(70)),
+                    l -> l.withBeam(l.beam().withSpread(30)), l -> l.withGobo(gobo), l -> l.withBeam(l.beam().withCone(40)),
+                    l -> l.withProfile(profile), l -> l.withDropoff(2), l -> l.withBeam(Beam.OPEN), l -> l.withGobo(Optional.empty()))) {
+                UpdateResult update = edit(studio, edit);
+                assertThat(update.rays().shadow()).isZero();
+                assertThat(update.rays().eye()).isZero();
             }
         }
     }

@@ -21,6 +21,7 @@ import lightning.scene.asset.Gobo;
 import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.Texture;
 import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
 import lightning.scene.value.Attenuation;
 import lightning.scene.value.BarnDoors;
@@ -183,7 +184,7 @@ class LightWorkTest {
         try (StudioRenderer studio = StudioRenderer.of(type)) {
             ReferenceRows reference = studio.referenceRows();
             UpdateResult update = studio.edit(l -> l.withDropoff(7.5));
-            if (type != LightType.SPOT) {
+            if (!LightAttribute.DROPOFF.appliesTo(type)) {
                 assertNothingDone(update);
             } else {
                 assertPlan(update, FALLOFF);

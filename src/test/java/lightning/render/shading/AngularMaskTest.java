@@ -10,11 +10,14 @@ import lightning.scene.asset.Gobo;
 import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.Texture;
 import lightning.scene.light.AreaShape;
+import lightning.scene.light.Beam;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.value.BarnDoors;
 import lightning.scene.value.Photometry;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** Tests the barn doors of a light at the camera that looks along −z against known angles. */
 class AngularMaskTest {
@@ -57,10 +60,78 @@ class AngularMaskTest {
         AngularMask right = AngularMask.of(LightSource.of(rect.withDoors(new BarnDoors(90, 10, 90, 90)), scene));
         assertThat(right.factor(0, -far, -10)).isZero();
         assertThat(right.factor(0, far, -10)).isEqualTo(1);
-        Photometry half = new Photometry(Photometry.Type.C, new double[] {0, 10, 180}, new double[] {0}, new double[] {1, 2, 0});
-        Light measured = rect.withProfile(Optional.of(new IesProfile("p.ies", half)));
-        assertThat(AngularMask.of(LightSource.of(measured, scene)).factor(0, 0, -10)).as("no profile either").isEqualTo(1);
-        assertThat(AngularMask.of(LightSource.of(rect.withType(LightType.DISC), scene))).as("a disc has no mask").isNull();
+        AngularMask disc = AngularMask.of(LightSource.of(rect.withType(LightType.DISC), scene));
+        assertThat(disc.factor(far, 0, -10)).as("disc").isZero();
+        assertThat(disc.factor(-far, 0, -10)).as("disc").isEqualTo(1);
+    }
+
+    private static Light face(LightType type) {
+        return Light.of("l", type).withPosition(StudioScene.of(type).camera().origin()).withDirection(new Vec3(0, 0, -1));
+    }
+
+    private static double factor(Light light, double x, double y, double z) {
+        return AngularMask.of(LightSource.of(light, StudioScene.of(light.type()))).factor((float) x, (float) y, (float) z);
+    }
+
+    private static double tan(double degrees) {
+        return Math.tan(Math.toRadians(degrees));
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"RECT", "DISC"})
+    void profileOfFace_multipliesByDirection(LightType type) {
+        Photometry half = new Photometry(Photometry.Type.C, new double[] {0, 40, 180}, new double[] {0}, new double[] {1, 2, 0});
+        Light measured = face(type).withProfile(Optional.of(new IesProfile("p.ies", half)));
+        assertThat(factor(measured, 0, 0, -10)).isEqualTo(0.5, within(1e-12));
+        assertThat(factor(measured, 0, 10 * tan(20), -10)).isEqualTo(0.75, within(1e-6));
+    }
+
+    /** White above black, in a square around a cone of 45 degrees. */
+    @ParameterizedTest
+    @EnumSource(names = {"RECT", "DISC"})
+    void goboOfFace_coversConeUpright(LightType type) {
+        var image = new Texture(1, 2, new float[] {1, 1, 1, 0, 0, 0});
+        Light projector = face(type).withGobo(Optional.of(new Gobo("half.png", image))).withBeam(Beam.OPEN.withCone(45));
+        assertThat(factor(projector, 0, 6, -10)).isEqualTo(1, within(1e-12));
+        assertThat(factor(projector, 3, -6, -10)).isZero();
+        assertThat(factor(projector, 0, 2.5, -10)).isEqualTo(0.75, within(1e-12));
+        Light narrow = projector.withBeam(Beam.OPEN.withCone(70).withSpread(45));
+        assertThat(factor(narrow, 0, 2.5, -10)).as("the spread is narrower than the cone").isEqualTo(0.75 * 0.75, within(1e-12));
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"RECT", "DISC"})
+    void hardCone_cutsOffBeyondItsAngle(LightType type) {
+        Light cone = face(type).withBeam(Beam.OPEN.withCone(10));
+        assertThat(factor(cone, 0, 0, -10)).isEqualTo(1);
+        assertThat(factor(cone, 10 * TENTH * 0.99, 0, -10)).isEqualTo(1);
+        assertThat(factor(cone, 0, -10 * TENTH * 1.01, -10)).isZero();
+    }
+
+    /** The curve of UsdLux: 1 up to 20 degrees, 0 from 40 on. */
+    @Test
+    void softCone_isTheSmoothCurveOfUsdLux() {
+        Light cone = face(LightType.RECT).withBeam(Beam.OPEN.withCone(40).withSoftness(0.5));
+        assertThat(factor(cone, tan(20) * 0.999, 0, -1)).isEqualTo(1);
+        assertThat(factor(cone, tan(30), 0, -1)).isEqualTo(0.5, within(1e-6));
+        assertThat(factor(cone, 0, tan(25), -1)).as("1 - t²(3 - 2t) at t = 1/4").isEqualTo(1 - 0.0625 * 2.5, within(1e-6));
+        assertThat(factor(cone, tan(40) * 1.001, 0, -1)).isZero();
+    }
+
+    @Test
+    void spread_isTheShareThatSlatsPass() {
+        Light grid = face(LightType.DISC).withBeam(Beam.OPEN.withSpread(45));
+        assertThat(factor(grid, 0, 0, -10)).isEqualTo(1);
+        assertThat(factor(grid, 3, 4, -10)).as("1 - 5/10").isEqualTo(0.5, within(1e-12));
+        assertThat(factor(grid, 0, 10.01, -10)).isZero();
+        assertThat(factor(grid, 0, 1, 10)).as("behind").isZero();
+    }
+
+    @Test
+    void openBeam_hasNoMask() {
+        assertThat(AngularMask.of(LightSource.of(face(LightType.RECT), StudioScene.of(LightType.RECT)))).isNull();
+        Light spot = face(LightType.SPOT).withBeam(Beam.OPEN.withCone(10));
+        assertThat(AngularMask.of(LightSource.of(spot, StudioScene.of(LightType.SPOT)))).as("a spot has a cone of its own").isNull();
     }
 
     @Test

@@ -80,6 +80,15 @@ class SceneEffectsTest {
     }
 
     @Test
+    void shapedFaces_useTheEffectsOfTheirShape() throws Exception {
+        SceneEffects effects = of(PLAIN, "light a rect { cone 30 }", "light b disc { beam_spread 20  dropoff 2 }",
+                "light c spot { cone 30 }", "light d rect { doors 1 2 3 4 }", "light e disc { doors 1 2 3 4 }");
+        assertThat(effects.users(RenderEffect.BEAMS)).containsExactly("a", "b");
+        assertThat(effects.users(RenderEffect.DROPOFF)).containsExactly("b");
+        assertThat(effects.users(RenderEffect.BARN_DOORS)).containsExactly("d", "e");
+    }
+
+    @Test
     void lightsWithoutSoftShadows_keepFaceAndBrightness() throws Exception {
         Scene scene = JenReader.read("""
                 jen 1
@@ -237,7 +246,7 @@ class SceneEffectsTest {
                 RenderEffect.CUTOUTS, RenderEffect.BUMPS, RenderEffect.VERTEX_COLORS, RenderEffect.BLURRED_REFLECTIONS,
                 RenderEffect.TRANSMISSION,
                 RenderEffect.GLOW,
-                RenderEffect.TINTED_SHADOWS, RenderEffect.BARN_DOORS, RenderEffect.GOBOS,
+                RenderEffect.TINTED_SHADOWS, RenderEffect.BARN_DOORS, RenderEffect.BEAMS, RenderEffect.GOBOS,
                 RenderEffect.PROFILES, RenderEffect.LIGHT_TEXTURES, RenderEffect.LIGHT_LINKS,
                 RenderEffect.SHADOW_LINKS, RenderEffect.LIGHT_GAINS,
                 RenderEffect.LIGHT_GROUPS, RenderEffect.VISIBLE_LIGHTS, RenderEffect.SOFT_SHADOWS,

@@ -37,8 +37,8 @@ public final class UsdLightChanges {
             Map.entry("float inputs:diffuse", Set.of("diffuse")),
             Map.entry("float inputs:specular", Set.of("specular")),
             Map.entry("bool inputs:shadow:enable", Set.of("casts_shadows")),
-            Map.entry(UsdLightValues.ANGLE, Set.of("angle", "profile", "type")),
-            Map.entry(UsdLightValues.SOFTNESS, Set.of("angle", "profile", "type")),
+            Map.entry(UsdLightValues.ANGLE, Set.of("angle", "cone", "profile", "type")),
+            Map.entry(UsdLightValues.SOFTNESS, Set.of("angle", "cone_softness", "profile", "type")),
             Map.entry(UsdLightValues.FOCUS, Set.of("dropoff", "type")),
             Map.entry(UsdLightValues.VISIBILITY, Set.of("on")),
             Map.entry(UsdLightValues.MATRIX, PLACE));
@@ -186,7 +186,7 @@ public final class UsdLightChanges {
         Set<String> all = new HashSet<>(POWER);
         if (!isDirect) {
             all.addAll(SIZE);
-            all.addAll(Set.of("angle", "dropoff"));
+            all.addAll(Set.of("angle", "dropoff", "cone", "cone_softness", "beam_spread"));
         }
         return all;
     }

@@ -22,6 +22,7 @@ import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.LightTexture;
 import lightning.scene.asset.Texture;
 import lightning.scene.light.AreaShape;
+import lightning.scene.light.Beam;
 import lightning.scene.light.Contribution;
 import lightning.scene.light.Emission;
 import lightning.scene.light.Falloff;
@@ -85,7 +86,7 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
         ball = isNormalized(in) ? candela(ball, meters * meters / 4)
                 : isPoint ? candela(ball, Math.PI * radius * radius * meters * meters) : nit(ball);
         JsonValue shaping = in.get("shaping");
-        return isShaped(shaping) ? cone(ball, shaping, 0) : ball.withDirection(light.direction());
+        return isShaped(shaping) ? cone(ball, shaping) : ball.withDirection(light.direction());
     }
 
     private Light disk(Light light, JsonValue in) throws IOException, MeshException {
@@ -94,8 +95,7 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
         Light disc = placed(light, in).withType(LightType.DISC)
                 .withArea(AreaShape.DEFAULT.withRadius(size(UsdNumbers.tidy(in.get("radius").number(0)) * LightScales.disk(scale))));
         disc = isNormalized(in) ? candela(disc, meters * meters) : nit(disc);
-        // A spot has no cosine of its own.
-        return isShapedFlat(in.get("shaping")) ? cone(disc, in.get("shaping"), 1) : disc;
+        return isShapedFlat(in.get("shaping")) ? beam(disc, in.get("shaping")) : disc;
     }
 
     private Light rect(Light light, JsonValue in) throws IOException, MeshException {
@@ -104,7 +104,7 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
         Light rect = placed(light, in).withType(LightType.RECT).withArea(AreaShape.DEFAULT.withUp(UsdNumbers.rounded(up))
                 .withWidth(size(UsdNumbers.tidy(in.get("width").number(0)) * scale.x()))
                 .withHeight(size(UsdNumbers.tidy(in.get("height").number(0)) * scale.y())));
-        notes.add("cones and profiles of rect lights", isShapedFlat(in.get("shaping")) ? 1 : 0);
+        rect = isShapedFlat(in.get("shaping")) ? beam(rect, in.get("shaping")) : rect;
         return (isNormalized(in) ? candela(rect, meters * meters) : nit(rect)).withTexture(texture(in.get("texture")));
     }
 
@@ -138,11 +138,32 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
         return isNormalized(in) ? candela(ball, meters * meters / 4) : nit(ball);
     }
 
-    private Light cone(Light light, JsonValue shaping, double cosine) throws IOException, MeshException {
+    /** Returns a rectangle or disc with its cone, focus and profile. */
+    private Light beam(Light light, JsonValue shaping) throws IOException, MeshException {
+        notes.add("angle scales of IES profiles", shaping.get("angleScale").number(0) == 0 ? 0 : 1);
         double angle = Math.clamp(UsdNumbers.tidy(shaping.get("angle").number(90)), 0, SceneLimits.MAX_ANGLE);
-        double focus = SceneAssembler.clamp(UsdNumbers.tidy(shaping.get("focus").number(0)), SceneLimits.MAX_DROPOFF - 1);
-        double softness = SceneAssembler.clamp(UsdNumbers.tidy(shaping.get("softness").number(0)), 1);
-        Light spot = light.withType(LightType.SPOT).withAngle(angle).withDropoff(focus + cosine);
+        double softness = softness(shaping);
+        // The soft edge of a cone wider than the half space, where it begins before 90 degrees, is moved to its end.
+        notes.add("soft cones wider than 90 degrees of lights that shine to one side, narrowed to 90",
+                angle > Beam.OPEN_ANGLE && (1 - softness) * angle < Beam.OPEN_ANGLE ? 1 : 0);
+        double cone = Math.min(angle, Beam.OPEN_ANGLE);
+        double start = Math.min((1 - softness) * angle, cone);
+        return light.withBeam(Beam.OPEN.withCone(cone).withSoftness(angle <= Beam.OPEN_ANGLE ? softness : 1 - start / cone))
+                .withDropoff(focus(shaping)).withProfile(profile(shaping.get("profile")));
+    }
+
+    private static double focus(JsonValue shaping) throws MeshException {
+        return SceneAssembler.clamp(UsdNumbers.tidy(shaping.get("focus").number(0)), SceneLimits.MAX_DROPOFF);
+    }
+
+    private static double softness(JsonValue shaping) throws MeshException {
+        return SceneAssembler.clamp(UsdNumbers.tidy(shaping.get("softness").number(0)), 1);
+    }
+
+    private Light cone(Light light, JsonValue shaping) throws IOException, MeshException {
+        double angle = Math.clamp(UsdNumbers.tidy(shaping.get("angle").number(90)), 0, SceneLimits.MAX_ANGLE);
+        double softness = softness(shaping);
+        Light spot = light.withType(LightType.SPOT).withAngle(angle).withDropoff(focus(shaping));
         notes.add("angle scales of IES profiles", shaping.get("angleScale").number(0) == 0 ? 0 : 1);
         boolean isSoft = softness > 0 && angle > 0;
         Optional<IesProfile> soft = isSoft && !shaping.get("profile").isPresent() && !shaping.get("moves").bool(false)

@@ -54,7 +54,7 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
 
     /** Returns whether a prim of a type can have a cone and a profile. */
     public static boolean isShaped(String type) {
-        return type.equals("SphereLight") || type.equals("DiskLight");
+        return type.equals("SphereLight") || type.equals("DiskLight") || type.equals("RectLight");
     }
 
     /** Returns the values of all attributes that a type has. */
@@ -97,6 +97,7 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
             case "RectLight" -> {
                 result.put("float inputs:width", unscaled(light.area().width(), scale.x()));
                 result.put("float inputs:height", unscaled(light.area().height(), scale.y()));
+                addBeam(result);
             }
             case "CylinderLight" -> {
                 // The ball that stands for it has its area; a ball of another size scales both.
@@ -108,6 +109,10 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
             default -> {
                 result.put("float inputs:radius",
                         unscaled(light.area().radius(), type.equals("DiskLight") ? LightScales.disk(scale) : LightScales.sphere(scale)));
+                if (light.type() == LightType.DISC) {
+                    addBeam(result);
+                    return;
+                }
                 boolean isSpot = light.type() == LightType.SPOT;
                 if (type.equals("SphereLight")) {
                     result.put(POINT, light.area().radius() == 0 ? "1" : "0");
@@ -118,6 +123,13 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
                         UsdLayer.number(!isSpot ? 0 : type.equals("DiskLight") ? light.dropoff() - 1 : light.dropoff()));
             }
         }
+    }
+
+    /** Adds the cone of a rectangle or disc. That of USD's fallback, 90 degrees, holds nothing back either. */
+    private void addBeam(Map<String, String> result) {
+        result.put(ANGLE, UsdLayer.number(light.beam().cone()));
+        result.put(SOFTNESS, UsdLayer.number(light.beam().softness()));
+        result.put(FOCUS, UsdLayer.number(light.dropoff()));
     }
 
     /** Returns a size before it is scaled. */

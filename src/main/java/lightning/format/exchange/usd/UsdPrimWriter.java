@@ -11,6 +11,7 @@ import lightning.format.mesh.ConversionNotes;
 import lightning.format.usd.UsdLayer;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightType;
 import lightning.scene.value.ShapeLinks;
 
 /**
@@ -53,7 +54,8 @@ public record UsdPrimWriter(UsdPaths paths, Path sceneFolder, Path outputFolder,
 
     /** Returns the file of a light's profile; an empty one without a profile. */
     public String profile(Light light) throws IOException {
-        return LightAttribute.PROFILE.appliesTo(light.type()) && light.profile().isPresent() && SoftCones.softness(light).isEmpty()
+        boolean isSoftCone = light.type() == LightType.SPOT && SoftCones.softness(light).isPresent();
+        return LightAttribute.PROFILE.appliesTo(light.type()) && light.profile().isPresent() && !isSoftCone
                 ? asset(FileKind.PROFILE, light.profile().get().file()) : "@@";
     }
 
