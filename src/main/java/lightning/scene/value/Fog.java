@@ -37,15 +37,10 @@ public record Fog(double density, Rgb color, Rgb ambient, double anisotropy, dou
     /**
      * Checks the size of a box.
      *
-     * @throws IllegalArgumentException unless all lengths are 0 or all are above 0
+     * @throws IllegalArgumentException if a length is out of range; the message says which
      */
     public static void checkSize(String name, Vec3 size) {
         SceneLimits.checkRange(name, size, 0, SceneLimits.MAX_COORDINATE);
-        boolean isBox = size.x() > 0 && size.y() > 0 && size.z() > 0;
-        if (!isBox && size.maxAbs() > 0) {
-            throw new IllegalArgumentException(name + " must have three lengths above 0, or 0 0 0 for fog everywhere, was "
-                    + SceneLimits.format(size.x()) + " " + SceneLimits.format(size.y()) + " " + SceneLimits.format(size.z()));
-        }
     }
 
     /** Returns whether the air scatters light. */
@@ -55,6 +50,6 @@ public record Fog(double density, Rgb color, Rgb ambient, double anisotropy, dou
 
     /** Returns whether the fog is only in a box. */
     public boolean hasBox() {
-        return size.x() > 0;
+        return size.maxAbs() > 0;
     }
 }

@@ -250,7 +250,7 @@ class SceneEffectsTest {
                 RenderEffect.PROFILES, RenderEffect.LIGHT_TEXTURES, RenderEffect.LIGHT_LINKS,
                 RenderEffect.SHADOW_LINKS, RenderEffect.LIGHT_GAINS,
                 RenderEffect.LIGHT_GROUPS, RenderEffect.VISIBLE_LIGHTS, RenderEffect.SOFT_SHADOWS,
-                RenderEffect.ENVIRONMENT,
+                RenderEffect.ENVIRONMENT, RenderEffect.FOG,
                 RenderEffect.INDIRECT,
                 RenderEffect.of("rect-lights"),
                 RenderEffect.of("disc-lights"),
