@@ -88,7 +88,8 @@ class AttributePropertiesTest {
         assertThat(titles(LightAttribute.ALL)).containsExactlyInAnyOrderElementsOf(components(Light.class));
         assertThat(titles(MaterialAttribute.ALL)).containsExactlyInAnyOrderElementsOf(components(Material.class));
         // Not by title: titles of the world name the owner of an intensity or a rotation.
-        assertThat(World.ATTRIBUTES.stream().map(SceneAttribute::name).filter(name -> !name.startsWith("fog_"))).containsExactlyInAnyOrderElementsOf(components(World.class));
+        assertThat(World.ATTRIBUTES.stream().map(SceneAttribute::name).filter(name -> !name.startsWith("fog_")))
+                .containsExactlyInAnyOrderElementsOf(components(World.class));
         assertThat(IndirectSettings.ATTRIBUTES.stream().map(SceneAttribute::name))
                 .containsExactlyInAnyOrderElementsOf(components(IndirectSettings.class));
     }
