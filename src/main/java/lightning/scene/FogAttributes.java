@@ -33,7 +33,8 @@ public final class FogAttributes {
             "center of the box, scene units", Fog::center, Fog::withCenter);
     public static final SceneAttribute<World, Vec3> SIZE = of("fog_size", "fog size",
             new NumericKind<>(NumericKind.Form.INDEPENDENT, List.of("x", "y", "z"), 0, SceneLimits.MAX_COORDINATE, 0.1, false,
-                    NumberUnit.FACTOR, v -> List.of(v.x(), v.y(), v.z()), n -> new Vec3(n.get(0), n.get(1), n.get(2)), Fog::checkSize),
+                    NumberUnit.FACTOR, v -> List.of(v.x(), v.y(), v.z()), n -> new Vec3(n.get(0), n.get(1), n.get(2)),
+                    (name, v) -> SceneLimits.checkRange(name, v, 0, SceneLimits.MAX_COORDINATE)),
             "lengths of the box, scene units, 0 = fog everywhere", Fog::size, Fog::withSize);
 
     /** All attributes, in file order. */

@@ -43,7 +43,7 @@ public final class NumericParameter {
             List.of(ofWorld(FogAttributes.ANISOTROPY), ofWorld(FogAttributes.HEIGHT), ofWorld(FogAttributes.FALLOFF));
     /** Center of the box that contains the fog: x, y, z. */
     public static final List<NumericParameter> FOG_CENTER = vectorOfWorld(FogAttributes.CENTER);
-    /** Lengths of this box: x, y, z. All are 0 without a box, so that none can be set alone. */
+    /** Lengths of this box: x, y, z; all 0 without a box. */
     public static final List<NumericParameter> FOG_SIZE = vectorOfWorld(FogAttributes.SIZE);
     /** Reflection bounces, an integer. */
     public static final NumericParameter DEPTH =

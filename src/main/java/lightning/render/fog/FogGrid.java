@@ -53,7 +53,7 @@ public final class FogGrid {
         return eye;
     }
 
-    /** Returns the distance of what the camera looks at, scene units, &gt; 0. */
+    /** Returns the distance from the eye to the point that the camera looks at, scene units, &gt; 0. */
     public double scale() {
         return scale;
     }

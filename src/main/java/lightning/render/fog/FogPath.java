@@ -11,7 +11,7 @@ import lightning.base.math.Vec3;
  * (Kulla and Fajardo, Importance sampling techniques for path tracing in participating media, 2012); their density differs by a factor of two
  * at most, and this one needs no arctangent: x = D·2w/(1 − w²) and w = x/(√(x² + D²) + D).
  *
- * <p>For a directional light, t = s·u/(1 − u) with s the distance of what the camera looks at. Not thread-safe.
+ * <p>For a directional light, t = s·u/(1 − u) where s is the distance to the point that the camera looks at. Not thread-safe.
  */
 public final class FogPath {
     /** Smallest distance of a ray from a light, relative to the light's distance from the eye and to the scale. */
@@ -29,7 +29,7 @@ public final class FogPath {
      * Sets a ray and the position of a light.
      *
      * @param light position relative to the eye, scene units
-     * @param scale distance of what the camera looks at
+     * @param scale distance to the point that the camera looks at
      */
     public void aimAtPoint(Vec3 light, double dx, double dy, double dz, double scale) {
         isPoint = true;

@@ -1,10 +1,8 @@
 package lightning.render.fulltrace;
 
-import java.util.List;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.engine.EngineChoice;
-import lightning.render.engine.EngineWorkers;
 import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogMedium;
 import lightning.render.shading.RayCounts;
@@ -14,7 +12,6 @@ import lightning.render.shading.fog.FogLight;
 import lightning.render.shading.fog.FogShadows;
 import lightning.render.shading.fog.FogSolver;
 import lightning.render.shading.fog.PictureFog;
-import lightning.render.shading.layer.PointShadows;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.ShapeChange;
 import lightning.scene.Scene;
@@ -27,15 +24,15 @@ final class FogTracer {
     private final Scene scene;
     private final WorkerPool workers;
     private final Progress progress;
-    private final List<EngineWorkers<PointShadows>> casters;
+    private final EngineChoice engines;
+    private long shadowRays;
 
     FogTracer(Geometry geometry, Scene scene, EngineChoice engines, WorkerPool workers, Progress progress) {
         this.geometry = geometry;
         this.scene = scene;
         this.workers = workers;
         this.progress = progress.cancellationOnly();
-        casters = EngineWorkers.perThread(workers.count(), engines,
-                engine -> new PointShadows(geometry, engine.tracer(geometry), ViewEffects.ALL));
+        this.engines = engines;
     }
 
     /**
@@ -52,19 +49,19 @@ final class FogTracer {
         FogGrid grid = new FogGrid(scene.camera(), scene.picture());
         float[] depths = FogDepths.trace(grid, geometry, workers, progress);
         var solver = new FogSolver(grid, medium, scene.world().fog().anisotropy(), depths, workers, progress);
-        var shadows = new FogShadows(grid, workers, casters, progress);
+        var shadows = new FogShadows(grid, geometry, ViewEffects.ALL, engines, workers, progress);
         @Nullable
         FogLight[] traced = new FogLight[lights.length];
         for (int l = 0; l < lights.length; l++) {
             traced[l] = lights[l].isDarkInFog() ? null
                     : solver.solve(lights[l].source(), shadows.visible(lights[l].source(), null, ShapeChange.NONE));
         }
+        shadowRays += shadows.rayCount();
         return new PictureFog(grid, medium, depths, traced);
     }
 
     /** Returns the rays cast so far. */
     RayCounts rays() {
-        return new RayCounts(0, 0, 0,
-                casters.stream().flatMap(thread -> thread.workers().stream()).mapToLong(PointShadows::rayCount).sum());
+        return new RayCounts(0, 0, 0, shadowRays);
     }
 }

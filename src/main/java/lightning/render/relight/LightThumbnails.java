@@ -231,7 +231,7 @@ public final class LightThumbnails {
                 if (selected.fog != null) {
                     for (int i = 0; i < selected.target.length; i++) {
                         if (selected.target[i] >= 0) {
-                            FogComposer.addLight(selected.fog, i, lights[light], light, fog, to,
+                            FogComposer.addLight(selected.fog, i, lights, light, fog, to,
                                     3 * selected.part.index(selected.target[i]));
                         }
                     }
@@ -263,7 +263,7 @@ public final class LightThumbnails {
         private final TileLevel level;
         /** Levels seen from these rows, by {@link BounceKind}; null if no ray bounces. */
         private final SelectedRows[] bounces = new SelectedRows[BounceKind.values().length];
-        /** What fog transmits of the rays from all rows of the level, by {@link BounceKind}; null in clear air. */
+        /** Transmittance of the fog along the rays from all rows of the level, by {@link BounceKind}; null in clear air. */
         private final float[] @Nullable [] transmittances = new float[BounceKind.values().length][];
         private final int[] row;
         private final int[] material;

@@ -78,6 +78,26 @@ public final class AngularMask {
                 Math.min(isSurface ? source.light().beam().outerAngle() : source.light().angle(), MAX_GOBO_ANGLE)));
     }
 
+    private AngularMask(AngularMask o, Vec3 position) {
+        this.position = position;
+        axis = o.axis;
+        right = o.right;
+        up = o.up;
+        doors = o.doors;
+        feather = o.feather;
+        beam = o.beam;
+        gobo = o.gobo;
+        photometry = o.photometry;
+        goboHalfSize = o.goboHalfSize;
+        fog = o.fog;
+        isDirectional = o.isDirectional;
+    }
+
+    /** Returns this mask at a sample of the light. */
+    public AngularMask at(Vec3 sample) {
+        return new AngularMask(this, sample);
+    }
+
     private static Vec3 right(Vec3 axis) {
         Vec3 side = axis.cross(Vec3.Y);
         return (side.length() < MIN_SIDE_LENGTH ? axis.cross(new Vec3(0, 0, 1)) : side).normalized();

@@ -31,16 +31,7 @@ public record Fog(double density, Rgb color, Rgb ambient, double anisotropy, dou
         SceneLimits.checkRange("fog_height", height, -SceneLimits.MAX_COORDINATE, SceneLimits.MAX_COORDINATE);
         SceneLimits.checkRange("fog_falloff", falloff, 0, SceneLimits.MAX_FOG_DENSITY);
         SceneLimits.checkPosition("fog_center", center);
-        checkSize("fog_size", size);
-    }
-
-    /**
-     * Checks the size of a box.
-     *
-     * @throws IllegalArgumentException if a length is out of range; the message says which
-     */
-    public static void checkSize(String name, Vec3 size) {
-        SceneLimits.checkRange(name, size, 0, SceneLimits.MAX_COORDINATE);
+        SceneLimits.checkRange("fog_size", size, 0, SceneLimits.MAX_COORDINATE);
     }
 
     /** Returns whether the air scatters light. */

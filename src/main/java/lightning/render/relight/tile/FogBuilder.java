@@ -3,16 +3,15 @@ package lightning.render.relight.tile;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
-import java.util.List;
 import lightning.base.work.WorkerPool;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
-import lightning.render.engine.EngineWorkers;
 import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogMedium;
 import lightning.render.relight.plan.LayerPlan;
 import lightning.render.relight.plan.LightDifference;
 import lightning.render.relight.plan.LightUpdate;
+import lightning.render.shading.LightSource;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.fog.FogDepths;
@@ -20,7 +19,6 @@ import lightning.render.shading.fog.FogLight;
 import lightning.render.shading.fog.FogShadows;
 import lightning.render.shading.fog.FogSolver;
 import lightning.render.shading.fog.PictureFog;
-import lightning.render.shading.layer.PointShadows;
 import lightning.render.trace.ShapeChange;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
@@ -33,15 +31,13 @@ final class FogBuilder {
     private final RenderJob job;
     private final WorkerPool workers;
     private final @Nullable PictureFog before;
-    private final List<EngineWorkers<PointShadows>> casters;
+    private long shadowRays;
 
     /** @param old cache of the last picture */
     FogBuilder(RenderJob job, WorkerPool workers, @Nullable PixelCache old) {
         this.job = job;
         this.workers = workers;
         before = job.plan() == null || old == null ? null : old.shown().fog();
-        casters = EngineWorkers.perThread(workers.count(), job.options().engines(),
-                engine -> new PointShadows(job.target().geometry(), engine.tracer(job.target().geometry()), job.options().view()));
     }
 
     /**
@@ -60,36 +56,37 @@ final class FogBuilder {
         WeightedLight[] lights = job.target().lights();
         float[] depths = depths(grid);
         var solver = new FogSolver(grid, medium, scene.world().fog().anisotropy(), depths, workers, job.progress());
-        var shadows = new FogShadows(grid, workers, casters, job.progress());
+        var shadows = new FogShadows(grid, job.target().geometry(), job.options().view(), job.options().engines(), workers,
+                job.progress());
         @Nullable
         FogLight[] built = new FogLight[lights.length];
         for (int l = 0; l < lights.length; l++) {
             built[l] = light(l, lights[l], medium, depths, shadows, solver);
         }
+        shadowRays += shadows.rayCount();
         return new PictureFog(grid, medium, depths, built);
     }
 
     private @Nullable FogLight light(int l, WeightedLight light, FogMedium medium, float[] depths, FogShadows shadows, FogSolver solver) {
         FogLight known = known(l);
-        if (known != null && light.isDarkInFog()) {
-            // Updated once it shines.
-            return shapeChange(l).isEmpty() ? known : null;
-        }
         if (light.isDarkInFog()) {
-            return null;
+            // Updated once it shines.
+            return known != null && shapeChange(l).isEmpty() ? known : null;
         }
-        LightDifference difference = known == null ? null : LightDifference.between(known.light(), light.light());
-        if (known == null || difference == null || difference.moved() || difference.shadows()) {
-            return solver.solve(light.source(), shadows.visible(light.source(), null, ShapeChange.NONE));
+        LightSource source = light.source();
+        if (known == null) {
+            return solver.solve(source, shadows.visible(source, null, ShapeChange.NONE));
+        }
+        LightDifference difference = LightDifference.between(known.light(), light.light());
+        if (difference.moved() || difference.shadows()) {
+            return solver.solve(source, shadows.visible(source, null, ShapeChange.NONE));
         }
         if (!shapeChange(l).isEmpty()) {
-            return solver.solve(light.source(), shadows.visible(light.source(), known.visible(), shapeChange(l)));
+            return solver.solve(source, shadows.visible(source, known.visible(), shapeChange(l)));
         }
-        boolean isSame = !difference.falloff() && difference.update().equals(new LightUpdate.Keep())
-                || difference.update().equals(new LightUpdate.Reweight());
+        boolean isSame = difference.update() instanceof LightUpdate.Keep || difference.update() instanceof LightUpdate.Reweight;
         return isSame && known.hasDepths(depths) && known.medium().equals(medium)
-                && known.anisotropy() == job.scene().world().fog().anisotropy() ? known
-                        : solver.solve(light.source(), known.visible());
+                && known.anisotropy() == job.scene().world().fog().anisotropy() ? known : solver.solve(source, known.visible());
     }
 
     /** Returns the distances of the first surfaces; the same array as before if none changed. */
@@ -123,7 +120,6 @@ final class FogBuilder {
 
     /** Returns the work since the start. */
     WorkCounts work() {
-        long rays = casters.stream().flatMap(thread -> thread.workers().stream()).mapToLong(PointShadows::rayCount).sum();
-        return new WorkCounts(0, 0, 0, new RayCounts(0, 0, 0, rays));
+        return new WorkCounts(0, 0, 0, new RayCounts(0, 0, 0, shadowRays));
     }
 }

@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
@@ -122,7 +123,8 @@ public final class PixelExplainer {
         }
         WeightedLight[] weighted = lights.toArray(WeightedLight[]::new);
         FogTile tile = new FogLookup(pictureFog, weighted).point(x + 0.5, y + 0.5, distance(report, ray.origin()));
-        return behindFog(report, tile.transmittance()[0], FogComposer.scattered(tile, 0, weighted));
+        return behindFog(report, tile.transmittance()[0],
+                c -> FogComposer.scattered(tile, 0, weighted, 0, weighted.length, c));
     }
 
     private PointReport explainRay(Ray ray, int depth) {
@@ -204,27 +206,21 @@ public final class PixelExplainer {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
         float passed = (float) FogMedium.transmittance(medium.depth(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), distance(report, o)));
-        return behindFog(report, passed, ZERO);
+        return behindFog(report, passed, _ -> 0f);
     }
 
     private static double distance(PointReport report, Vec3 from) {
         SurfacePoint hit = report.hit();
-        if (hit == null) {
-            return Double.POSITIVE_INFINITY;
-        }
-        double x = hit.px() - from.x();
-        double y = hit.py() - from.y();
-        double z = hit.pz() - from.z();
-        return Math.sqrt(x * x + y * y + z * z);
+        return hit == null ? Double.POSITIVE_INFINITY : new Vec3(hit.px(), hit.py(), hit.pz()).minus(from).length();
     }
 
     /** @param scattered light of lamps that white fog scatters, by channel */
-    private PointReport behindFog(PointReport report, float passed, float[] scattered) {
+    private PointReport behindFog(PointReport report, float passed, IntFunction<Float> scattered) {
         float[] color = new float[3];
         float[] adds = new float[3];
         for (int c = 0; c < 3; c++) {
-            color[c] = FogComposer.color(report.color()[c], passed, scene.world().fog(), c, scattered[c]);
-            adds[c] = FogComposer.color(0, passed, scene.world().fog(), c, scattered[c]);
+            color[c] = FogComposer.color(report.color()[c], passed, scene.world().fog(), c, scattered.apply(c));
+            adds[c] = FogComposer.color(0, passed, scene.world().fog(), c, scattered.apply(c));
         }
         return report.behind(new FogReport(passed, report.color(), adds), color);
     }

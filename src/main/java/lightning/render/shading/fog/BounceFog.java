@@ -2,6 +2,7 @@ package lightning.render.shading.fog;
 
 import java.util.Arrays;
 import lightning.render.fog.FogMedium;
+import lightning.render.shading.ClearMaterialShader;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
@@ -41,8 +42,8 @@ public final class BounceFog {
     public void add(HitRows above, HitRows below, BounceKind bounce, MaterialTable materials, float[][] colors) {
         writeTransmittances(above, below, bounce, materials, transmittance);
         for (int c = 0; c < 3; c++) {
-            float tint = FogComposer.channel(fog.color(), c);
-            float ambient = FogComposer.channel(fog.ambient(), c);
+            float tint = ClearMaterialShader.channel(fog.color(), c);
+            float ambient = ClearMaterialShader.channel(fog.ambient(), c);
             for (int i = 0; i < bounce.rowCount(above); i++) {
                 colors[c][i] = FogComposer.color(colors[c][i], transmittance[i], tint, ambient, 0);
             }

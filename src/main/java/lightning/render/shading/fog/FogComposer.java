@@ -3,6 +3,7 @@ package lightning.render.shading.fog;
 import java.util.Arrays;
 import lightning.base.math.Rgb;
 import lightning.render.image.Film;
+import lightning.render.shading.ClearMaterialShader;
 import lightning.render.shading.LightWeight;
 import lightning.render.shading.WeightedLight;
 import lightning.scene.value.Fog;
@@ -26,17 +27,16 @@ public final class FogComposer {
 
     /** Returns channel {@code c} of a color behind fog. */
     public static float color(float surface, float transmittance, Fog fog, int c, float scattered) {
-        return color(surface, transmittance, channel(fog.color(), c), channel(fog.ambient(), c), scattered);
+        return color(surface, transmittance, ClearMaterialShader.channel(fog.color(), c), ClearMaterialShader.channel(fog.ambient(), c),
+                scattered);
     }
 
-    /** Returns what white fog scatters of all lights at a position of a tile: red, green, blue. */
-    public static float[] scattered(FogTile tile, int position, WeightedLight[] lights) {
-        float[] sum = new float[3];
-        for (int c = 0; c < 3; c++) {
-            for (int l = 0; l < lights.length; l++) {
-                float[] column = tile.scattered()[l];
-                sum[c] += column == null || lights[l].isDarkInFog() ? 0 : lights[l].fog().channel(c) * column[position];
-            }
+    /** Returns channel {@code c} of what white fog scatters of lights {@code from … to − 1} at a position of a tile. */
+    public static float scattered(FogTile tile, int position, WeightedLight[] lights, int from, int to, int c) {
+        float sum = 0;
+        for (int l = from; l < to; l++) {
+            float[] column = tile.scattered()[l];
+            sum += column == null || lights[l].isDarkInFog() ? 0 : lights[l].fog().channel(c) * column[position];
         }
         return sum;
     }
@@ -67,8 +67,8 @@ public final class FogComposer {
                     addWeighted(scattered, lights[l].fog(), c);
                 }
             }
-            float tint = channel(color, c);
-            float even = channel(ambient, c);
+            float tint = ClearMaterialShader.channel(color, c);
+            float even = ClearMaterialShader.channel(ambient, c);
             float[] column = colors[c];
             float[] transmittance = tile.transmittance();
             for (int i = 0; i < column.length; i++) {
@@ -81,14 +81,13 @@ public final class FogComposer {
      * Adds fog with one light to one color.
      *
      * @param position pixel or sample of the tile
-     * @param index    index of the light
+     * @param l        index of the light
      * @param color    receives red, green and blue from {@code at}
      */
-    public static void addLight(FogTile tile, int position, WeightedLight light, int index, Fog fog, float[] color, int at) {
-        float[] scattered = tile.scattered()[index];
+    public static void addLight(FogTile tile, int position, WeightedLight[] lights, int l, Fog fog, float[] color, int at) {
         for (int c = 0; c < 3; c++) {
-            float sum = scattered == null || light.isDarkInFog() ? 0 : light.fog().channel(c) * scattered[position];
-            color[at + c] = color(color[at + c], tile.transmittance()[position], channel(fog.color(), c), 0, sum);
+            color[at + c] = color(color[at + c], tile.transmittance()[position], ClearMaterialShader.channel(fog.color(), c), 0,
+                    scattered(tile, position, lights, l, l + 1, c));
         }
     }
 
@@ -97,9 +96,5 @@ public final class FogComposer {
         for (int i = 0; i < scattered.length; i++) {
             sum[i] += factor * scattered[i];
         }
-    }
-
-    static float channel(Rgb color, int c) {
-        return (float) (c == 0 ? color.r() : c == 1 ? color.g() : color.b());
     }
 }

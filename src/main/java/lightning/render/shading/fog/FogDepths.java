@@ -36,9 +36,6 @@ public final class FogDepths {
             return Float.POSITIVE_INFINITY;
         }
         SurfacePoint at = geometry.surface(primitive, ray);
-        double x = at.px() - ray.origin().x();
-        double y = at.py() - ray.origin().y();
-        double z = at.pz() - ray.origin().z();
-        return (float) Math.sqrt(x * x + y * y + z * z);
+        return (float) new Vec3(at.px(), at.py(), at.pz()).minus(ray.origin()).length();
     }
 }

@@ -15,7 +15,7 @@ public final class FogLight {
     private final float[] depths;
     private final int[] visible;
     private final float[] parts;
-    /** Whether any sample of a ray has light. */
+    /** True for rays of which any sample has light. */
     private final boolean[] shines;
 
     /**

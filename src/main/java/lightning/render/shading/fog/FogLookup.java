@@ -5,7 +5,6 @@ import lightning.base.math.Vec3;
 import lightning.render.fog.FogMedium;
 import lightning.render.fog.FogPath;
 import lightning.render.image.Film;
-import lightning.render.shading.LightSource;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.SamplePositions;
@@ -32,12 +31,15 @@ public final class FogLookup {
     private double maxX;
     private double maxY;
     private final FogSums sums;
+    /** Samples of each light, created on first use. */
+    private final @Nullable FogSamples[] samples;
 
     /** @param lights lights of the scene, in its order */
     public FogLookup(PictureFog fog, WeightedLight[] lights) {
         this.fog = fog;
         this.lights = lights;
         sums = new FogSums(fog.grid());
+        samples = new FogSamples[lights.length];
     }
 
     /**
@@ -47,39 +49,45 @@ public final class FogLookup {
      * @param old  fog before the same surfaces; null for none
      */
     public FogTile tile(SamplePositions places, HitRows rows, @Nullable FogTile old) {
-        boolean keepsAll = old != null && fog.medium().equals(old.medium());
         @Nullable
-        FogLight[] sources = new FogLight[lights.length];
-        @Nullable
-        FogTile known = keepsAll ? old : null;
-        float[] @Nullable [] scattered = new float[lights.length][];
-        for (int l = 0; l < lights.length; l++) {
-            FogLight light = fog.lights()[l];
-            float[] column = light == null || lights[l].isDarkInFog() ? null : column(known, light);
-            scattered[l] = column;
-            sources[l] = column == null ? null : light;
-            keepsAll &= column != null || light == null || lights[l].isDarkInFog();
-        }
-        if (known != null && keepsAll && Arrays.equals(sources, known.sources(), (a, b) -> a == b ? 0 : 1)) {
+        FogLight[] sources = sources();
+        FogTile known = old != null && fog.medium().equals(old.medium()) ? old : null;
+        if (known != null && Arrays.equals(sources, known.sources(), (a, b) -> a == b ? 0 : 1)) {
             return known;
         }
-        if (!keepsAll) {
+        if (known == null || Arrays.stream(sources).anyMatch(light -> light != null && column(known, light) == null)) {
             setRays(places, rows);
         }
+        return lookUp(places.count(), sources, known);
+    }
+
+    /** Returns the light in the fog of each light that shines in it; null for others. */
+    private @Nullable FogLight[] sources() {
+        @Nullable
+        FogLight[] sources = new FogLight[lights.length];
+        Arrays.setAll(sources, l -> lights[l].isDarkInFog() ? null : fog.lights()[l]);
+        return sources;
+    }
+
+    /**
+     * Looks up the rays that were set, where no column is known.
+     *
+     * @param known fog before the same surfaces; null for none
+     */
+    private FogTile lookUp(int count, @Nullable FogLight[] sources, @Nullable FogTile known) {
+        float[] @Nullable [] scattered = new float[lights.length][];
         for (int l = 0; l < lights.length; l++) {
-            FogLight light = fog.lights()[l];
-            if (scattered[l] == null && light != null && !lights[l].isDarkInFog()) {
-                scattered[l] = scattered(places.count(), light, lights[l].source());
-                sources[l] = light;
-            }
+            FogLight light = sources[l];
+            float[] column = light == null || known == null ? null : column(known, light);
+            scattered[l] = light == null || column != null ? column : scattered(count, light, l);
         }
-        return new FogTile(fog.medium(), known != null ? known.transmittance() : transmittance(places.count()), sources, scattered);
+        return new FogTile(fog.medium(), known != null ? known.transmittance() : transmittance(count), sources, scattered);
     }
 
     /**
      * Returns the fog before one point of the image, as that of a tile with one position.
      *
-     * @param px       image coordinates, pixels, as {@code py}
+     * @param px     image coordinates, pixels, as {@code py}
      * @param length distance of the surface from the eye; infinite for none
      */
     public FogTile point(double px, double py, double length) {
@@ -87,21 +95,11 @@ public final class FogLookup {
         y[0] = py;
         distance[0] = length;
         setDirections(1);
-        @Nullable
-        FogLight[] sources = new FogLight[lights.length];
-        float[] @Nullable [] scattered = new float[lights.length][];
-        for (int l = 0; l < lights.length; l++) {
-            FogLight light = fog.lights()[l];
-            if (light != null && !lights[l].isDarkInFog()) {
-                scattered[l] = scattered(1, light, lights[l].source());
-                sources[l] = light;
-            }
-        }
-        return new FogTile(fog.medium(), transmittance(1), sources, scattered);
+        return lookUp(1, sources(), null);
     }
 
-    private static float @Nullable [] column(@Nullable FogTile known, FogLight light) {
-        for (int i = 0; known != null && i < known.sources().length; i++) {
+    private static float @Nullable [] column(FogTile known, FogLight light) {
+        for (int i = 0; i < known.sources().length; i++) {
             if (known.sources()[i] == light) {
                 return known.scattered()[i];
             }
@@ -112,6 +110,15 @@ public final class FogLookup {
     /** Returns whether a column is the shared one of tiles that a light does not reach. */
     static boolean isDark(float[] column) {
         return column == DARK;
+    }
+
+    private FogSamples samples(int l) {
+        FogSamples known = samples[l];
+        if (known == null) {
+            known = new FogSamples(fog.grid(), lights[l].source());
+            samples[l] = known;
+        }
+        return known;
     }
 
     private void setRays(SamplePositions places, HitRows rows) {
@@ -151,11 +158,11 @@ public final class FogLookup {
         return to;
     }
 
-    private float[] scattered(int count, FogLight light, LightSource source) {
-        FogSamples samples = new FogSamples(fog.grid(), source);
+    private float[] scattered(int count, FogLight light, int l) {
         if (!sums.set(light, minX, minY, maxX, maxY)) {
             return DARK;
         }
+        FogSamples samples = samples(l);
         float[] to = new float[SIZE];
         for (int i = 0; i < count; i++) {
             samples.aim(path, dx[i], dy[i], dz[i]);

@@ -9,7 +9,7 @@ import lightning.render.shading.LightSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where the fog of a picture is sampled for one light, and to which point of the light each sample looks: to its position, or to one of the
+ * Samples of the fog of a picture for one light: their places, and the point of the light that each looks at: its position, or one of the
  * samples of an area light, in turn.
  */
 final class FogSamples {

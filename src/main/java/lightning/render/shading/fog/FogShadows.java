@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
+import lightning.render.engine.EngineChoice;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogPath;
@@ -11,8 +12,10 @@ import lightning.render.shading.LightSource;
 import lightning.render.shading.layer.LightRows;
 import lightning.render.shading.layer.PointShadows;
 import lightning.render.shading.layer.RowBits;
+import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.ShapeChange;
+import lightning.scene.effects.ViewEffects;
 import org.jspecify.annotations.Nullable;
 
 /** Finds the samples of fog that a light reaches, on all threads. */
@@ -27,10 +30,12 @@ public final class FogShadows {
     private final Progress progress;
     private final Region[] regions;
 
-    public FogShadows(FogGrid grid, WorkerPool workers, List<EngineWorkers<PointShadows>> casters, Progress progress) {
+    /** @param view its effects decide whether shapes block light */
+    public FogShadows(FogGrid grid, Geometry geometry, ViewEffects view, EngineChoice engines, WorkerPool workers, Progress progress) {
         this.grid = grid;
         this.workers = workers;
-        this.casters = casters;
+        casters = EngineWorkers.perThread(workers.count(), engines,
+                engine -> new PointShadows(geometry, engine.tracer(geometry), view));
         this.progress = progress.cancellationOnly();
         regions = new Region[workers.count()];
         Arrays.setAll(regions, _ -> new Region());
@@ -54,9 +59,15 @@ public final class FogShadows {
         return visible;
     }
 
+    /** Returns the number of shadow rays cast since the start. */
+    public long rayCount() {
+        return casters.stream().flatMap(thread -> thread.workers().stream()).mapToLong(PointShadows::rayCount).sum();
+    }
+
     /** Scratch memory for the rays of a region. */
     private final class Region {
-        private final FogPath path = new FogPath();
+        /** Path of each ray toward the present light. */
+        private final FogPath[] paths = new FogPath[RAYS];
         private final int[] rays = new int[RAYS];
         private final double[] dx = new double[RAYS];
         private final double[] dy = new double[RAYS];
@@ -67,12 +78,17 @@ public final class FogShadows {
         private final int[] chosen = RowBits.allocate();
         private final int[] blocked = RowBits.allocate();
 
+        Region() {
+            Arrays.setAll(paths, _ -> new FogPath());
+        }
+
         void test(int column, int line, FogSamples samples, PointShadows shadows, @Nullable ShapeChange change, int[] visible) {
             int count = 0;
             for (int y = line; y < Math.min(grid.lines(), line + SIDE); y++) {
                 for (int x = column; x < Math.min(grid.columns(), column + SIDE); x++) {
                     rays[count] = y * grid.columns() + x;
                     grid.writeDirection(rays[count], dx, dy, dz, count);
+                    samples.aim(paths[count], dx[count], dy[count], dz[count]);
                     count++;
                 }
             }
@@ -95,8 +111,7 @@ public final class FogShadows {
             for (int i = 0; i < count; i++) {
                 int phase = grid.phase(rays[i]);
                 if (only < 0 || phase == only) {
-                    samples.aim(path, dx[i], dy[i], dz[i]);
-                    double t = path.distance(grid.place(sample, phase));
+                    double t = paths[i].distance(grid.place(sample, phase));
                     point[points.count] = rays[i];
                     points.px[points.count] = (float) (grid.eye().x() + t * dx[i]);
                     points.py[points.count] = (float) (grid.eye().y() + t * dy[i]);

@@ -90,7 +90,7 @@ final class FogSums {
     }
 
     /**
-     * Interpolates the sums of the four rays around a point of the image, one of those that were set.
+     * Interpolates the sums of the four rays around a point of the image, which was set.
      *
      * @param place place of a surface along its ray, 0…1
      */

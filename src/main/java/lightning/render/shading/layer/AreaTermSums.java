@@ -147,16 +147,17 @@ final class AreaTermSums {
     }
 
     private void writeFalloffs(HitRows rows, LightSource source, int s, RowShadowRays rays) {
-        if (!AngularMask.isActive(source)) {
+        AngularMask mask = AngularMask.of(source);
+        if (mask == null) {
             terms.falloffs(rows, source, falloff);
             return;
         }
         AreaSamples samples = source.samples(rows);
-        AngularMask[] doors = new AngularMask[samples.patterns];
-        Arrays.setAll(doors, t -> AngularMask.of(source.at(samples.position(t, s))));
+        AngularMask[] masks = new AngularMask[samples.patterns];
+        Arrays.setAll(masks, t -> mask.at(samples.position(t, s)));
         terms.unroundedFalloffs(rows, source, factors);
         for (int i = 0; i < rows.count; i++) {
-            falloff[i] = (float) (factors[i] * doors[rays.pattern[i]].factor(rows.px[i], rows.py[i], rows.pz[i]));
+            falloff[i] = (float) (factors[i] * masks[rays.pattern[i]].factor(rows.px[i], rows.py[i], rows.pz[i]));
         }
     }
 
