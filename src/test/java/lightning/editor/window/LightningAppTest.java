@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import javafx.collections.ListChangeListener;
 import javafx.scene.Node;
+import javafx.scene.Scene;
 import javafx.scene.control.Label;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
@@ -94,9 +95,16 @@ class LightningAppTest {
     @Test
     void panes_whileLoading_showLoading(FxRobot robot) throws Exception {
         TestEditors.awaitNode(robot, "#editor");
-        robot.interact(() -> stage.getScene().setRoot(TestEditors.layout(Path.of("scenes/large.jen"))));
+        // The app still creates panels in its own window while it is idle.
+        Stage other = TestEditors.inWindowThread(() -> {
+            var window = new Stage();
+            window.setScene(new Scene(TestEditors.layout(Path.of("scenes/large.jen"))));
+            window.show();
+            return window;
+        });
         FastRobot.settle();
         assertThat(robot.lookup(n -> n instanceof Label l && l.getText().equals("Reading large.jen …")).queryAll()).hasSize(3);
+        robot.interact(other::close);
     }
 
     @Test
@@ -112,6 +120,7 @@ class LightningAppTest {
     @Test
     void withoutFile_opensCopyAtSizeOfPaneWithLive(FxRobot robot) throws Exception {
         TestEditors.await(() -> editor != null);
+        TestEditors.awaitNode(robot, "#traced-picture");
         FastRobot.settle();
         var model = editor.model();
         var picture = (PictureView) robot.lookup("#traced-picture").query();
@@ -125,6 +134,7 @@ class LightningAppTest {
     @Test
     void welcomePage_isNextToStartScene_andEscapeClosesIt(FxRobot robot) throws Exception {
         TestEditors.awaitNode(robot, "#welcome");
+        TestEditors.awaitNode(robot, "#traced-picture");
         FastRobot.settle();
         var picture = robot.lookup("#traced-picture").query();
         assertThat(robot.lookup("#welcome").query().localToScene(0, 0).getX())
