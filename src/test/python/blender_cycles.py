@@ -14,6 +14,7 @@ import numpy
 WIDTH, HEIGHT = 48, 27
 SAMPLES = 1024
 KIND = sys.argv[2]
+SKIES = ("sky", "tilted_sky", "tilted_image", "photo")
 FILE = sample.FOLDER / "shot.jen"
 
 
@@ -64,6 +65,8 @@ def build() -> None:
         "lamp360": lambda: sample.show_profile(sample.add_light("POINT", "L", (1, -2, 3), (0, 0, -2), energy=2, shadow_soft_size=0), range(0, 361, 5)),
         "world": lambda: None,
         "sky": lambda: None,
+        "tilted_sky": lambda: None,
+        "tilted_image": lambda: None,
         "photo": lambda: None,
     }
     light = lights[KIND]()
@@ -75,7 +78,7 @@ def build() -> None:
     else:
         # Cycles has no factor for highlights, and its matte material has none.
         light.data.specular_factor = 0
-    if KIND in ("sky", "photo"):
+    if KIND in SKIES:
         show_sky(scene)
     scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = WIDTH, HEIGHT, 100
 
@@ -89,13 +92,14 @@ def show_sky(scene) -> None:
     tree = scene.world.node_tree
     background = tree.nodes["Background"]
     texture, mapping, coordinates = (tree.nodes.new(f"ShaderNode{n}") for n in ("TexEnvironment", "Mapping", "TexCoord"))
-    if KIND == "sky":
+    if KIND != "photo":
         texture.image = bpy.data.images.load(sys.argv[3])
     else:
         # Eight bits of sRGB.
         texture.image = bpy.data.images.new("photo", 64, 32)
         texture.image.pixels.foreach_set([0.5, 0.25, 0.75, 1] * 64 * 32)
-    mapping.inputs["Rotation"].default_value[2] = 0.7
+    mapping.inputs["Rotation"].default_value = (0.5, -0.4, 0.7) if KIND.startswith("tilted") else (0, 0, 0.7)
+    mapping.vector_type = "TEXTURE" if KIND == "tilted_image" else "POINT"
     tree.links.new(coordinates.outputs["Generated"], mapping.inputs["Vector"])
     tree.links.new(mapping.outputs["Vector"], texture.inputs["Vector"])
     tree.links.new(texture.outputs["Color"], background.inputs["Color"])
@@ -139,7 +143,7 @@ sample.start()
 build()
 assert bpy.ops.lightning.send(filepath=str(FILE), overwrite=True) == {"FINISHED"}
 sample.run_program("relight", str(FILE), "-o", str(sample.FOLDER / "lightning.exr"), "--set", "picture.antialias=every", "--set",
-                   "picture.samples=8", *([] if KIND in ("world", "sky", "photo") or KIND.startswith(("lamp", "profile")) else ["--set", "L.samples=64"]), "--bits", "32", "--no-savings")
+                   "picture.samples=8", *([] if KIND in ("world", *SKIES) or KIND.startswith(("lamp", "profile")) else ["--set", "L.samples=64"]), "--bits", "32", "--no-savings")
 ours = pixels(str(sample.FOLDER / "lightning.exr"))
 one, two = cycles(1), cycles(2)
 theirs = (one + two) / 2

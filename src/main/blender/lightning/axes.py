@@ -36,6 +36,16 @@ def blender_matrix(values: list[float]) -> Matrix:
     return TO_BLENDER @ Matrix([values[i:i + 4] for i in range(0, 16, 4)]).transposed() @ TO_LIGHTNING
 
 
+def lightning_rotation(rotation: Matrix) -> Matrix:
+    """Returns a Blender rotation of three rows in Lightning's axes."""
+    return TO_LIGHTNING.to_3x3() @ rotation @ TO_BLENDER.to_3x3()
+
+
+def blender_rotation(rotation: Matrix) -> Matrix:
+    """Returns a rotation of three rows in Blender's axes."""
+    return TO_BLENDER.to_3x3() @ rotation @ TO_LIGHTNING.to_3x3()
+
+
 def light_matrix(position, direction, up) -> Matrix:
     """Returns the Blender transform of a light that shines along `direction`; all arguments in Lightning's axes."""
     z = -blender_vector(direction).normalized()

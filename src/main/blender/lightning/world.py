@@ -7,12 +7,14 @@ from pathlib import Path
 
 import bpy
 import numpy
+from mathutils import Matrix
 
 from . import axes
 
 # Lightning looks up the center of an environment along -z, Blender along x.
 BASE_ROTATION = -90.0
 MAX_PIXELS = 8388608
+LEVEL = {"tilt": 0, "roll": 0}
 SAMPLING = {"lamps": 48, "softness": 1}
 
 
@@ -27,7 +29,7 @@ def send(world, folder: Path, stem: str, messages: list[str]) -> dict:
     name = f"{stem}-world.hdr"
     if texture is not None and texture.image is not None:
         _write_image(texture.image, folder / name, messages)
-        return result | SAMPLING | {"environment": name, "rotation": _rotation(texture, messages), "intensity": strength}
+        return result | SAMPLING | {"environment": name, **_rotation(texture, messages), "intensity": strength}
     if background.inputs["Color"].is_linked:
         messages.append("world: only a color or an environment texture is sent")
         return result
@@ -53,8 +55,9 @@ def receive(world, settings: dict, before: dict, messages: list[str]) -> None:
     if settings["intensity"] != before["intensity"] and before["intensity"] > 0:
         socket.default_value *= settings["intensity"] / before["intensity"]
     texture = _texture(background)
-    if texture is not None and settings["rotation"] != before["rotation"]:
-        _mapping(world.node_tree, texture).inputs["Rotation"].default_value[2] = math.radians(BASE_ROTATION - settings["rotation"])
+    if texture is not None and any(settings.get(angle, 0) != before.get(angle, 0) for angle in ("rotation", "tilt", "roll")):
+        to_image = axes.blender_rotation(_to_world(settings) @ Matrix.Rotation(math.radians(-BASE_ROTATION), 3, "Y")).transposed()
+        _mapping(world.node_tree, texture).inputs["Rotation"].default_value = to_image.to_euler("XYZ")
     if texture is None and "environment" not in settings and settings["background"] != before["background"]:
         background.inputs["Color"].default_value = settings["background"] + [1]
         socket.default_value = 1
@@ -74,16 +77,31 @@ def _texture(background):
     return node if node is not None and node.bl_idname == "ShaderNodeTexEnvironment" else None
 
 
-def _rotation(texture, messages: list[str]) -> float:
-    """Returns the rotation about Lightning's y axis, degrees."""
+def _rotation(texture, messages: list[str]) -> dict:
+    """Returns rotation, tilt and roll of Lightning's environment, degrees."""
     links = texture.inputs["Vector"].links
     node = links[0].from_node if links else None
     if node is None or node.bl_idname != "ShaderNodeMapping":
-        return BASE_ROTATION
+        return LEVEL | {"rotation": BASE_ROTATION}
+    if any(abs(v - 1) > 1e-6 for v in node.inputs["Scale"].default_value):
+        messages.append("world: the scale of the mapping is not sent")
     x, y, z = node.inputs["Rotation"].default_value
-    if abs(x) > 1e-6 or abs(y) > 1e-6:
-        messages.append("world: only the rotation about z is sent")
-    return BASE_ROTATION + axes.degrees(z if node.vector_type == "TEXTURE" else -z)
+    if abs(x) <= 1e-6 and abs(y) <= 1e-6:
+        return LEVEL | {"rotation": BASE_ROTATION + axes.degrees(z if node.vector_type == "TEXTURE" else -z)}
+    rotation = node.inputs["Rotation"].default_value.to_matrix()
+    m = axes.lightning_rotation(rotation if node.vector_type == "TEXTURE" else rotation.transposed())
+    m = m @ Matrix.Rotation(math.radians(BASE_ROTATION), 3, "Y")
+    tilt = math.asin(max(-1, min(1, -m[1][2])))
+    if math.hypot(m[0][2], m[2][2]) < 1e-6:
+        return {"rotation": axes.degrees(math.atan2(-m[2][0], m[0][0])), "tilt": axes.degrees(tilt), "roll": 0}
+    return {"rotation": axes.degrees(math.atan2(m[0][2], m[2][2])), "tilt": axes.degrees(tilt),
+            "roll": axes.degrees(math.atan2(m[1][0], m[1][1]))}
+
+
+def _to_world(settings: dict) -> Matrix:
+    """Returns the rotation from the image to the scene in Lightning's axes: roll, then tilt, then rotation."""
+    angles = [math.radians(settings.get(angle, 0)) for angle in ("rotation", "tilt", "roll")]
+    return Matrix.Rotation(angles[0], 3, "Y") @ Matrix.Rotation(angles[1], 3, "X") @ Matrix.Rotation(angles[2], 3, "Z")
 
 
 def _mapping(tree, texture):

@@ -8,7 +8,6 @@ import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.base.math.Rgb;
-import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
 import lightning.scene.asset.Environment;
@@ -21,6 +20,7 @@ import lightning.scene.light.AreaShape;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightRig;
 import lightning.scene.light.LightType;
+import lightning.scene.value.DomeRotation;
 import lightning.scene.value.Fog;
 import lightning.scene.value.SceneLimits;
 
@@ -30,7 +30,7 @@ import lightning.scene.value.SceneLimits;
  * @param ambience    factor of every material's ambient color, ≥ 0
  * @param background  linear color of rays that hit nothing, ≥ 0; replaced by an environment
  * @param environment environment map, visible in the background; it lights surfaces through gathering rays and the lights of its bright parts
- * @param rotation    rotation of the environment about y, degrees
+ * @param dome        rotation of the environment
  * @param intensity   factor of the environment's image and light
  * @param gain        factor of the environment's light alone; its image stays
  * @param lightCount  maximum number of directional lights that represent its small bright parts
@@ -40,7 +40,7 @@ import lightning.scene.value.SceneLimits;
  * @param fog         air between the shapes
  */
 @RecordBuilder
-public record World(double ambience, Rgb background, Optional<Environment> environment, double rotation, double intensity, double gain,
+public record World(double ambience, Rgb background, Optional<Environment> environment, DomeRotation dome, double intensity, double gain,
         int lightCount, double softness, boolean solo, double meters, Fog fog) implements WorldBuilder.With {
     public static final SceneAttribute<World, Double> AMBIENCE = new SceneAttribute<>("ambience", "ambience", "ambient light",
             NumericKind.number(0, SceneLimits.MAX_AMBIENCE, 0.1), 1.0, "", World::ambience, World::withAmbience);
@@ -52,6 +52,12 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
     public static final SceneAttribute<World, Double> ROTATION = new SceneAttribute<>("rotation", "environment rotation",
             NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), 0.0, "degrees about y", World::rotation,
             World::withRotation);
+    public static final SceneAttribute<World, Double> TILT = new SceneAttribute<>("tilt", "environment tilt",
+            NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), 0.0, "degrees about x, before rotation",
+            world -> world.dome.tilt(), (world, v) -> world.withDome(world.dome.withTilt(v)));
+    public static final SceneAttribute<World, Double> ROLL = new SceneAttribute<>("roll", "environment roll",
+            NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), 0.0, "degrees about z, before tilt",
+            world -> world.dome.roll(), (world, v) -> world.withDome(world.dome.withRoll(v)));
     public static final SceneAttribute<World, Double> INTENSITY = new SceneAttribute<>("intensity", "environment intensity",
             NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "multiplies the environment", World::intensity,
             World::withIntensity);
@@ -76,7 +82,8 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
 
     /** All attributes, in file order. */
     public static final List<SceneAttribute<World, ?>> ATTRIBUTES =
-            Stream.concat(Stream.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, INTENSITY, GAIN, LIGHT_COUNT, SOFTNESS, SOLO, METERS),
+            Stream.concat(Stream.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, TILT, ROLL, INTENSITY, GAIN, LIGHT_COUNT, SOFTNESS, SOLO,
+                    METERS),
                     FogAttributes.ALL.stream()).toList();
 
     /** Samples of a light that is hardly larger than the sun, and of a larger one. */
@@ -90,7 +97,9 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
     public World {
         AMBIENCE.check(ambience);
         BACKGROUND.check(background);
-        ROTATION.check(rotation);
+        ROTATION.check(dome.rotation());
+        TILT.check(dome.tilt());
+        ROLL.check(dome.roll());
         INTENSITY.check(intensity);
         GAIN.check(gain);
         LIGHT_COUNT.check(lightCount);
@@ -100,19 +109,29 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
 
     /** Creates a world without an environment. */
     public World(double ambience, Rgb background) {
-        this(ambience, background, ENVIRONMENT.initial(), ROTATION.initial(), INTENSITY.initial(), GAIN.initial(),
+        this(ambience, background, ENVIRONMENT.initial(), DomeRotation.NONE, INTENSITY.initial(), GAIN.initial(),
                 LIGHT_COUNT.initial(), SOFTNESS.initial(), SOLO.initial(), METERS.initial(), Fog.NONE);
     }
 
     /** Returns a clause that says why an attribute has no effect in this world; empty if it has. */
     public Optional<String> inactiveReason(SceneAttribute<World, ?> attribute) {
-        boolean needsEnvironment = attribute == ROTATION || attribute == INTENSITY || attribute == GAIN || attribute == LIGHT_COUNT
+        boolean needsEnvironment = attribute == ROTATION || attribute == TILT || attribute == ROLL || attribute == INTENSITY
+                || attribute == GAIN || attribute == LIGHT_COUNT
                 || attribute == SOFTNESS || attribute == SOLO;
         if (needsEnvironment && environment.isEmpty()) {
             return Optional.of(Messages.tr("the scene has no environment"));
         }
         boolean needsFog = FogAttributes.ALL.contains(attribute) && attribute != FogAttributes.DENSITY;
         return needsFog && !fog.isPresent() ? Optional.of(Messages.tr("the scene has no fog")) : Optional.empty();
+    }
+
+    /** Returns the rotation of the environment about y, degrees. */
+    public double rotation() {
+        return dome.rotation();
+    }
+
+    public World withRotation(double v) {
+        return withDome(dome.withRotation(v));
     }
 
     /** Returns the factor of the environment's light, ≥ 0; 0 without an environment. */
@@ -142,31 +161,29 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
 
     private List<Light> lights(List<EnvironmentLight> sources, int count, Predicate<String> isUsed) {
         List<Light> lights = new ArrayList<>();
-        double cos = Transform.cosDegrees(rotation);
-        double sin = Transform.sinDegrees(rotation);
         String name = "environment";
         while (isAnyUsed(name, count, isUsed)) {
             name += "'";
         }
         for (EnvironmentLight source : sources) {
-            Vec3 direction = source.direction();
+            Vec3 direction = dome.toWorld().transformVector(source.direction());
+            double spread = spread(source, direction);
             double maxChannel = Math.max(source.red(), Math.max(source.green(), source.blue()));
             lights.add(Light.of(name + " " + (lights.size() + 1), LightType.DIRECTIONAL)
-                    .withDirection(new Vec3(-(direction.x() * cos + direction.z() * sin), -direction.y(),
-                            direction.x() * sin - direction.z() * cos))
+                    .withDirection(direction.negated())
                     .withColor(maxChannel > 0 ? new Rgb(source.red() / maxChannel, source.green() / maxChannel, source.blue() / maxChannel)
                             : Rgb.BLACK)
                     .withSolo(solo && lightIntensity() > 0)
                     .withIntensity(Math.min(maxChannel * source.meanLength() * intensity * gain,
                             SceneLimits.MAX_ENVIRONMENT_LIGHT_INTENSITY))
-                    .withArea(AreaShape.DEFAULT.withSpread(spread(source)).withSamples(spread(source) > SUN ? SAMPLES : SUN_SAMPLES)));
+                    .withArea(AreaShape.DEFAULT.withSpread(spread).withSamples(spread > SUN ? SAMPLES : SUN_SAMPLES)));
         }
         return lights;
     }
 
     /** Returns the half-angle of a light in degrees, at most its angle to the horizon: light from below would be lost to a floor. */
-    private double spread(EnvironmentLight source) {
-        double elevation = Math.toDegrees(StrictMath.asin(Math.min(Math.abs(source.direction().y()), 1)));
+    private double spread(EnvironmentLight source, Vec3 direction) {
+        double elevation = Math.toDegrees(StrictMath.asin(Math.min(Math.abs(direction.y()), 1)));
         return Math.min(source.spread() * softness, elevation);
     }
 

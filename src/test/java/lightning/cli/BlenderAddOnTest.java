@@ -83,11 +83,16 @@ class BlenderAddOnTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"point", "ball", "spot", "sun", "profile", "profile180", "profile360", "lamp", "lamp90", "lamp270",
-        "lamp360", "wide_sun", "screen", "window", "rect", "disc", "softbox", "snoot", "warm", "world", "sky",
+        "lamp360", "wide_sun", "screen", "window", "rect", "disc", "softbox", "snoot", "warm", "world", "sky", "tilted_sky", "tilted_image",
         "photo"})
     void pictures_equalDirectLightOfCycles(String light) throws Exception {
         assertThat(run("blender_cycles.py", light, Path.of("textures/evening_sky.hdr").toAbsolutePath().toString()))
                 .contains(light + ": sum");
+    }
+
+    @Test
+    void rotationOfSky_comesBack() throws Exception {
+        assertThat(run("blender_sky.py")).contains("the sky is equal");
     }
 
     @Test

@@ -118,6 +118,8 @@ public final class EditArbitraries {
                 SceneArbitraries.environmentMaps().map(s -> new Edit.SetEnvironment(Optional.of(s))),
                 Arbitraries.of(new Edit.SetEnvironment(Optional.empty())),
                 SceneArbitraries.rotations().map(v -> new Edit.EditWorld<>(World.ROTATION, v)),
+                SceneArbitraries.tilts().map(v -> new Edit.EditWorld<>(World.TILT, v)),
+                SceneArbitraries.tilts().map(v -> new Edit.EditWorld<>(World.ROLL, v)),
                 SceneArbitraries.softnesses().map(v -> new Edit.EditWorld<>(World.SOFTNESS, v)),
                 NumberArbitraries.rangeOrSpecial(0, 2, 0.0, 1.0).map(v -> new Edit.EditWorld<>(World.INTENSITY, v)),
                 SceneArbitraries.environmentGains().map(v -> new Edit.EditWorld<>(World.GAIN, v)),

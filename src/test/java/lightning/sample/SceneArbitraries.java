@@ -20,6 +20,7 @@ import lightning.scene.material.Material;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
+import lightning.scene.value.DomeRotation;
 import lightning.scene.value.LensShift;
 import lightning.scene.value.Placement;
 import net.jqwik.api.Arbitraries;
@@ -124,10 +125,10 @@ public final class SceneArbitraries {
         Arbitrary<World> plain =
                 Combinators.combine(NumberArbitraries.rangeOrSpecial(0, 1, 0.0, 1.0, 1e6), NumberArbitraries.colors()).as(World::new);
         Arbitrary<World> clear = Arbitraries.frequencyOf(Tuple.of(4, plain),
-                Tuple.of(1, Combinators.combine(plain, environmentMaps(), rotations(),
+                Tuple.of(1, Combinators.combine(plain, environmentMaps(), domeRotations(),
                         NumberArbitraries.rangeOrSpecial(0, 2, 0.0, 1.0), Arbitraries.of(4, 5, 7), softnesses(), environmentGains()).as(
                                 (world, sky, turn, intensity, lamps, softness, gain) -> world
-                                        .withEnvironment(Optional.of(sky)).withRotation(turn).withIntensity(intensity).withLightCount(lamps)
+                                        .withEnvironment(Optional.of(sky)).withDome(turn).withIntensity(intensity).withLightCount(lamps)
                                         .withSoftness(softness).withGain(gain))));
         return Arbitraries.frequencyOf(Tuple.of(5, clear),
                 Tuple.of(2, Combinators.combine(clear, FogArbitraries.fogs()).as(World::withFog)));
@@ -139,6 +140,15 @@ public final class SceneArbitraries {
 
     static Arbitrary<Double> softnesses() {
         return Arbitraries.of(0.0, 0.0, 0.0, 0.3, 1.0);
+    }
+
+    private static Arbitrary<DomeRotation> domeRotations() {
+        return Combinators.combine(rotations(), tilts(), tilts()).as(DomeRotation::of);
+    }
+
+    /** Returns rotations about a horizontal axis, half of them 0. */
+    static Arbitrary<Double> tilts() {
+        return Arbitraries.oneOf(Arbitraries.just(0.0), rotations());
     }
 
     static Arbitrary<Double> rotations() {

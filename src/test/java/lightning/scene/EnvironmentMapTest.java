@@ -12,6 +12,7 @@ import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentLight;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.light.Light;
+import lightning.scene.value.DomeRotation;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
@@ -31,7 +32,7 @@ class EnvironmentMapTest {
 
     private static double[] radiance(EnvironmentMap sky, double x, double y, double z, double turn) {
         double[] to = new double[3];
-        sky.radiance(x, y, z, turn, to);
+        sky.radiance(x, y, z, DomeRotation.of(turn, 0, 0), to);
         return to;
     }
 
@@ -64,6 +65,34 @@ class EnvironmentMapTest {
         for (int i = 0; i < 4; i++) {
             Vec3 d = lights.get(i).direction();
             assertThat(turned.get(i).direction().minus(new Vec3(d.z(), d.y(), -d.x())).length()).isLessThan(1e-12);
+        }
+    }
+
+    @Property
+    void tiltedMap_hasTheRadianceOfItsOwnDirection(@ForAll @DoubleRange(min = -180, max = 180) double rotation,
+            @ForAll @DoubleRange(min = -180, max = 180) double tilt, @ForAll @DoubleRange(min = -180, max = 180) double roll,
+            @ForAll @DoubleRange(min = 0.1, max = 3) double polar, @ForAll @DoubleRange(min = -3, max = 3) double azimuth) {
+        EnvironmentMap sky = sky(8, 4, 1);
+        Vec3 own = new Vec3(Math.sin(polar) * Math.cos(azimuth), Math.cos(polar), Math.sin(polar) * Math.sin(azimuth));
+        DomeRotation dome = DomeRotation.of(rotation, tilt, roll);
+        Vec3 inScene = dome.toWorld().transformVector(own);
+        double[] expected = new double[3];
+        sky.radiance(own.x(), own.y(), own.z(), DomeRotation.NONE, expected);
+        double[] found = new double[3];
+        sky.radiance(inScene.x(), inScene.y(), inScene.z(), dome, found);
+        assertThat(found).containsExactly(expected, within(1e-9));
+    }
+
+    @Property
+    void lightsOfTiltedMap_areRotated(@ForAll @DoubleRange(min = -180, max = 180) double tilt,
+            @ForAll @DoubleRange(min = -180, max = 180) double roll) {
+        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR))).withLightCount(4);
+        DomeRotation dome = DomeRotation.of(20, tilt, roll);
+        List<Light> lights = world.approximateLights(4, _ -> false);
+        List<Light> turned = world.withDome(dome).approximateLights(4, _ -> false);
+        for (int i = 0; i < 4; i++) {
+            Vec3 expected = dome.toWorld().transformVector(lights.get(i).direction());
+            assertThat(turned.get(i).direction().minus(expected).length()).isLessThan(1e-12);
         }
     }
 
@@ -169,7 +198,7 @@ class EnvironmentMapTest {
         assertThat(sky.limit()).isGreaterThanOrEqualTo(1);
         assertThat(lights.getFirst().red()).isEqualTo((sun - sky.limit()) * sky.solidAngle(8) / Math.PI, within(1e-9 * sun));
         double[] smooth = new double[3];
-        sky.smoothRadiance(0, 1, 0, 0, smooth);
+        sky.smoothRadiance(0, 1, 0, DomeRotation.NONE, smooth);
         assertThat(smooth[1]).isEqualTo(1, within(1e-6));
     }
 

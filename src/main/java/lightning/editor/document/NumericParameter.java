@@ -30,6 +30,8 @@ public final class NumericParameter {
     public static final NumericParameter ENVIRONMENT_GAIN = ofWorld(World.GAIN);
     /** Rotation of the environment. */
     public static final NumericParameter ENVIRONMENT_ROTATION = ofWorld(World.ROTATION);
+    public static final NumericParameter ENVIRONMENT_TILT = ofWorld(World.TILT);
+    public static final NumericParameter ENVIRONMENT_ROLL = ofWorld(World.ROLL);
     /** Maximum number of lights for bright parts of an environment, an integer. */
     public static final NumericParameter ENVIRONMENT_LAMPS = ofWorld(World.LIGHT_COUNT);
     /** Spread of each sample over its part of the environment. */
@@ -52,7 +54,8 @@ public final class NumericParameter {
     /** All parameters, those of lights first. */
     public static final List<NumericParameter> ALL =
             Stream.of(LightAttribute.ALL.stream().flatMap(a -> of(a).stream()), Stream.of(AMBIENCE, ENVIRONMENT_INTENSITY,
-                    ENVIRONMENT_GAIN, ENVIRONMENT_ROTATION, ENVIRONMENT_LAMPS, ENVIRONMENT_SOFTNESS, METERS, DEPTH, FOG_DENSITY),
+                    ENVIRONMENT_GAIN, ENVIRONMENT_ROTATION, ENVIRONMENT_TILT, ENVIRONMENT_ROLL, ENVIRONMENT_LAMPS, ENVIRONMENT_SOFTNESS,
+                    METERS, DEPTH, FOG_DENSITY),
                     FOG.stream(), FOG_CENTER.stream()).flatMap(all -> all).toList();
 
     private final String id;

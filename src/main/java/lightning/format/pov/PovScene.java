@@ -21,6 +21,7 @@ import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.node.Solid;
+import lightning.scene.value.DomeRotation;
 
 /** Scene in POV-Ray's language. */
 public final class PovScene {
@@ -63,8 +64,8 @@ public final class PovScene {
             environments.put(file, p.map());
             // POV-Ray's image starts at the x axis and runs toward z; ours starts a quarter earlier, with its middle at −z.
             body.append("sky_sphere {\n  pigment { image_map { hdr \"").append(file)
-                    .append("\" map_type 1 interpolate 2 } }\n  rotate <0, ")
-                    .append(scene.world().rotation() - 90).append(", 0>\n  emission rgb ").append(scene.world().intensity())
+                    .append("\" map_type 1 interpolate 2 } }\n  ").append(rotation(scene.world().dome())).append("\n  emission rgb ")
+                    .append(scene.world().intensity())
                     .append("\n}\n");
         });
         if (scene.picture().indirect().isPresent()) {
@@ -86,6 +87,11 @@ public final class PovScene {
         var lights = new PovLightWriter(BoundingSphere.of(scene), warnings);
         scene.lightsForOtherPrograms().forEach(light -> body.append(lights.text(scene, light)));
         return new PovScene(header(scene, warnings) + body, warnings, images, bumpMaps, environments);
+    }
+
+    private static String rotation(DomeRotation dome) {
+        return dome.isUpright() ? "rotate <0, " + (dome.rotation() - 90) + ", 0>"
+                : "rotate <0, -90, 0>\n  " + PovFormat.matrix(dome.toWorld());
     }
 
     private static boolean hasCutouts(Scene scene) {

@@ -9,6 +9,7 @@ import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.asset.EnvironmentMap;
+import lightning.scene.value.DomeRotation;
 import lightning.scene.value.SceneLimits;
 
 /**
@@ -17,25 +18,25 @@ import lightning.scene.value.SceneLimits;
  *
  * @param color     linear color of all directions; black with an environment
  * @param map       environment; empty for none, or if it does not light the scene
- * @param rotation  of the environment about y, degrees
+ * @param rotation  rotation of the environment
  * @param intensity factor of the environment's light
  * @param seen      linear color that blurred reflections see without an environment; black if there are none
  */
-public record BackgroundLight(Rgb color, Optional<EnvironmentMap> map, double rotation, double intensity, Rgb seen) {
-    public static final BackgroundLight NONE = new BackgroundLight(Rgb.BLACK, Optional.empty(), 0, 0, Rgb.BLACK);
+public record BackgroundLight(Rgb color, Optional<EnvironmentMap> map, DomeRotation rotation, double intensity, Rgb seen) {
+    public static final BackgroundLight NONE = new BackgroundLight(Rgb.BLACK, Optional.empty(), DomeRotation.NONE, 0, Rgb.BLACK);
 
     /** Returns the light of a scene's background. */
     public static BackgroundLight of(Scene scene) {
         World world = scene.world();
         if (world.environment().isPresent()) {
             return scene.rig().isEnvironmentActive()
-                    ? new BackgroundLight(Rgb.BLACK, Optional.of(world.environment().get().map()), world.rotation(), world.lightIntensity(),
+                    ? new BackgroundLight(Rgb.BLACK, Optional.of(world.environment().get().map()), world.dome(), world.lightIntensity(),
                             Rgb.BLACK)
                     : NONE;
         }
         boolean isLit = scene.picture().indirect().map(IndirectSettings::background).orElse(false);
         boolean isSeen = GatherSettings.of(scene).map(GatherSettings::reflections).orElse(false);
-        return new BackgroundLight(isLit ? world.background() : Rgb.BLACK, Optional.empty(), 0, 0,
+        return new BackgroundLight(isLit ? world.background() : Rgb.BLACK, Optional.empty(), DomeRotation.NONE, 0,
                 isSeen ? world.background() : Rgb.BLACK);
     }
 

@@ -33,7 +33,7 @@ public final class BackgroundShader {
             to[2][i] = (float) world.background().b();
             return;
         }
-        world.environment().get().map().radiance(x, y, z, world.rotation(), color);
+        world.environment().get().map().radiance(x, y, z, world.dome(), color);
         for (int c = 0; c < 3; c++) {
             to[c][i] = (float) Math.min(color[c] * world.intensity(), SceneLimits.MAX_EMISSION);
         }

@@ -3,6 +3,7 @@ package lightning.render.shading;
 import lightning.base.math.Transform;
 import lightning.render.gather.cell.DirectionCells;
 import lightning.scene.asset.SmoothGrid;
+import lightning.scene.value.DomeRotation;
 
 /** Means of an environment's light over {@link DirectionCells}. */
 final class EnvironmentCells {
@@ -22,11 +23,10 @@ final class EnvironmentCells {
     /**
      * Returns the mean radiance of each cell, red, green and blue: at least six cells of the grid lie in each.
      *
-     * @param rotation rotation about y, degrees
+     * @param rotation rotation of the environment
      */
-    static double[] means(SmoothGrid grid, double rotation) {
-        double cos = Transform.cosDegrees(rotation);
-        double sin = Transform.sinDegrees(rotation);
+    static double[] means(SmoothGrid grid, DomeRotation rotation) {
+        Transform m = rotation.toWorld();
         double[] sum = new double[3 * DirectionCells.COUNT];
         double[] weight = new double[DirectionCells.COUNT];
         for (int row = 0; row < SmoothGrid.ROWS; row++) {
@@ -36,7 +36,8 @@ final class EnvironmentCells {
             for (int column = 0; column < SmoothGrid.COLUMNS; column++) {
                 double x = radius * SIN_AZIMUTH[column];
                 double z = -radius * COS_AZIMUTH[column];
-                int cell = DirectionCells.of(x * cos + z * sin, height, z * cos - x * sin);
+                int cell = DirectionCells.of(m.m00() * x + m.m01() * height + m.m02() * z, m.m10() * x + m.m11() * height + m.m12() * z,
+                        m.m20() * x + m.m21() * height + m.m22() * z);
                 int from = 3 * (row * SmoothGrid.COLUMNS + column);
                 weight[cell] += radius;
                 for (int c = 0; c < 3; c++) {

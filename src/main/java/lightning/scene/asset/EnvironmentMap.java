@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import lightning.base.math.Rgb;
+import lightning.base.math.Transform;
+import lightning.scene.value.DomeRotation;
 import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
 
@@ -92,16 +94,26 @@ public final class EnvironmentMap {
     /**
      * Computes the radiance from a direction, bilinear between pixel centers; wraps at the sides and clamps at the top and bottom.
      *
-     * @param rotation rotation of the map about y in degrees, as {@code rotate} of a shape
-     * @param result   receives linear RGB, {@code double[3]}
+     * @param dome   rotation of the map
+     * @param result receives linear RGB, {@code double[3]}
      */
-    public void radiance(double x, double y, double z, double rotation, double[] result) {
-        radiance(u(x, z, rotation), v(y), Double.POSITIVE_INFINITY, result);
+    public void radiance(double x, double y, double z, DomeRotation dome, double[] result) {
+        radiance(x, y, z, dome, Double.POSITIVE_INFINITY, result);
     }
 
     /** Computes the same without what belongs to {@link #brightLights}. */
-    public void smoothRadiance(double x, double y, double z, double rotation, double[] result) {
-        smoothRadiance(u(x, z, rotation), v(y), result);
+    public void smoothRadiance(double x, double y, double z, DomeRotation dome, double[] result) {
+        radiance(x, y, z, dome, limit(), result);
+    }
+
+    private void radiance(double x, double y, double z, DomeRotation dome, double upTo, double[] result) {
+        if (dome.isUpright()) {
+            radiance(u(x, z) + dome.rotation() / 360, v(y), upTo, result);
+            return;
+        }
+        Transform m = dome.toWorld();
+        radiance(u(m.m00() * x + m.m10() * y + m.m20() * z, m.m02() * x + m.m12() * y + m.m22() * z),
+                v(m.m01() * x + m.m11() * y + m.m21() * z), upTo, result);
     }
 
     /** @param u place in the map, 0 … 1 from the left and wrapped, with {@code v} from the top */
@@ -110,8 +122,8 @@ public final class EnvironmentMap {
     }
 
     // StrictMath gives the same bits on every machine; Math does not guarantee it.
-    private static double u(double x, double z, double rotation) {
-        return 0.5 + StrictMath.atan2(x, -z) / (2 * Math.PI) + rotation / 360;
+    private static double u(double x, double z) {
+        return 0.5 + StrictMath.atan2(x, -z) / (2 * Math.PI);
     }
 
     private static double v(double y) {

@@ -107,7 +107,7 @@ class NumericParameterTest {
         assertThat(NumericParameter.ALL.stream().filter(dial -> dial.disabledReason(scene, scene.light("key")).isPresent())
                 .map(NumericParameter::title).toList())
                 .containsExactlyInAnyOrder("cone cutoff", "cone softness", "beam spread", "spread", "width", "height",
-                        "environment intensity", "environment light gain",
+                        "environment intensity", "environment light gain", "environment tilt", "environment roll",
                         "environment rotation",
                         "environment bright lights",
                         "environment shadow smoothing", "fog anisotropy", "fog height", "fog falloff with height", "fog center x",

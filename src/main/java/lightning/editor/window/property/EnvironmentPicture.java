@@ -18,6 +18,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PixelImage;
 import lightning.scene.World;
 import lightning.scene.asset.EnvironmentMap;
+import lightning.scene.value.DomeRotation;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -118,7 +119,8 @@ final class EnvironmentPicture extends Region {
         for (int i = 0; i < WIDTH * HEIGHT; i++) {
             double azimuth = 2 * Math.PI * ((i % WIDTH + 0.5) / WIDTH - 0.5);
             double polar = Math.PI * (i / WIDTH + 0.5) / HEIGHT * SHOWN_HEIGHT;
-            map.radiance(Math.sin(polar) * Math.sin(azimuth), Math.cos(polar), -Math.sin(polar) * Math.cos(azimuth), 0, color);
+            map.radiance(Math.sin(polar) * Math.sin(azimuth), Math.cos(polar), -Math.sin(polar) * Math.cos(azimuth), DomeRotation.NONE,
+                    color);
             for (int c = 0; c < 3; c++) {
                 rgb[3 * i + c] = (float) color[c];
             }

@@ -63,7 +63,9 @@ final class WorldPane extends VBox {
         });
         backgroundRows = new VBox(SectionLayout.caption(Messages.tr("Background")), background);
         environmentRows = new VBox(number(NumericParameter.ENVIRONMENT_INTENSITY), number(NumericParameter.ENVIRONMENT_GAIN),
-                number(NumericParameter.ENVIRONMENT_ROTATION), number(NumericParameter.ENVIRONMENT_LAMPS),
+                number(NumericParameter.ENVIRONMENT_ROTATION),
+                number(NumericParameter.ENVIRONMENT_TILT), number(NumericParameter.ENVIRONMENT_ROLL),
+                number(NumericParameter.ENVIRONMENT_LAMPS),
                 number(NumericParameter.ENVIRONMENT_SOFTNESS), solo);
         Stream.of(backgroundRows, environmentRows).forEach(rows -> rows.getStyleClass().add("section-rows"));
         exposure = new ArrowWidget(Messages.tr("Exposure"), "exposure", exposureSetting());

@@ -34,7 +34,7 @@ public record UsdDomeExport(UsdLayer layer, UsdPrimWriter writer, ConversionNote
         boolean isBrightness =
                 dome.isEmpty() || dome.get().intensity().isEmpty() || dome.get().intensity().getAsDouble() != world.intensity();
         boolean isImage = dome.isEmpty() || !writer.paths().isSameFile(dome.get().file(), file);
-        boolean isTurned = dome.isEmpty() || dome.get().rotation() != world.rotation();
+        boolean isTurned = dome.isEmpty() || !dome.get().rotation().equals(world.dome());
         if (!isBrightness && !isImage && !isTurned) {
             return;
         }
@@ -48,7 +48,7 @@ public record UsdDomeExport(UsdLayer layer, UsdPrimWriter writer, ConversionNote
         }
         if (isTurned) {
             boolean hasZUp = writer.paths().hasZUp();
-            Transform turn = Transform.rotation(new Vec3(0, world.rotation() - 180, 0));
+            Transform turn = world.dome().toWorld().times(Transform.rotation(new Vec3(0, -180, 0)));
             if (hasZUp && dome.isPresent() && dome.get().prim().type().equals("DomeLight_1")) {
                 turn = turn.times(Transform.rotation(new Vec3(-90, 0, 0)));
             }

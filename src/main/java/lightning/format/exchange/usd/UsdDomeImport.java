@@ -23,6 +23,7 @@ import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.asset.Texture;
 import lightning.scene.value.ColorTemperature;
+import lightning.scene.value.DomeRotation;
 import lightning.scene.value.SceneLimits;
 
 /** Converter from a dome light to the environment: an image in Radiance's format, which is written where the dome has another or none. */
@@ -31,7 +32,8 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
     private static final int MAX_PIXELS = 8 << 20;
     private static final int MAX_BYTES = 64 << 20;
     private static final int PLAIN_WIDTH = 16;
-    private static final double MAX_TILT = 1e-4;
+    /** Smaller angles are 0, degrees. */
+    private static final double MIN_ANGLE = 1e-4;
 
     /** Sets the environment, and the comment that brings it back. */
     void add(JsonValue in) throws IOException, MeshException {
@@ -53,9 +55,9 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
         Optional<Path> place = texture.isPresent() ? UsdStage.place(texture) : Optional.empty();
         assembler.notes.add("dome lights whose image is missing or unreadable", texture.isPresent() && place.isEmpty() ? 1 : 0);
         Environment environment = place.isPresent() ? image(place.get(), texture, factor) : plain(factor);
-        double rotation = rotation(in);
+        DomeRotation rotation = rotation(in);
         World before = assembler.world;
-        assembler.world = before.withEnvironment(Optional.of(environment)).withRotation(rotation).withIntensity(strength);
+        assembler.world = before.withEnvironment(Optional.of(environment)).withDome(rotation).withIntensity(strength);
         // The intensity of the dome for one of the environment; its color and exposure stay as they are.
         UsdPaths.addDome(assembler, in, strength > 0 ? intensity / strength : 1 / stops, rotation, strength, environment.file());
     }
@@ -139,19 +141,26 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
     }
 
     /**
-     * Returns the rotation about y. A dome's image has +z in its center and x on its left, an environment −z and x on its right: half a turn
+     * Returns the rotation of the image. A dome's image has +z in its center and x on its left, an environment −z and x on its right: half a turn
      * apart.
      */
-    private double rotation(JsonValue in) throws MeshException {
+    private DomeRotation rotation(JsonValue in) throws MeshException {
         Transform m = upright.times(UsdStage.transform(in.get("matrix")));
         String pole = in.get("pole").text().orElse("Y");
         if (pole.equals("Z") || pole.equals("scene") && hasZUp) {
             m = m.times(Transform.rotation(new Vec3(90, 0, 0)));
         }
-        Vec3 up = m.transformVector(Vec3.Y).normalized();
-        Vec3 center = m.transformVector(new Vec3(0, 0, 1));
-        assembler.notes.add("tilted dome lights, imported upright", Math.abs(up.y() - 1) <= MAX_TILT ? 0 : 1);
-        double degrees = Math.toDegrees(Math.atan2(center.x(), center.z())) + 180;
-        return UsdNumbers.rounded(degrees > 180 ? degrees - 360 : degrees);
+        DomeRotation turned = DomeRotation.of(m.times(Transform.rotation(new Vec3(0, 180, 0))));
+        assembler.notes.add("mirrored dome lights, imported without the mirror", isMirrored(m) ? 1 : 0);
+        return DomeRotation.of(tidy(turned.rotation()), tidy(turned.tilt()), tidy(turned.roll()));
+    }
+
+    private static boolean isMirrored(Transform m) {
+        return m.transformVector(new Vec3(1, 0, 0)).cross(m.transformVector(Vec3.Y)).dot(m.transformVector(new Vec3(0, 0, 1))) < 0;
+    }
+
+    /** Returns an angle in degrees without what matrices of single precision add to it. */
+    private static double tidy(double degrees) {
+        return Math.abs(degrees) < MIN_ANGLE ? 0 : UsdNumbers.rounded(degrees);
     }
 }

@@ -11,6 +11,7 @@ import lightning.base.text.DecimalNumber;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.MeshException;
+import lightning.scene.value.DomeRotation;
 
 /**
  * Paths of a scene's lights and objects in the stage that it was imported from. Comments of the scene file store them, because rendering
@@ -46,7 +47,7 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
      * @param file     file of the environment that it has
      * @param intensity intensity of the environment that it has; empty if the comments do not say
      */
-    public record Dome(Prim prim, double factor, double rotation, String file, OptionalDouble intensity) {}
+    public record Dome(Prim prim, double factor, DomeRotation rotation, String file, OptionalDouble intensity) {}
 
     /** Adds the comment of the up axis. */
     static void addAxis(SceneAssembler assembler, boolean hasZUp) {
@@ -68,11 +69,11 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
     }
 
     /** Adds the comment of the dome light. */
-    static void addDome(SceneAssembler assembler, JsonValue in, double factor, double rotation, double intensity, String file)
+    static void addDome(SceneAssembler assembler, JsonValue in, double factor, DomeRotation rotation, double intensity, String file)
             throws MeshException {
         if (isPath(in)) {
             assembler.closingComments.add(
-                    "usd dome: " + in.get("type").text().orElse("") + " " + path(in) + " " + factor + " " + rotation + " " + file);
+                    "usd dome: " + in.get("type").text().orElse("") + " " + path(in) + " " + factor + " " + text(rotation) + " " + file);
             assembler.closingComments.add("usd dome intensity: " + intensity);
         }
     }
@@ -122,7 +123,7 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
                 objects.put(object.group(2), object.group(1));
             } else if (environment.matches()) {
                 dome = Optional.of(new Dome(new Prim(environment.group(1), environment.group(2)), number(environment.group(3)),
-                        number(environment.group(4)), environment.group(5), OptionalDouble.empty()));
+                        rotation(environment.group(4)), environment.group(5), OptionalDouble.empty()));
             } else if (line.startsWith("# " + UsdOriginal.COMMENT)) {
                 UsdOriginal.parse(line.substring(2)).ifPresent(original -> originals.put(original.light().name(), original));
             } else if (line.startsWith("# " + UsdHiddenParent.COMMENT)) {
@@ -141,6 +142,17 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
     /** Returns whether a file of the scene is that of the import, which may have got another name since. */
     public boolean isSameFile(String imported, String now) {
         return imported.equals(now) || imported.equals(renamed.get(now));
+    }
+
+    /** Returns the angle about y, or all three if there are others. */
+    private static String text(DomeRotation v) {
+        return v.isUpright() ? String.valueOf(v.rotation()) : v.rotation() + "," + v.tilt() + "," + v.roll();
+    }
+
+    private static DomeRotation rotation(String text) {
+        String[] angles = text.split(",", 3);
+        return angles.length < 3 ? DomeRotation.of(number(angles[0]), 0, 0)
+                : DomeRotation.of(number(angles[0]), number(angles[1]), number(angles[2]));
     }
 
     private static double number(String text) {
