@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
@@ -23,6 +24,7 @@ import lightning.scene.light.IntensityUnit;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.shot.AnimatedScene;
+import lightning.scene.value.DomeRotation;
 import lightning.scene.value.ShapeLinks;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -31,6 +33,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** A layer over an imported stage has opinions only about what was edited. */
 class UsdSparseExportTest {
     private static final String NOTE = "lights of an import without their values, written whole; import the stage again for a sparse layer";
+    private static final Comparator<Double> NEAR = (a, b) -> Math.abs(a - b) < 1e-4 ? 0 : Double.compare(a, b);
     @TempDir
     private Path folder;
 
@@ -227,6 +230,41 @@ class UsdSparseExportTest {
         assertThat(opinions(document.withAnimatedScene(
                 document.animatedScene().withScene(scene.withWorld(scene.world().withIntensity(0.75))))))
                 .isEqualTo("/World/sky.inputs:intensity\n");
+    }
+
+    /** A dome's image has its center at +z: half a turn more about y, which inverts the other angles. */
+    @Test
+    void tiltedDome_isImportedWithItsThreeAngles() throws Exception {
+        Path stage = folder.resolve("sparse.usda");
+        Files.writeString(stage, Files.readString(stage).replace("upAxis = \"Z\"", "upAxis = \"Y\"")
+                .replaceFirst("(def DomeLight \"sky\"\\s*\\{)[^}]*}", """
+                        $1
+                            float3 xformOp:rotateZXY = (10, -150, 20)
+                            uniform token[] xformOpOrder = ["xformOp:rotateZXY"]
+                        }"""));
+        DomeRotation dome = imported().scene().world().dome();
+        assertThat(List.of(dome.rotation(), dome.tilt(), dome.roll())).usingElementComparator(NEAR).containsExactly(30.0, -10.0, -20.0);
+    }
+
+    @Test
+    void editedTilt_comesBack() throws Exception {
+        JenDocument document = imported();
+        Scene scene = document.scene();
+        JenDocument edited = document.withAnimatedScene(
+                document.animatedScene().withScene(scene.withWorld(scene.world().withDome(DomeRotation.of(50, -20, 70)))));
+        Path layer = folder.resolve("lights.usda");
+        Files.write(layer, LightExport.toUsd(edited.text(), edited.animatedScene(), folder.resolve("sparse.jen"), layer).bytes());
+        Files.writeString(folder.resolve("sparse2.usda"), """
+                #usda 1.0
+                (
+                    subLayers = [@./lights.usda@, @./sparse.usda@]
+                    upAxis = "Z"
+                )
+                """);
+        Path again = folder.resolve("again.jen");
+        SceneImporter.read(folder.resolve("sparse2.usda"), again, LightUnits.CANDELA, Progress.NONE).write();
+        DomeRotation dome = JenReader.read(again).scene().world().dome();
+        assertThat(List.of(dome.rotation(), dome.tilt(), dome.roll())).usingElementComparator(NEAR).containsExactly(50.0, -20.0, 70.0);
     }
 
     @Test
