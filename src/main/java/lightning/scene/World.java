@@ -20,6 +20,7 @@ import lightning.scene.light.AreaShape;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightRig;
 import lightning.scene.light.LightType;
+import lightning.scene.sky.Sky;
 import lightning.scene.value.DomeRotation;
 import lightning.scene.value.Fog;
 import lightning.scene.value.SceneLimits;
@@ -29,7 +30,7 @@ import lightning.scene.value.SceneLimits;
  *
  * @param ambience    factor of every material's ambient color, ≥ 0
  * @param background  linear color of rays that hit nothing, ≥ 0; replaced by an environment
- * @param environment environment map, visible in the background; it lights surfaces through gathering rays and the lights of its bright parts
+ * @param image       environment map, visible in the background; it lights surfaces through gathering rays and the lights of its bright parts
  * @param dome        rotation of the environment
  * @param intensity   factor of the environment's image and light
  * @param gain        factor of the environment's light alone; its image stays
@@ -38,17 +39,18 @@ import lightning.scene.value.SceneLimits;
  * @param solo        true if its light is soloed: if intensity and gain are not 0, all lights that are not solo are dark
  * @param meters      meters per scene unit, for photometric units of lights
  * @param fog         air between the shapes
+ * @param sky         physical sky, which is the environment while it is on
  */
 @RecordBuilder
-public record World(double ambience, Rgb background, Optional<Environment> environment, DomeRotation dome, double intensity, double gain,
-        int lightCount, double softness, boolean solo, double meters, Fog fog) implements WorldBuilder.With {
+public record World(double ambience, Rgb background, Optional<Environment> image, DomeRotation dome, double intensity, double gain,
+        int lightCount, double softness, boolean solo, double meters, Fog fog, Sky sky) implements WorldBuilder.With {
     public static final SceneAttribute<World, Double> AMBIENCE = new SceneAttribute<>("ambience", "ambience", "ambient light",
             NumericKind.number(0, SceneLimits.MAX_AMBIENCE, 0.1), 1.0, "", World::ambience, World::withAmbience);
     public static final SceneAttribute<World, Rgb> BACKGROUND = new SceneAttribute<>("background", "background",
             NumericKind.color(SceneLimits.MAX_EMISSION), Rgb.BLACK, "linear red, green, blue", World::background, World::withBackground);
     public static final SceneAttribute<World, Optional<Environment>> ENVIRONMENT = new SceneAttribute<>("environment", "environment",
-            new ValueKind.EnvironmentKind(), Optional.empty(), "a Radiance HDR or OpenEXR file", World::environment,
-            World::withEnvironment);
+            new ValueKind.EnvironmentKind(), Optional.empty(), "a Radiance HDR or OpenEXR file", World::image,
+            World::withImage);
     public static final SceneAttribute<World, Double> ROTATION = new SceneAttribute<>("rotation", "environment rotation",
             NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), 0.0, "degrees about y", World::rotation,
             World::withRotation);
@@ -81,10 +83,11 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
             World::withMeters);
 
     /** All attributes, in file order. */
-    public static final List<SceneAttribute<World, ?>> ATTRIBUTES =
-            Stream.concat(Stream.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, TILT, ROLL, INTENSITY, GAIN, LIGHT_COUNT, SOFTNESS, SOLO,
-                    METERS),
-                    FogAttributes.ALL.stream()).toList();
+    public static final List<SceneAttribute<World, ?>> ATTRIBUTES = Stream.of(
+            List.<SceneAttribute<World, ?>>of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, TILT, ROLL, INTENSITY, GAIN, LIGHT_COUNT,
+                    SOFTNESS,
+                    SOLO, METERS),
+            FogAttributes.ALL, SkyAttributes.ALL).flatMap(List::stream).toList();
 
     /** Samples of a light that is hardly larger than the sun, and of a larger one. */
     private static final int SUN_SAMPLES = SceneLimits.MIN_LIGHT_SAMPLES;
@@ -110,7 +113,7 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
     /** Creates a world without an environment. */
     public World(double ambience, Rgb background) {
         this(ambience, background, ENVIRONMENT.initial(), DomeRotation.NONE, INTENSITY.initial(), GAIN.initial(),
-                LIGHT_COUNT.initial(), SOFTNESS.initial(), SOLO.initial(), METERS.initial(), Fog.NONE);
+                LIGHT_COUNT.initial(), SOFTNESS.initial(), SOLO.initial(), METERS.initial(), Fog.NONE, Sky.NONE);
     }
 
     /** Returns a clause that says why an attribute has no effect in this world; empty if it has. */
@@ -118,11 +121,25 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
         boolean needsEnvironment = attribute == ROTATION || attribute == TILT || attribute == ROLL || attribute == INTENSITY
                 || attribute == GAIN || attribute == LIGHT_COUNT
                 || attribute == SOFTNESS || attribute == SOLO;
-        if (needsEnvironment && environment.isEmpty()) {
+        if (needsEnvironment && environment().isEmpty()) {
             return Optional.of(Messages.tr("the scene has no environment"));
+        }
+        boolean needsSky = SkyAttributes.ALL.contains(attribute) && attribute != SkyAttributes.ON;
+        if (needsSky && !sky.on()) {
+            return Optional.of(Messages.tr("the physical sky is off"));
         }
         boolean needsFog = FogAttributes.ALL.contains(attribute) && attribute != FogAttributes.DENSITY;
         return needsFog && !fog.isPresent() ? Optional.of(Messages.tr("the scene has no fog")) : Optional.empty();
+    }
+
+    /** Returns the environment: the sky while it is on, otherwise the image. */
+    public Optional<Environment> environment() {
+        return sky.on() ? Optional.of(sky.environment()) : image;
+    }
+
+    /** Returns this world with an image or no environment, and without a sky. */
+    public World withEnvironment(Optional<Environment> v) {
+        return with(world -> world.image(v).sky(sky.withOn(false)));
     }
 
     /** Returns the rotation of the environment about y, degrees. */
@@ -136,7 +153,7 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
 
     /** Returns the factor of the environment's light, ≥ 0; 0 without an environment. */
     public double lightIntensity() {
-        return environment.isEmpty() ? 0 : intensity * gain;
+        return environment().isEmpty() ? 0 : intensity * gain;
     }
 
     /**
@@ -146,7 +163,7 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
      * @param isUsed test for names of other lights
      */
     List<Light> environmentLights(Predicate<String> isUsed) {
-        return environment.map(e -> lights(e.map().brightLights(lightCount), lightCount, isUsed)).orElse(List.of());
+        return environment().map(e -> lights(e.map().brightLights(lightCount), lightCount, isUsed)).orElse(List.of());
     }
 
     /**
@@ -156,7 +173,7 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
      * @param isUsed test for names of other lights
      */
     public List<Light> approximateLights(int count, Predicate<String> isUsed) {
-        return environment.map(e -> lights(e.map().lights(count), count, isUsed)).orElse(List.of());
+        return environment().map(e -> lights(e.map().lights(count), count, isUsed)).orElse(List.of());
     }
 
     private List<Light> lights(List<EnvironmentLight> sources, int count, Predicate<String> isUsed) {

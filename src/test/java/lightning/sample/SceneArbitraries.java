@@ -124,8 +124,10 @@ public final class SceneArbitraries {
     static Arbitrary<World> worlds() {
         Arbitrary<World> plain =
                 Combinators.combine(NumberArbitraries.rangeOrSpecial(0, 1, 0.0, 1.0, 1e6), NumberArbitraries.colors()).as(World::new);
-        Arbitrary<World> clear = Arbitraries.frequencyOf(Tuple.of(4, plain),
-                Tuple.of(1, Combinators.combine(plain, environmentMaps(), domeRotations(),
+        Arbitrary<World> clear = Arbitraries.frequencyOf(Tuple.of(8, plain),
+                Tuple.of(1, Combinators.combine(plain, SkyArbitraries.skies(), domeRotations()).as(
+                        (world, sky, turn) -> world.withSky(sky).withDome(turn))),
+                Tuple.of(2, Combinators.combine(plain, environmentMaps(), domeRotations(),
                         NumberArbitraries.rangeOrSpecial(0, 2, 0.0, 1.0), Arbitraries.of(4, 5, 7), softnesses(), environmentGains()).as(
                                 (world, sky, turn, intensity, lamps, softness, gain) -> world
                                         .withEnvironment(Optional.of(sky)).withDome(turn).withIntensity(intensity).withLightCount(lamps)

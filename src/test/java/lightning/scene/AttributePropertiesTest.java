@@ -54,7 +54,8 @@ class AttributePropertiesTest {
     private static final String MATT = "matt";
     /** Titles, or keywords of scene files, that differ from the name of their component. */
     private static final Map<String,
-            String> KEYWORDS = Map.ofEntries(entry("World.lightCount", "lamps"), entry("Transmission.color", "transparency"),
+            String> KEYWORDS = Map.ofEntries(entry("World.lightCount", "lamps"), entry("World.image", "environment"),
+                    entry("Transmission.color", "transparency"),
                     entry("BumpMapping.normalMap", "normals"),
                     entry("SurfaceMaps.roughness", "roughness map"), entry("SurfaceMaps.metalness", "metalness map"),
                     entry("SurfaceMaps.f0", "f0 map"), entry("SurfaceMaps.f0Channel", "f0 channel"),
@@ -90,7 +91,7 @@ class AttributePropertiesTest {
         assertThat(titles(MaterialAttribute.ALL)).containsExactlyInAnyOrderElementsOf(components(Material.class));
         // Not by title: titles of the world name the owner of an intensity or a rotation.
         List<String> dome = components(DomeRotation.class);
-        assertThat(World.ATTRIBUTES.stream().map(SceneAttribute::name).filter(name -> !name.startsWith("fog_"))
+        assertThat(World.ATTRIBUTES.stream().map(SceneAttribute::name).filter(name -> !name.startsWith("fog_") && !name.startsWith("sky_"))
                 .map(name -> dome.contains(name) ? "dome" : name).distinct()).containsExactlyInAnyOrderElementsOf(components(World.class));
         assertThat(IndirectSettings.ATTRIBUTES.stream().map(SceneAttribute::name))
                 .containsExactlyInAnyOrderElementsOf(components(IndirectSettings.class));

@@ -12,6 +12,7 @@ import lightning.base.text.NumberUnit;
 import lightning.scene.FogAttributes;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import lightning.scene.SkyAttributes;
 import lightning.scene.World;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
@@ -38,6 +39,9 @@ public final class NumericParameter {
     public static final NumericParameter ENVIRONMENT_SOFTNESS = ofWorld(World.SOFTNESS);
     /** Meters per scene unit, for photometric units. */
     public static final NumericParameter METERS = ofWorld(World.METERS);
+    /** Sun and air of a physical sky. */
+    public static final List<NumericParameter> SKY = List.of(ofWorld(SkyAttributes.ELEVATION), ofWorld(SkyAttributes.AZIMUTH),
+            ofWorld(SkyAttributes.TURBIDITY), ofWorld(SkyAttributes.SUN), ofWorld(SkyAttributes.SUN_RADIUS));
     /** Extinction of fog. */
     public static final NumericParameter FOG_DENSITY = ofWorld(FogAttributes.DENSITY);
     /** Fog where there is any: its scattering, and how it ends upward. */
@@ -56,7 +60,7 @@ public final class NumericParameter {
             Stream.of(LightAttribute.ALL.stream().flatMap(a -> of(a).stream()), Stream.of(AMBIENCE, ENVIRONMENT_INTENSITY,
                     ENVIRONMENT_GAIN, ENVIRONMENT_ROTATION, ENVIRONMENT_TILT, ENVIRONMENT_ROLL, ENVIRONMENT_LAMPS, ENVIRONMENT_SOFTNESS,
                     METERS, DEPTH, FOG_DENSITY),
-                    FOG.stream(), FOG_CENTER.stream()).flatMap(all -> all).toList();
+                    SKY.stream(), FOG.stream(), FOG_CENTER.stream()).flatMap(all -> all).toList();
 
     private final String id;
     private final String title;

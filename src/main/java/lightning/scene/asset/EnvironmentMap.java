@@ -4,9 +4,12 @@ import java.lang.ref.SoftReference;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
 import lightning.scene.value.DomeRotation;
 import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
@@ -21,6 +24,7 @@ public final class EnvironmentMap {
     private final float[] rgb;
     private final Map<Integer, List<EnvironmentLight>> lights = new ConcurrentHashMap<>();
     private final Map<Integer, List<EnvironmentLight>> brightLights = new ConcurrentHashMap<>();
+    private final @Nullable EnvironmentSun sun;
     private @Nullable Double limit;
     /** Its memory is larger than that of most maps, and it can be computed again. */
     private SoftReference<SmoothGrid> smoothGrid = new SoftReference<>(null);
@@ -30,12 +34,22 @@ public final class EnvironmentMap {
      *     not copied
      */
     public EnvironmentMap(int width, int height, float[] rgb) {
+        this(width, height, rgb, null);
+    }
+
+    /**
+     * Creates a map with a sun, which is its only bright part.
+     *
+     * @param rgb as without a sun, and without its light
+     */
+    public EnvironmentMap(int width, int height, float[] rgb, @Nullable EnvironmentSun sun) {
         if (width < 1 || height < 1 || rgb.length != 3 * width * height) {
             throw new IllegalArgumentException("a sky of " + width + "×" + height + " with " + rgb.length + " values");
         }
         this.width = width;
         this.height = height;
         this.rgb = rgb;
+        this.sun = sun;
     }
 
     public int width() {
@@ -58,7 +72,7 @@ public final class EnvironmentMap {
 
     /** Returns the luminance above which the light of a pixel belongs to the lights of {@link #brightLights}. */
     public synchronized double limit() {
-        limit = limit == null ? Double.valueOf(BrightParts.limit(this)) : limit;
+        limit = limit != null ? limit : Double.valueOf(sun == null ? BrightParts.limit(this) : Double.POSITIVE_INFINITY);
         return limit;
     }
 
@@ -79,7 +93,8 @@ public final class EnvironmentMap {
 
     /** Returns the directional lights that represent the whole map ({@link MedianCut}); the same list for the same number. */
     public List<EnvironmentLight> lights(int maxLights) {
-        return lights.computeIfAbsent(maxLights, n -> new MedianCut(this, 0).lights(n, 0));
+        return lights.computeIfAbsent(maxLights, n -> sun == null ? new MedianCut(this, 0).lights(n, 0)
+                : Stream.concat(Stream.of(sun.toLight()), new MedianCut(this, 0).lights(n - 1, 0).stream()).toList());
     }
 
     /**
@@ -88,7 +103,8 @@ public final class EnvironmentMap {
      * @param maxLights maximum number of lights
      */
     public List<EnvironmentLight> brightLights(int maxLights) {
-        return brightLights.computeIfAbsent(maxLights, n -> new MedianCut(this, limit()).lights(n, COMPACT));
+        return sun != null ? List.of(sun.toLight())
+                : brightLights.computeIfAbsent(maxLights, n -> new MedianCut(this, limit()).lights(n, COMPACT));
     }
 
     /**
@@ -99,6 +115,12 @@ public final class EnvironmentMap {
      */
     public void radiance(double x, double y, double z, DomeRotation dome, double[] result) {
         radiance(x, y, z, dome, Double.POSITIVE_INFINITY, result);
+        if (sun != null && dome.toWorld().transformVector(sun.direction()).dot(new Vec3(x, y, z)) > Transform.cosDegrees(sun.radius())) {
+            Rgb disc = sun.radiance();
+            result[0] += disc.r();
+            result[1] += disc.g();
+            result[2] += disc.b();
+        }
     }
 
     /** Computes the same without what belongs to {@link #brightLights}. */
@@ -170,7 +192,7 @@ public final class EnvironmentMap {
 
     @Override
     public boolean equals(Object o) {
-        return this == o || o instanceof EnvironmentMap s && width == s.width && Arrays.equals(rgb, s.rgb);
+        return this == o || o instanceof EnvironmentMap s && width == s.width && Arrays.equals(rgb, s.rgb) && Objects.equals(sun, s.sun);
     }
 
     @Override

@@ -111,7 +111,7 @@ class NumericParameterTest {
                         "environment rotation",
                         "environment bright lights",
                         "environment shadow smoothing", "fog anisotropy", "fog height", "fog falloff with height", "fog center x",
-                        "fog center y", "fog center z");
+                        "fog center y", "fog center z", "sun elevation", "sun azimuth", "sky turbidity", "sun strength", "sun radius");
     }
 
     @Test

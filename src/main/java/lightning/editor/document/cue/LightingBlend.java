@@ -242,7 +242,7 @@ public final class LightingBlend {
             return world.withGain(Math.clamp(gain, Math.min(fromGain, toGain), Math.max(fromGain, toGain)));
         }
         World environmentSource = t < 0.5 ? first : last;
-        return world.withEnvironment(environmentSource.environment()).withDome(environmentSource.dome())
+        return world.withImage(environmentSource.image()).withSky(environmentSource.sky()).withDome(environmentSource.dome())
                 .withLightCount(environmentSource.lightCount())
                 .withSoftness(environmentSource.softness())
                 .withIntensity(environmentSource.intensity() * Math.abs(1 - 2 * t))

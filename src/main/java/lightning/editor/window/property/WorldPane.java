@@ -40,6 +40,8 @@ final class WorldPane extends VBox {
     private final VBox environmentRows;
     private final ComboBox<DisplayCurve> curve = new ComboBox<>();
     private final FogControls fog;
+    private final SkyControls sky;
+    private final Node imageField;
     private final ArrowWidget exposure;
     private final CheckBox solo = new CheckBox(Messages.tr("Solo"));
     private @Nullable Object shownDocument;
@@ -55,6 +57,8 @@ final class WorldPane extends VBox {
         background = new WorldColor(editor, World.BACKGROUND, "world-background",
                 Messages.tr("Color behind the scene, also seen in reflections")).sliders();
         fog = new FogControls(editor, visibleState);
+        sky = new SkyControls(editor, visibleState);
+        imageField = FileField.forWorld(editor, model.commands(), model.fileImporter(), visibleState);
         solo.setId("world-solo");
         solo.setTooltip(new Tooltip(Messages.tr("Mute all lights that are not solo")));
         solo.setOnAction(_ -> {
@@ -72,7 +76,7 @@ final class WorldPane extends VBox {
         exposure.setId("world-exposure");
         ScrollPane scroll = SectionLayout.scroll(
                 SectionLayout.section(Messages.tr("Environment"),
-                        FileField.forWorld(editor, model.commands(), model.fileImporter(), visibleState),
+                        imageField, sky,
                         new EnvironmentPicture(editor, visibleState), environmentRows,
                         number(NumericParameter.AMBIENCE), backgroundRows, number(NumericParameter.METERS)),
                 SectionLayout.section(Messages.tr("Fog"), fog),
@@ -128,12 +132,15 @@ final class WorldPane extends VBox {
             exposure.revert();
             background.revert();
             fog.revert();
+            sky.revert();
         }
         boolean hasEnvironment = state.scene().world().environment().isPresent();
         setShown(environmentRows, hasEnvironment);
         setShown(backgroundRows, !hasEnvironment);
         background.show(state.scene().world().background());
         fog.show(state.scene().world().fog());
+        sky.show(state.scene().world().sky());
+        setShown(imageField, !state.scene().world().sky().on());
         solo.setSelected(state.scene().world().solo());
     }
 
