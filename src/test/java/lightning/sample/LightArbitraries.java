@@ -15,8 +15,11 @@ import lightning.scene.light.Contribution;
 import lightning.scene.light.Emission;
 import lightning.scene.light.FaceVisibility;
 import lightning.scene.light.Falloff;
+import lightning.scene.light.FilterShape;
 import lightning.scene.light.IntensityUnit;
 import lightning.scene.light.Light;
+import lightning.scene.light.LightFilter;
+import lightning.scene.light.LightFlag;
 import lightning.scene.light.LightGroup;
 import lightning.scene.light.LightType;
 import lightning.scene.value.Attenuation;
@@ -52,7 +55,38 @@ final class LightArbitraries {
                 .flatMap(light -> Combinators.combine(emissions(), falloffs()).as((e, f) -> light.withEmission(e).withFalloff(f)))
                 .flatMap(light -> rarelyTrue().map(light::withIlluminates)).flatMap(light -> rarelyTrue().map(light::withShadowedBy))
                 .flatMap(light -> contributions().map(light::withContribution))
+                .flatMap(light -> flags().map(light::withFlag)).flatMap(light -> filters().map(light::withFilter))
                 .flatMap(light -> Combinators.combine(places(), aimPositions()).as((at, aim) -> new LightTemplate(light, at, aim)));
+    }
+
+    /** Returns no flag, and flags within the scene, some of which let light pass or are turned edge on. */
+    static Arbitrary<LightFlag> flags() {
+        Arbitrary<Double> shares = NumberArbitraries.rangeOrSpecial(0, 1, 0.0, 1.0);
+        Arbitrary<Double> lengths = NumberArbitraries.rangeOrSpecial(0, 6, 0.0, 1e9);
+        return Arbitraries.frequencyOf(Tuple.of(5, Arbitraries.just(LightFlag.NONE)),
+                Tuple.of(2, Combinators.combine(positions(), turns(), lengths, lengths, shares, shares)
+                        .as((at, rotation, width, height, softness, density) -> new LightFlag(true, at, rotation, width, height, softness,
+                                density))));
+    }
+
+    /** Returns no filter, and filters within the scene. */
+    static Arbitrary<LightFilter> filters() {
+        Arbitrary<Double> shares = NumberArbitraries.rangeOrSpecial(0, 1, 0.0, 1.0);
+        Arbitrary<Double> lengths = NumberArbitraries.rangeOrSpecial(0, 6, 0.0, 1e9);
+        return Arbitraries.frequencyOf(Tuple.of(5, Arbitraries.just(LightFilter.NONE)),
+                Tuple.of(2, Combinators.combine(Arbitraries.of(FilterShape.class), positions(), turns(),
+                        Combinators.combine(lengths, lengths, lengths).as(Vec3::new), shares, shares, Arbitraries.of(true, false))
+                        .as(LightFilter::new)));
+    }
+
+    private static Arbitrary<Vec3> positions() {
+        Arbitrary<Double> near = NumberArbitraries.rangeOrSpecial(-4, 4, 0.0, 1e12);
+        return Combinators.combine(near, near, near).as(Vec3::new);
+    }
+
+    private static Arbitrary<Vec3> turns() {
+        Arbitrary<Double> angles = NumberArbitraries.rangeOrSpecial(-180, 180, 0.0, 90.0);
+        return Arbitraries.oneOf(Arbitraries.just(Vec3.ZERO), Combinators.combine(angles, angles, angles).as(Vec3::new));
     }
 
     static Arbitrary<LightType> types() {

@@ -27,6 +27,8 @@ import lightning.scene.light.DistanceFalloff;
 import lightning.scene.light.Emission;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightFilter;
+import lightning.scene.light.LightFlag;
 import lightning.scene.light.LightType;
 import lightning.scene.light.Switches;
 import lightning.scene.material.AlphaCutout;
@@ -71,7 +73,13 @@ class AttributePropertiesTest {
                     entry("Anisotropy.rotation", "anisotropy rotation"), entry("Coat.weight", "coat"),
                     entry("Coat.roughness", "coat roughness"),
                     entry("Coat.ior", "coat IOR"), entry("Sheen.color", "sheen"), entry("Sheen.roughness", "sheen roughness"),
-                    entry("Emission.unit", "intensity unit"),
+                    entry("Emission.unit", "intensity unit"), entry("LightFlag.on", "flag"), entry("LightFlag.position", "flag position"),
+                    entry("LightFlag.rotation", "flag rotation"), entry("LightFlag.width", "flag width"),
+                    entry("LightFlag.height", "flag height"), entry("LightFlag.softness", "flag softness"),
+                    entry("LightFlag.density", "flag density"), entry("LightFilter.shape", "filter"),
+                    entry("LightFilter.position", "filter position"), entry("LightFilter.rotation", "filter rotation"),
+                    entry("LightFilter.size", "filter size"), entry("LightFilter.softness", "filter softness"),
+                    entry("LightFilter.density", "filter density"), entry("LightFilter.inverted", "filter invert"),
                     entry("Contribution.diffuse", "diffuse gain"), entry("Contribution.specular", "specular gain"),
                     entry("Contribution.fog", "fog gain"), entry("Contribution.gains", "gains on objects"));
 
@@ -136,6 +144,8 @@ class AttributePropertiesTest {
                 || component.getType() == LayerMaps.class
                 || component.getType() == Transmission.class
                 || component.getType() == Contribution.class
+                || component.getType() == LightFlag.class
+                || component.getType() == LightFilter.class
                         ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(keyword(component));
     }
 

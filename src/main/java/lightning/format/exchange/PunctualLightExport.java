@@ -41,6 +41,8 @@ final class PunctualLightExport {
         notes.add("faces of visible lights",
                 light.isArea() && LightAttribute.VISIBLE.appliesTo(type) && LightAttribute.VISIBLE.get(light) ? 1 : 0);
         notes.add("barn doors", LightAttribute.DOORS.appliesTo(type) && !light.doors().isOpen() ? 1 : 0);
+        notes.add("flags of lights", light.flag().on() ? 1 : 0);
+        notes.add("light filters", light.filter().isActive() ? 1 : 0);
         notes.add("gobos", LightAttribute.GOBO.appliesTo(type) && light.gobo().isPresent() ? 1 : 0);
         notes.add("textures of lights", light.faceImage().isPresent() ? 1 : 0);
         notes.add("profiles", LightAttribute.PROFILE.appliesTo(type) && light.profile().isPresent() && inner.isEmpty() ? 1 : 0);

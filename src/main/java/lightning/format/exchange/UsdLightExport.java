@@ -159,6 +159,8 @@ public final class UsdLightExport {
     private void noteLosses(Light light) {
         LightType type = light.type();
         notes.add("barn doors", LightAttribute.DOORS.appliesTo(type) && !light.doors().isOpen() ? 1 : 0);
+        notes.add("flags of lights", light.flag().on() ? 1 : 0);
+        notes.add("light filters", light.filter().isActive() ? 1 : 0);
         notes.add("gobos", LightAttribute.GOBO.appliesTo(type) && light.gobo().isPresent() ? 1 : 0);
         notes.add("beam spreads of area lights", type.isSurface() && light.beam().spread() < Beam.OPEN_ANGLE ? 1 : 0);
         notes.add("textures of disc lights", type == LightType.DISC && light.faceImage().isPresent() ? 1 : 0);

@@ -30,6 +30,9 @@ record PovLightWriter(BoundingSphere bounds, List<String> warnings) {
         if (LightAttribute.DOORS.appliesTo(light.type()) && !light.doors().isOpen()) {
             warnings.add("light " + light.name() + ": its barn doors are left out");
         }
+        if (light.flag().on() || light.filter().isActive()) {
+            warnings.add("light " + light.name() + ": its flag and its filter are left out");
+        }
         if (LightAttribute.GOBO.appliesTo(light.type()) && light.gobo().isPresent()) {
             warnings.add("light " + light.name() + ": its gobo is left out");
         }

@@ -15,8 +15,8 @@ import lightning.scene.value.Photometry;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Mask of a light: the product of its barn doors, beam, gobo and photometric profile in a direction, and of what fog transmits on the way to a
- * point. It multiplies the falloff.
+ * Mask of a light: the product of its barn doors, beam, gobo and photometric profile in a direction, and of what its flag, its filter and fog let
+ * through to a point. It multiplies the falloff.
  *
  * <p>The light looks along its axis, with y upwards. A point has an angle to the right and one to the top, each measured in the
  * plane of the axis and that side.
@@ -57,12 +57,14 @@ public final class AngularMask {
     private final double goboHalfSize;
     private final float[] color = new float[3];
     private final @Nullable FogMedium fog;
+    private final @Nullable FilterMask filter;
     private final boolean isDirectional;
 
     private AngularMask(LightSource source) {
         position = source.position();
         fog = source.fog();
         isDirectional = source.type() == LightType.DIRECTIONAL;
+        filter = FilterMask.of(source.light(), source.origin(), isDirectional);
         boolean isSurface = source.type().isSurface();
         boolean hasDoors = LightAttribute.DOORS.appliesTo(source.type());
         axis = hasDoors ? source.axis() : DOWN;
@@ -90,6 +92,7 @@ public final class AngularMask {
         photometry = o.photometry;
         goboHalfSize = o.goboHalfSize;
         fog = o.fog;
+        filter = o.filter;
         isDirectional = o.isDirectional;
     }
 
@@ -105,7 +108,7 @@ public final class AngularMask {
 
     /** Returns whether the light has a mask. */
     public static boolean isActive(LightSource source) {
-        return source.fog() != null || switch (source.type()) {
+        return source.fog() != null || FilterMask.isActive(source.light()) || switch (source.type()) {
             case SPOT -> isShaped(source.light());
             case POINT -> source.light().profile().isPresent();
             case RECT, DISC -> isShaped(source.light()) || !source.light().beam().isOpen();
@@ -124,7 +127,8 @@ public final class AngularMask {
 
     /** Returns the factor at a point in render space, 0…1. */
     public double factor(float px, float py, float pz) {
-        double transmitted = fog == null ? 1 : transmittance(fog, px, py, pz);
+        double transmitted =
+                (fog == null ? 1 : transmittance(fog, px, py, pz)) * (filter == null ? 1 : filter.factor(px, py, pz, position));
         return isDirectional ? transmitted : transmitted * angularFactor(px, py, pz);
     }
 

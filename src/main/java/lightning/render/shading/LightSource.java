@@ -18,6 +18,7 @@ import org.jspecify.annotations.Nullable;
  * Geometry of a light in render space: everything that decides which rows it reaches and with which terms, except its weight.
  *
  * @param light    the scene's light
+ * @param origin   origin of render space in the scene
  * @param position the position; for a directional light the unit vector towards it
  * @param axis     the unit direction in which the light shines
  * @param cosAngle cosine of the cone's half-angle; a surface light has a half-space
@@ -28,7 +29,7 @@ import org.jspecify.annotations.Nullable;
  *     its brightness is the one below the fog otherwise
  * @param fineSamples   samples that rows of finer samples use; null for a point light, and without anti-aliasing
  */
-public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle, double dropoff, @Nullable FogMedium fog,
+public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, double cosAngle, double dropoff, @Nullable FogMedium fog,
         @Nullable AreaSamples centerSamples, @Nullable AreaSamples fineSamples) {
 
     /** Returns a light's source in the camera's render space. */
@@ -37,7 +38,7 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
         Vec3 source = light.type().hasPosition() ? light.position().minus(scene.camera().origin()) : axis.negated();
         boolean surface = light.type().isSurface();
         FogMedium fog = FogMedium.of(scene);
-        return new LightSource(light, source, axis, surface ? 0 : Transform.cosDegrees(light.angle()),
+        return new LightSource(light, scene.camera().origin(), source, axis, surface ? 0 : Transform.cosDegrees(light.angle()),
                 surface ? 1 + light.dropoff() : light.dropoff(),
                 fog != null && (light.type().hasPosition() || fog.hasBounds()) ? fog : null,
                 light.isArea() ? AreaSamples.ofCenters(light, source, axis) : null,
@@ -47,7 +48,7 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
 
     /** Returns the same source in other fog. */
     LightSource withFog(@Nullable FogMedium v) {
-        return new LightSource(light, position, axis, cosAngle, dropoff, v, centerSamples, fineSamples);
+        return new LightSource(light, origin, position, axis, cosAngle, dropoff, v, centerSamples, fineSamples);
     }
 
     public LightType type() {
@@ -67,7 +68,7 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
     /** Returns whether its falloff is not 1 everywhere. */
     public boolean hasFalloff() {
         return switch (type()) {
-            case DIRECTIONAL -> fog != null;
+            case DIRECTIONAL -> AngularMask.isActive(this);
             case POINT -> !light.hasNoAttenuation() || AngularMask.isActive(this);
             case SPOT -> !light.hasNoAttenuation() || dropoff != 0 || AngularMask.isActive(this);
             case RECT, DISC -> true;
@@ -125,6 +126,6 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
 
     /** Returns a sample of an area light at a position as a light of its own. */
     public LightSource at(Vec3 sample) {
-        return new LightSource(light, sample, axis, cosAngle, dropoff, fog, null, null);
+        return new LightSource(light, origin, sample, axis, cosAngle, dropoff, fog, null, null);
     }
 }

@@ -19,6 +19,8 @@ import lightning.scene.light.FaceVisibility;
 import lightning.scene.light.Falloff;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightFilter;
+import lightning.scene.light.LightFlag;
 import lightning.scene.light.LightRig;
 import lightning.scene.light.LightType;
 import lightning.scene.material.AlphaCutout;
@@ -90,6 +92,12 @@ public final class RenderEffect {
     public static final RenderEffect GOBOS =
             register("gobos", "gobos", uses -> uses.lights(l -> LightAttribute.GOBO.appliesTo(l.type()) && l.gobo().isPresent()),
                     scene -> EffectRemoval.mapLights(scene, l -> l.withGobo(Optional.empty())));
+    public static final RenderEffect FLAGS =
+            register("flags", "flags", uses -> uses.lights(l -> l.flag().on()),
+                    scene -> EffectRemoval.mapLights(scene, l -> l.withFlag(LightFlag.NONE)));
+    public static final RenderEffect LIGHT_FILTERS =
+            register("light-filters", "light filters", uses -> uses.lights(l -> l.filter().isActive()),
+                    scene -> EffectRemoval.mapLights(scene, l -> l.withFilter(LightFilter.NONE)));
     public static final RenderEffect PROFILES = register("profiles", "IES profiles",
             uses -> uses.lights(l -> LightAttribute.PROFILE.appliesTo(l.type()) && l.profile().isPresent()),
             scene -> EffectRemoval.mapLights(scene, l -> l.withProfile(Optional.empty())));

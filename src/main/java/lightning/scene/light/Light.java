@@ -33,11 +33,14 @@ import org.jspecify.annotations.Nullable;
  * @param illuminates shapes that it illuminates
  * @param shadowedBy  shapes that cast shadows in its light, if it casts shadows
  * @param contribution its shadows and gains
+ * @param flag         card that takes its light
+ * @param filter       region in which it is dimmer
  */
 @RecordBuilder
 public record Light(String name, LightType type, Rgb color, double intensity, Emission emission, Vec3 position, Vec3 direction,
         DistanceFalloff distanceFalloff, Cone cone, AreaShape area, Optional<LightTexture> texture, Switches switches,
-        ShapeLinks illuminates, ShapeLinks shadowedBy, Contribution contribution) implements LightBuilder.With {
+        ShapeLinks illuminates, ShapeLinks shadowedBy, Contribution contribution, LightFlag flag, LightFilter filter)
+        implements LightBuilder.With {
 
     /** @throws IllegalArgumentException if a value is out of range; the message says which. Its records check theirs. */
     public Light {
@@ -52,7 +55,8 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
     public static Light of(String name, LightType type) {
         return new Light(name, type, LightAttribute.COLOR.initial(), LightAttribute.INTENSITY.initial(), Emission.DEFAULT,
                 LightAttribute.POSITION.initial(), LightAttribute.DIRECTION.initial(), DistanceFalloff.DEFAULT, Cone.DEFAULT,
-                AreaShape.DEFAULT, Optional.empty(), Switches.DEFAULT, ShapeLinks.ALL, ShapeLinks.ALL, Contribution.DEFAULT);
+                AreaShape.DEFAULT, Optional.empty(), Switches.DEFAULT, ShapeLinks.ALL, ShapeLinks.ALL, Contribution.DEFAULT, LightFlag.NONE,
+                LightFilter.NONE);
     }
 
     /**

@@ -41,6 +41,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
         CONE(Messages.key("cone")),
         AREA(Messages.key("area")),
         ATTENUATION(Messages.key("attenuation")),
+        FILTERS(Messages.key("Flag and Filter")),
         PLACE(Messages.key("Position and Direction")),
         CONTRIBUTION(Messages.key("Contribution")),
         LINKS(Messages.key("Light Linking"));
@@ -187,6 +188,34 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             ShapeGains.NONE, "shapes and groups, each with a factor", l -> l.contribution().gains(),
             (l, v) -> l.withContribution(l.contribution().withGains(v)), Section.LINKS, forAllTypes(LightTerm.WEIGHT));
 
+    public static final LightAttribute<Boolean> FLAG = flag("flag", "flag", ChoiceKind.YES_OR_NO, "", LightFlag::on, LightFlag::withOn);
+    public static final LightAttribute<Vec3> FLAG_POSITION = flag("flag_at", "flag position", NumericKind.position(), "scene units",
+            LightFlag::position, LightFlag::withPosition);
+    public static final LightAttribute<Vec3> FLAG_ROTATION = flag("flag_rotate", "flag rotation", LightFilter.ROTATIONS,
+            "degrees about x, then y, then z", LightFlag::rotation, LightFlag::withRotation);
+    public static final LightAttribute<Double> FLAG_WIDTH =
+            flag("flag_width", "flag width", LightFlag.LENGTHS, "scene units", LightFlag::width, LightFlag::withWidth);
+    public static final LightAttribute<Double> FLAG_HEIGHT =
+            flag("flag_height", "flag height", LightFlag.LENGTHS, "scene units", LightFlag::height, LightFlag::withHeight);
+    public static final LightAttribute<Double> FLAG_SOFTNESS = flag("flag_softness", "flag softness", LightFilter.SHARES,
+            "share of half its size", LightFlag::softness, LightFlag::withSoftness);
+    public static final LightAttribute<Double> FLAG_DENSITY = flag("flag_density", "flag density", LightFilter.SHARES,
+            "share of the light that it takes", LightFlag::density, LightFlag::withDensity);
+    public static final LightAttribute<FilterShape> FILTER =
+            filter("filter", "filter", ChoiceKind.of(FilterShape.class), "", LightFilter::shape, LightFilter::withShape);
+    public static final LightAttribute<Vec3> FILTER_POSITION = filter("filter_at", "filter position", NumericKind.position(), "scene units",
+            LightFilter::position, LightFilter::withPosition);
+    public static final LightAttribute<Vec3> FILTER_ROTATION = filter("filter_rotate", "filter rotation", LightFilter.ROTATIONS,
+            "degrees about x, then y, then z", LightFilter::rotation, LightFilter::withRotation);
+    public static final LightAttribute<Vec3> FILTER_SIZE =
+            filter("filter_size", "filter size", LightFilter.SIZES, "scene units", LightFilter::size, LightFilter::withSize);
+    public static final LightAttribute<Double> FILTER_SOFTNESS = filter("filter_softness", "filter softness", LightFilter.SHARES,
+            "share of half its size", LightFilter::softness, LightFilter::withSoftness);
+    public static final LightAttribute<Double> FILTER_DENSITY = filter("filter_density", "filter density", LightFilter.SHARES,
+            "share of the light that it takes", LightFilter::density, LightFilter::withDensity);
+    public static final LightAttribute<Boolean> FILTER_INVERTED = filter("filter_invert", "filter invert", ChoiceKind.YES_OR_NO, "",
+            LightFilter::inverted, LightFilter::withInverted);
+
     /** All attributes, in declaration order. */
     public static final List<LightAttribute<?>> ALL = List.copyOf(REGISTRY);
 
@@ -215,6 +244,18 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     private static <V> LightAttribute<V> of(String name, String title, ValueKind.LightKind<V> kind, V initial, String unit,
             Function<Light, V> get, BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
         return new LightAttribute<>(name, name, title, kind, initial, unit, get, with, section, terms);
+    }
+
+    private static <V> LightAttribute<V> flag(String name, String title, ValueKind.LightKind<V> kind, String unit,
+            Function<LightFlag, V> get, BiFunction<LightFlag, V, LightFlag> with) {
+        return of(name, title, kind, get.apply(LightFlag.NONE), unit, l -> get.apply(l.flag()),
+                (l, v) -> l.withFlag(with.apply(l.flag(), v)), Section.FILTERS, forAllTypes(LightTerm.FALLOFF));
+    }
+
+    private static <V> LightAttribute<V> filter(String name, String title, ValueKind.LightKind<V> kind, String unit,
+            Function<LightFilter, V> get, BiFunction<LightFilter, V, LightFilter> with) {
+        return of(name, title, kind, get.apply(LightFilter.NONE), unit, l -> get.apply(l.filter()),
+                (l, v) -> l.withFilter(with.apply(l.filter(), v)), Section.FILTERS, forAllTypes(LightTerm.FALLOFF));
     }
 
     /** Returns the falloff of rectangles and discs. */
@@ -250,8 +291,9 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
      * inverse-square falloff.
      */
     public Optional<LightTerm> term(Light light) {
-        return (this == SAMPLES || this == TEXTURE) && !light.isArea() || isReplacedBy(light.falloff()) ? Optional.empty()
-                : term(light.type());
+        return (this == SAMPLES || this == TEXTURE) && !light.isArea() || isReplacedBy(light.falloff())
+                || missingPart(light).isPresent() ? Optional.empty()
+                        : term(light.type());
     }
 
     private boolean isReplacedBy(Falloff falloff) {
@@ -266,7 +308,17 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     /** Returns a clause that says why it has no effect for this light; empty if it has. */
     public Optional<String> inactiveReason(Light light) {
         return inactiveReason(light.type()).or(() -> isReplacedBy(light.falloff())
-                ? Optional.of(Messages.tr("the falloff of the light is inverse square")) : Optional.empty());
+                ? Optional.of(Messages.tr("the falloff of the light is inverse square")) : Optional.empty()).or(() -> missingPart(light));
+    }
+
+    /** Returns a clause that says that the light has no flag or filter which this describes; empty if it has, or if this does not. */
+    private Optional<String> missingPart(Light light) {
+        if (section != Section.FILTERS || this == FLAG || this == FILTER) {
+            return Optional.empty();
+        }
+        boolean ofFlag = name().startsWith("flag");
+        return ofFlag ? light.flag().on() ? Optional.empty() : Optional.of(Messages.tr("the light has no flag"))
+                : light.filter().isActive() ? Optional.empty() : Optional.of(Messages.tr("the light has no filter"));
     }
 
     /** Returns a clause that says why it has no effect for this type of light; empty if it has. */
@@ -278,7 +330,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     /** Returns whether copying a light's settings includes it: all except its placement and switches. */
     public boolean isSetting() {
         return switch (section) {
-            case KIND, COLOR, CONE, AREA, ATTENUATION, CONTRIBUTION -> true;
+            case KIND, COLOR, CONE, AREA, ATTENUATION, FILTERS, CONTRIBUTION -> true;
             case PLACE, SWITCHES, LINKS -> false;
         };
     }

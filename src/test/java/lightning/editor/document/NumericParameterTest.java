@@ -111,7 +111,11 @@ class NumericParameterTest {
                         "environment rotation",
                         "environment bright lights",
                         "environment shadow smoothing", "fog anisotropy", "fog height", "fog falloff with height", "fog center x",
-                        "fog center y", "fog center z", "sun elevation", "sun azimuth", "sky turbidity", "sun strength", "sun radius");
+                        "fog center y", "fog center z", "flag rotation x", "flag rotation y", "flag rotation z", "flag width",
+                        "flag height", "flag softness", "flag density", "filter rotation x", "filter rotation y", "filter rotation z",
+                        "filter size x", "filter size y", "filter size z", "filter softness", "filter density", "flag position x",
+                        "flag position y", "flag position z", "filter position x", "filter position y", "filter position z",
+                        "sun elevation", "sun azimuth", "sky turbidity", "sun strength", "sun radius");
     }
 
     @Test
@@ -131,7 +135,10 @@ class NumericParameterTest {
                         LightAttribute.TEMPERATURE, LightAttribute.DIRECTION, LightAttribute.SPREAD,
                         LightAttribute.SAMPLES, LightAttribute.ILLUMINATES, LightAttribute.SHADOWED_BY,
                         LightAttribute.CASTS_SHADOWS, LightAttribute.DIFFUSE, LightAttribute.SPECULAR, LightAttribute.FOG,
-                        LightAttribute.GAINS));
+                        LightAttribute.GAINS, LightAttribute.FLAG, LightAttribute.FLAG_POSITION, LightAttribute.FLAG_ROTATION,
+                        LightAttribute.FLAG_WIDTH, LightAttribute.FLAG_HEIGHT, LightAttribute.FLAG_SOFTNESS, LightAttribute.FLAG_DENSITY,
+                        LightAttribute.FILTER, LightAttribute.FILTER_POSITION, LightAttribute.FILTER_ROTATION, LightAttribute.FILTER_SIZE,
+                        LightAttribute.FILTER_SOFTNESS, LightAttribute.FILTER_DENSITY, LightAttribute.FILTER_INVERTED));
         assertThat(DeskScene.parameter("attenuation constant").disabledReason(scene, scene.light("sun")))
                 .contains("a directional light has no attenuation");
     }

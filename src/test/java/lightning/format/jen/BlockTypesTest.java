@@ -62,11 +62,7 @@ class BlockTypesTest {
     @MethodSource("numbers")
     void limits_areAcceptedByTheRecord(Case c) {
         build(c, c.property.max());
-        if (c.property.min() >= 0) {
-            build(c, c.property.min());
-        } else {
-            build(c, -c.property.max());
-        }
+        build(c, c.property.min());
     }
 
     @ParameterizedTest

@@ -143,7 +143,7 @@ class PropertyEditTest {
         "key | an edit must be written as NAME.PROPERTY=VALUE, was 'key'",
         "=1 | an edit must be written as NAME.PROPERTY=VALUE, was '=1'",
         "kee.on=no | the scene has nothing named 'kee', did you mean 'key'?",
-        "key.intensty=1 | light 'key': unknown property 'intensty', expected one of color, intensity, exposure, unit, temperature, at, direction, falloff, attenuation, angle, dropoff, cone, cone_softness, beam_spread, doors, feather, gobo, profile, radius, spread, width, height, up, texture, samples, visible, on, solo, bank, illuminates, shadowed_by, casts_shadows, diffuse, specular, fog, gains, type, name, did you mean 'intensity'?",
+        "key.intensty=1 | light 'key': unknown property 'intensty', expected one of color, intensity, exposure, unit, temperature, at, direction, falloff, attenuation, angle, dropoff, cone, cone_softness, beam_spread, doors, feather, gobo, profile, radius, spread, width, height, up, texture, samples, visible, on, solo, bank, illuminates, shadowed_by, casts_shadows, diffuse, specular, fog, gains, flag, flag_at, flag_rotate, flag_width, flag_height, flag_softness, flag_density, filter, filter_at, filter_rotate, filter_size, filter_softness, filter_density, filter_invert, type, name, did you mean 'intensity'?",
         "key.intensity=-3 | light 'key': intensity must be ≥ 0, was -3",
         "key.intensity= | light 'key': intensity must have a number, found 0",
         "key.intensity=1 2 | light 'key': intensity must have a number, found 2",

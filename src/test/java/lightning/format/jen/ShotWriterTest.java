@@ -138,7 +138,7 @@ class ShotWriterTest {
                 "s.jen:17:19: light 'key': samples holds until its next key, expected stepped or nothing, found 'smooth'",
                 "s.jen:18:5: light 'key': unknown property 'brightness', expected one of type, color, intensity, exposure, unit, "
                         + "temperature, at, direction, falloff, attenuation, angle, dropoff, cone, cone_softness, beam_spread, doors, feather, radius, spread, width, height, up, samples, visible, on, solo, "
-                        + "casts_shadows, diffuse, specular, fog",
+                        + "casts_shadows, diffuse, specular, fog, flag, flag_at, flag_rotate, flag_width, flag_height, flag_softness, flag_density, filter, filter_at, filter_rotate, filter_size, filter_softness, filter_density, filter_invert",
                 "s.jen:19:13: light 'key': dropoff: expected '{' and keys, found '3'",
                 "s.jen:20:5: light 'key': shadowed_by has no keys: only numbers and words have",
                 "s.jen:23:17: sphere 'stem': unknown property 'top', expected one of at, rotate, scale, visible",

@@ -67,6 +67,13 @@ public record LightGizmo(Light light, List<Segment> lines) {
         return new LightGizmo(light, lines);
     }
 
+    /** Returns the lines with those of the light's flag and filter, which are shown while it is selected. */
+    public List<Segment> selectedLines() {
+        List<Segment> all = new ArrayList<>(lines);
+        all.addAll(FilterOutline.of(light));
+        return all;
+    }
+
     private static List<Segment> typeSymbol(Light light, double pixel) {
         return switch (light.type()) {
             case POINT -> sphere(light.position(), RADIUS * pixel);

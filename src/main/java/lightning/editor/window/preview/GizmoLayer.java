@@ -91,7 +91,8 @@ final class GizmoLayer extends Pane {
             dark = darkNow;
         }
         SelectedDrawing newSelection = selectedLight == null ? new SelectedDrawing(view, List.of(), null, marks)
-                : new SelectedDrawing(view, LightGizmo.of(selectedLight, camera, canvas, size).lines(), selectedLight.position(), marks);
+                : new SelectedDrawing(view, LightGizmo.of(selectedLight, camera, canvas, size).selectedLines(), selectedLight.position(),
+                        marks);
         if (!newSelection.equals(drawnSelection)) {
             GraphicsContext g = clear(selected, canvas);
             draw(g, selectedLight == null ? List.of() : List.of(selectedLight), GizmoPainter.SELECTED, view);

@@ -99,7 +99,8 @@ public final class PropertyPane extends VBox {
                 new NameBox(editor, LightAttribute.LIGHT_GROUP, (ValueKind.NameKind) LightAttribute.LIGHT_GROUP.kind(), visibleState),
                 visibleState);
         ScrollPane scroll = SectionLayout.scroll(Stream.of(Stream.of(header),
-                Stream.of(Section.COLOR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE, Section.CONTRIBUTION,
+                Stream.of(Section.COLOR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE, Section.FILTERS,
+                        Section.CONTRIBUTION,
                         Section.LINKS)
                         .map(this::section),
                 Stream.of(SectionLayout.section(Messages.tr("Light Group"), groupSection)))

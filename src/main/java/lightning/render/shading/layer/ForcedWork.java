@@ -45,6 +45,7 @@ record ForcedWork(Set<RenderEffect> forced) implements RequiredWork {
                 || !source.isArea() && source.type().hasPosition()
                         && (forced.contains(RenderEffect.ATTENUATION) || forced.contains(RenderEffect.DROPOFF)
                                 || forced.contains(RenderEffect.BARN_DOORS)
-                                || forced.contains(RenderEffect.GOBOS) || forced.contains(RenderEffect.PROFILES));
+                                || forced.contains(RenderEffect.GOBOS) || forced.contains(RenderEffect.PROFILES)
+                                || forced.contains(RenderEffect.FLAGS) || forced.contains(RenderEffect.LIGHT_FILTERS));
     }
 }

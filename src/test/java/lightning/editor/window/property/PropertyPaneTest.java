@@ -115,7 +115,7 @@ class PropertyPaneTest {
                 assertThat(inputs(controls)).as(attribute.title()).isNotEmpty().allMatch(Node::isDisabled);
                 for (Light light : model.editor().scene().lights()) {
                     model.editor().selection().selectLight(light.name());
-                    boolean acts = attribute.appliesTo(light.type()) || attribute == LightAttribute.POSITION;
+                    boolean acts = attribute.inactiveReason(light).isEmpty() || attribute == LightAttribute.POSITION;
                     assertThat(inputs(controls)).as(attribute.title() + " of " + light.name())
                             .allMatch(input -> input.isDisabled() != acts);
                 }
@@ -211,7 +211,8 @@ class PropertyPaneTest {
 
     @Test
     void everyDial_showsAndSetsItsNumber(FxRobot robot) {
-        List<String> others = LightAttribute.ALL.stream().filter(a -> !a.appliesTo(LightType.SPOT) || a == LightAttribute.SAMPLES)
+        List<String> others = LightAttribute.ALL.stream().filter(a -> !a.appliesTo(LightType.SPOT) || a == LightAttribute.SAMPLES
+                || a.section() == LightAttribute.Section.FILTERS)
                 .flatMap(a -> NumericParameter.of(a).stream()).map(NumericParameter::title).toList();
         for (NumericParameter dial : NumericParameter.ALL.stream()
                 .filter(d -> !d.isOfScene() && !others.contains(d.title())
