@@ -113,9 +113,8 @@ class NumericParameterTest {
                         "environment shadow smoothing", "fog anisotropy", "fog height", "fog falloff with height", "fog center x",
                         "fog center y", "fog center z", "flag rotation x", "flag rotation y", "flag rotation z", "flag width",
                         "flag height", "flag softness", "flag density", "filter rotation x", "filter rotation y", "filter rotation z",
-                        "filter size x", "filter size y", "filter size z", "filter softness", "filter density", "flag position x",
-                        "flag position y", "flag position z", "filter position x", "filter position y", "filter position z",
-                        "sun elevation", "sun azimuth", "sky turbidity", "sun strength", "sun radius");
+                        "filter size x", "filter size y", "filter size z", "filter softness", "filter density", "sun elevation",
+                        "sun azimuth", "sky turbidity", "sun strength", "sun radius");
     }
 
     @Test
