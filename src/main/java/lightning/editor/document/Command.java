@@ -118,6 +118,8 @@ public enum Command {
             "Shortcut+Shift+R", DisabledReasons.unlessAnimating(DisabledReasons::noLight)),
     PLACE_SHADOW(Messages.key("Place Shadow…"), Messages.key("Click an object and where its shadow should fall, or drag a shadow"),
             "mdi2b-box-shadow", "Shortcut+Shift+D", DisabledReasons.unlessAnimating(DisabledReasons::noLight)),
+    PLACE_FLAG(Messages.key("Place Flag…"), Messages.key("Click or drag where the light's flag should block it"),
+            "mdi2f-flag-outline", "", DisabledReasons.unlessAnimating(DisabledReasons::noLight)),
     MAKE_ANIMATION(Messages.key("Make Animation…"), Messages.key("Record and play a motion path of the selected light"),
             "mdi2m-movie-open-outline", "Shortcut+M", DisabledReasons.unlessAnimating(DisabledReasons::nothingToAnimate)),
 

@@ -57,7 +57,8 @@ final class EditorMenu extends MenuBar {
                 menu(Messages.tr("Light"), Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, SEPARATOR, Command.NEW_BANK,
                         Command.DELETE_BANK, SEPARATOR, Command.RENAME_LIGHT,
                         Command.SWITCH_ON, Command.SOLO, Command.LOOK_THROUGH_LIGHT, SEPARATOR, Command.AIM, Command.PLACE_HIGHLIGHT,
-                        Command.PLACE_DIFFUSE, Command.PLACE_RIM, Command.PLACE_SHADOW, SEPARATOR, Command.MIXER, Command.LIGHT_LINKS,
+                        Command.PLACE_DIFFUSE, Command.PLACE_RIM, Command.PLACE_SHADOW, Command.PLACE_FLAG, SEPARATOR, Command.MIXER,
+                        Command.LIGHT_LINKS,
                         Command.CONTRIBUTIONS,
                         Command.CUES,
                         Command.MAKE_ANIMATION, SEPARATOR);

@@ -2,6 +2,7 @@ package lightning.editor.document.manipulation;
 
 import lightning.base.math.Vec3;
 import lightning.scene.light.Light;
+import lightning.scene.light.LightFlag;
 import lightning.scene.value.Placement;
 
 /**
@@ -21,12 +22,19 @@ public final class DragRounding {
 
     private DragRounding() {}
 
-    /** Rounds the position and the direction of a dragged light. */
+    /** Rounds the position and the direction of a dragged light and the place of its flag. */
     public static Light round(Light start, Light dragged, PreviewCamera view, Viewport canvas) {
         Vec3 position = round(dragged.position(), start.position(), positionStep(dragged.position(), view, canvas));
         Vec3 direction = round(dragged.direction(), start.direction(), relativeStep(dragged.direction()));
         Light moved = position.equals(dragged.position()) ? dragged : dragged.withPosition(position);
-        return direction.equals(moved.direction()) ? moved : moved.withDirection(direction);
+        Light turned = direction.equals(moved.direction()) ? moved : moved.withDirection(direction);
+        LightFlag flag = dragged.flag();
+        return flag.equals(start.flag()) ? turned
+                : turned.withFlag(flag.withPosition(
+                        round(flag.position(), start.flag().position(), positionStep(flag.position(), view, canvas)))
+                        .withRotation(round(flag.rotation(), start.flag().rotation(), DEGREES))
+                        .withWidth(round(flag.width(), start.flag().width(), positionStep(flag.position(), view, canvas)))
+                        .withHeight(round(flag.height(), start.flag().height(), positionStep(flag.position(), view, canvas))));
     }
 
     /** Rounds the placement of a node that was dragged by its handles. */

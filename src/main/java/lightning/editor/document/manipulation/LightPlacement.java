@@ -4,6 +4,7 @@ import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightFlag;
 
 /**
  * Placement of a light by its effect at a chosen surface point, such as a highlight or a shadow. Lights with a direction turn to the point.
@@ -20,6 +21,10 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
     private static final double MIN_RIM_SINE = 1e-3;
     /** Minimum ratio of the light's distance to the caster's distance from the shadow. */
     private static final double SHADOW_DISTANCE_FACTOR = 1.01;
+
+    /** Way from the point to the light at which a flag is, and the size of a new flag, as shares of the distance. */
+    private static final double FLAG_PLACE = 0.5;
+    private static final double FLAG_SIZE = 0.15;
 
     /** Effect of the light at the point. */
     public sealed interface Goal {
@@ -44,6 +49,9 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
          * @param occluder point on the shadow's caster
          */
         record Shadow(Vec3 occluder) implements Goal {}
+
+        /** Blocks the light there by its flag, which faces the light halfway. */
+        record Flag() implements Goal {}
     }
 
     /** Starts a drag at a point; the light keeps its distance from there. */
@@ -68,6 +76,7 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
         Vec3 normal = hit.normal();
         return switch (goal) {
             case Goal.Pool() -> aimAt(point);
+            case Goal.Flag() -> placeFlag(point, hit.eye());
             case Goal.Highlight() -> placeAlong(point, view.minus(normal.times(2 * view.dot(normal))), distance);
             case Goal.Diffuse() -> placeAlong(point, normal, distance);
             case Goal.Rim() -> {
@@ -85,6 +94,22 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
                 yield placeAlong(point, toOccluder.normalized(), distance > toOccluder.length() ? distance : 2 * toOccluder.length());
             }
         };
+    }
+
+    private Light placeFlag(Vec3 point, Vec3 eye) {
+        boolean hasPosition = startLight.type().hasPosition();
+        Vec3 toLight = hasPosition ? startLight.position().minus(point) : startLight.direction().negated();
+        if (!(toLight.maxAbs() >= MIN_DISTANCE)) {
+            throw new IllegalArgumentException(Messages.tr("the target is at the light's position"));
+        }
+        double length = hasPosition ? toLight.length() : point.minus(eye).length();
+        Vec3 axis = toLight.normalized();
+        LightFlag flag = startLight.flag();
+        double size = FLAG_SIZE * length;
+        return startLight.withFlag((flag.on() ? flag : flag.with(f -> f.on(true).width(size).height(size)))
+                .withPosition(point.plus(axis.times(FLAG_PLACE * length)))
+                .withRotation(new Vec3(-Math.toDegrees(Math.asin(Math.clamp(axis.y(), -1, 1))),
+                        Math.toDegrees(Math.atan2(axis.x(), axis.z())), 0)));
     }
 
     /**

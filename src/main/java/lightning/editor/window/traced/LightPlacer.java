@@ -113,6 +113,8 @@ final class LightPlacer {
         commands.setAction(Command.PLACE_SHADOW,
                 () -> placer.selectTool(new Tool.ShadowTool(),
                         Messages.tr("Drag a shadow or the object that casts it, or click that object")));
+        commands.setAction(Command.PLACE_FLAG,
+                () -> placer.selectTool(Messages.tr("Click or drag where the light should be blocked"), new Goal.Flag()));
         return placer;
     }
 
@@ -279,10 +281,11 @@ final class LightPlacer {
         Light light = snapText.isPresent() ? placed
                 : DragRounding.round(draggedLight(), placed, PreviewCamera.of(editor.scene()), canvas);
         if (editor.editOrReport(scene -> LightEdits.edit(scene, light.name(), _ -> light), gesture).isEmpty()) {
-            ring = new Ring(placing, hit, light);
+            boolean isFlag = placing.goal() instanceof Goal.Flag;
+            ring = isFlag ? null : new Ring(placing, hit, light);
             double distance = light.position().minus(hit.point()).length();
             readOut = snapText.map(s -> Messages.tr("Snapped: {0}", s))
-                    .orElse(light.type().hasPosition() ? Messages.tr("Distance {0}", Snapping.numberText(distance)) : "");
+                    .orElse(light.type().hasPosition() && !isFlag ? Messages.tr("Distance {0}", Snapping.numberText(distance)) : "");
             editor.message().show(readOut);
         }
     }

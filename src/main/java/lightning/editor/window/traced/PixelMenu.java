@@ -137,6 +137,7 @@ final class PixelMenu {
                 place(Command.PLACE_HIGHLIGHT, Messages.tr("Highlight Here"), new Goal.Highlight(), hit, canvas),
                 place(Command.PLACE_DIFFUSE, Messages.tr("Facing the Surface Here"), new Goal.Diffuse(), hit, canvas),
                 place(Command.PLACE_RIM, Messages.tr("Rim Light Here"), new Goal.Rim(), hit, canvas),
+                place(Command.PLACE_FLAG, Messages.tr("Flag Here"), new Goal.Flag(), hit, canvas),
                 items.value(Command.PLACE_SHADOW, Messages.tr("Shadow Here…"), () -> placer.pickCaster(hit)));
         String name = editor.selection().lightName();
         submenu.setMnemonicParsing(false);

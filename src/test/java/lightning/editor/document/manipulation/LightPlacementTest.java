@@ -12,6 +12,7 @@ import lightning.render.shading.explanation.LightReport;
 import lightning.render.shading.explanation.PixelExplainer;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
+import lightning.scene.light.LightFlag;
 import lightning.scene.light.LightType;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Assume;
@@ -64,6 +65,18 @@ class LightPlacementTest {
 
     private ScenePicker.SurfaceHit pick(int y) {
         return picker.pickPixel(X, y).orElseThrow();
+    }
+
+    @Test
+    void flag_blocksTheLightAtPoint() {
+        for (String name : DeskScene.names(scene)) {
+            Scene lit = place(name, new LightPlacement.Goal.Diffuse(), pick(BALL_Y));
+            assertThat(report(lit, name, BALL_Y).diffuse()[0]).as(name).isPositive();
+            Light light = DeskScene.light(lit, name);
+            Light flagged = LightPlacement.start(light, new LightPlacement.Goal.Flag(), pick(BALL_Y).point()).place(pick(BALL_Y));
+            assertThat(report(lit.withLight(flagged), name, BALL_Y).diffuse()[0]).as(name).isZero();
+            assertThat(flagged.withFlag(LightFlag.NONE)).isEqualTo(light);
+        }
     }
 
     @Test
