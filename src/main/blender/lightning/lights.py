@@ -18,7 +18,7 @@ PER_WATT = {"POINT": 1 / (4 * math.pi ** 2), "SPOT": 1 / (4 * math.pi ** 2), "AR
 OLD = {"beam_spread": 90}
 # Smallest half-angle of an area light's beam in Lightning, in degrees.
 NARROWEST = 1
-TYPES = {"point": "POINT", "spot": "SPOT", "directional": "SUN", "rect": "AREA", "disc": "AREA"}
+TYPES = {"point": "POINT", "spot": "SPOT", "directional": "SUN", "rect": "AREA", "disc": "AREA", "tube": "POINT"}
 
 
 def store(obj, name: str, settings: dict, groups: dict, tracks: dict | None = None) -> None:
@@ -200,7 +200,8 @@ def receive(obj, settings: dict, groups: dict, messages: list[str]) -> None:
         light.specular_factor = settings["specular"]
     if changed("bank"):
         obj.lightgroup = settings["bank"]
-    for key, neutral, what in (("doors", [90, 90, 90, 90], "barn doors"), ("gobo", "", "the gobo"), ("texture", "", "the texture"), ("gains", {}, "gains")):
+    for key, neutral, what in (("doors", [90, 90, 90, 90], "barn doors"), ("gobo", "", "the gobo"), ("texture", "", "the texture"), ("gains", {}, "gains"),
+                               ("flag", False, "the flag"), ("filter", "none", "the filter")):
         if settings.get(key, neutral) != neutral and changed(key):
             messages.append(f"{obj.name}: {what} stay in Lightning only")
     if light.type == "AREA":
@@ -224,7 +225,10 @@ def _place(obj, settings: dict, before: dict) -> None:
 
 def _receive_shape(obj, light, settings: dict, changed, messages: list[str]) -> None:
     scale = placement(obj).to_scale()
-    if light.type in ("POINT", "SPOT") and changed("type", "radius"):
+    if settings["type"] == "tube" and changed("type", "radius", "height"):
+        light.shadow_soft_size = math.sqrt(settings["height"] * settings["radius"] / 2)
+        messages.append(f"{obj.name}: a tube is a ball of the same area in Blender")
+    elif light.type in ("POINT", "SPOT") and changed("type", "radius"):
         light.shadow_soft_size = settings["radius"]
     if light.type == "SPOT":
         if changed("type", "angle"):

@@ -83,6 +83,7 @@ final class CheckCommand implements Callable<Integer> {
             case SPOT -> "spot";
             case RECT -> "rect";
             case DISC -> "disc";
+            case TUBE -> "tube";
         };
     }
 }

@@ -30,7 +30,7 @@ import lightning.scene.value.SceneLimits;
  * Surface of a visible area light, as rays of the camera meet it: a shape with the light's name that glows, casts no shadows and reflects
  * nothing. It is no part of the document.
  *
- * @param shape    one-sided plane of a rectangle or disc, or ball of a point or spot light
+ * @param shape    one-sided plane of a rectangle or disc, ball of a point or spot light, or cylinder of a tube
  * @param material its material, with a name that no material of the document has
  */
 record LightFace(Shape shape, Material material) {
@@ -63,6 +63,7 @@ record LightFace(Shape shape, Material material) {
             case DIRECTIONAL -> false;
             case RECT -> area.width() >= SceneLimits.MIN_SCALE && area.height() >= SceneLimits.MIN_SCALE;
             case POINT, SPOT, DISC -> area.radius() >= SceneLimits.MIN_SCALE;
+            case TUBE -> area.radius() >= SceneLimits.MIN_SCALE && area.height() >= SceneLimits.MIN_SCALE;
         };
     }
 
@@ -72,6 +73,13 @@ record LightFace(Shape shape, Material material) {
             case RECT -> plane(light, area.right(light.direction().normalized()), area.width(), area.height(), material);
             case DISC ->
                     plane(light, area.right(light.direction().normalized()), 2 * area.radius(), 2 * area.radius(), material);
+            case TUBE -> {
+                Vec3 axis = light.direction().normalized();
+                double height = Math.min(area.height(), SceneLimits.MAX_SCALE);
+                double radius = Math.min(area.radius(), SceneLimits.MAX_SCALE);
+                yield new Shape(Solid.CYLINDER, light.name(), material, new Placement(light.position().minus(axis.times(height / 2)),
+                        rotation(AreaShape.DEFAULT.right(axis), axis), new Vec3(radius, height, radius)));
+            }
             case POINT, SPOT, DIRECTIONAL -> new Shape(Solid.SPHERE, light.name(), material,
                     new Placement(light.position(), Vec3.ZERO, Vec3.ONE.times(area.radius())));
         };
@@ -107,7 +115,7 @@ record LightFace(Shape shape, Material material) {
                 .withCutout(AlphaCutout.NONE.withClip(switch (light.type()) {
                     case RECT -> AlphaCutout.Clip.BACK;
                     case DISC -> AlphaCutout.Clip.BACK_AND_CORNERS;
-                    case POINT, SPOT, DIRECTIONAL -> AlphaCutout.Clip.NONE;
+                    case POINT, SPOT, DIRECTIONAL, TUBE -> AlphaCutout.Clip.NONE;
                 }));
         if (light.area().visibility() != FaceVisibility.GLOWING) {
             return black;

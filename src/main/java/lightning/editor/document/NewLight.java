@@ -5,6 +5,7 @@ import lightning.base.math.Vec3;
 import lightning.editor.document.manipulation.PreviewCamera;
 import lightning.editor.document.manipulation.ViewFocus;
 import lightning.scene.Scene;
+import lightning.scene.light.AreaShape;
 import lightning.scene.light.Emission;
 import lightning.scene.light.Falloff;
 import lightning.scene.light.Light;
@@ -57,7 +58,8 @@ public final class NewLight {
         double cosine = effective.type() == LightType.DIRECTIONAL || effective.type() == LightType.POINT || distance == 0 ? 1
                 : effective.direction().normalized().dot(toPoint) / distance;
         boolean isOutside = effective.type() == LightType.SPOT && cosine < Math.cos(Math.toRadians(effective.angle()));
-        double share = effective.type().isSurface() ? Math.max(0, cosine) : isOutside ? 0 : 1;
+        double share = effective.type() == LightType.TUBE ? Math.sqrt(1 - cosine * cosine)
+                : effective.type().isSurface() ? Math.max(0, cosine) : isOutside ? 0 : 1;
         return effective.weight().luminance() * share * strength(effective, distance);
     }
 
@@ -66,8 +68,15 @@ public final class NewLight {
         double distance = target.minus(position).length();
         // Typical size in a studio: about four tenths of the distance.
         double size = Math.min(distance * 0.4, SceneLimits.MAX_EXTENT);
-        Light light = Light.of(type.name().toLowerCase(Locale.ROOT), type).withPosition(position).withDirection(target.minus(position));
-        Light sized = light.withArea(light.area().withWidth(size).withHeight(size).withRadius(type == LightType.DISC ? size / 2 : 0));
+        double radius = switch (type) {
+            case DISC -> size / 2;
+            case TUBE -> size / 40;
+            case DIRECTIONAL, POINT, SPOT, RECT -> 0;
+        };
+        Light light = Light.of(type.name().toLowerCase(Locale.ROOT), type).withPosition(position);
+        light = type == LightType.TUBE ? light.withDirection(AreaShape.DEFAULT.right(target.minus(position).normalized()))
+                : light.withDirection(target.minus(position));
+        Light sized = light.withArea(light.area().withWidth(size).withHeight(size).withRadius(radius));
         return !type.hasPosition() ? sized
                 : keepBrightness(sized, sized.withFalloff(Falloff.INVERSE_SQUARE), distance);
     }

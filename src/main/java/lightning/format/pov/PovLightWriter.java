@@ -62,7 +62,7 @@ record PovLightWriter(BoundingSphere bounds, List<String> warnings) {
         statements.add(color(light, fade.gain()));
         switch (light.type()) {
             case DIRECTIONAL -> statements.add("parallel point_at " + PovFormat.vector(bounds.center()));
-            case POINT -> {}
+            case POINT, TUBE -> {}
             case SPOT -> statements.addAll(spot(light));
             case RECT, DISC -> statements.addAll(surface(light));
         }
@@ -125,8 +125,13 @@ record PovLightWriter(BoundingSphere bounds, List<String> warnings) {
         double far = DIRECTIONAL_DISTANCE * bounds.radius();
         double radius = light.type().hasPosition() ? light.area().radius()
                 : far * Transform.sinDegrees(light.area().spread()) / Math.max(Transform.cosDegrees(light.area().spread()), 0.01);
+        boolean tube = light.type() == LightType.TUBE;
         double width = rect ? light.area().width() : 2 * radius;
-        double height = rect ? light.area().height() : 2 * radius;
+        double height = rect || tube ? light.area().height() : 2 * radius;
+        if (tube) {
+            warnings.add("light " + light.name() + ": its tube is exported as a rectangle that shines evenly in all directions");
+            up = axis;
+        }
         // If one side is longer than half the number of samples, no grid fits.
         int gridSize = Math.max(2, (int) Math.round(Math.sqrt(light.area().samples())));
         warnings.add("light " + light.name() + ": POV-Ray's area light has a grid of " + gridSize + " × " + gridSize
@@ -135,6 +140,7 @@ record PovLightWriter(BoundingSphere bounds, List<String> warnings) {
             case RECT -> "";
             case DISC, DIRECTIONAL -> " circular";
             case POINT, SPOT -> " circular orient";
+            case TUBE -> "";
         };
         // The outermost samples lie at the ends of the vectors, and jitter moves each by up to half their spacing.
         double inset = (gridSize - 1.0) / gridSize;

@@ -59,15 +59,17 @@ public final class AngularMask {
     private final @Nullable FogMedium fog;
     private final @Nullable FilterMask filter;
     private final boolean isDirectional;
+    private final boolean isTube;
 
     private AngularMask(LightSource source) {
         position = source.position();
         fog = source.fog();
         isDirectional = source.type() == LightType.DIRECTIONAL;
+        isTube = source.type() == LightType.TUBE;
         filter = FilterMask.of(source.light(), source.origin(), isDirectional);
         boolean isSurface = source.type().isSurface();
         boolean hasDoors = LightAttribute.DOORS.appliesTo(source.type());
-        axis = hasDoors ? source.axis() : DOWN;
+        axis = hasDoors || source.type() == LightType.TUBE ? source.axis() : DOWN;
         right = isSurface ? source.light().area().right(axis) : right(axis);
         up = right.cross(axis);
         doors = hasDoors ? source.light().doors() : BarnDoors.OPEN;
@@ -94,6 +96,7 @@ public final class AngularMask {
         fog = o.fog;
         filter = o.filter;
         isDirectional = o.isDirectional;
+        isTube = o.isTube;
     }
 
     /** Returns this mask at a sample of the light. */
@@ -113,6 +116,7 @@ public final class AngularMask {
             case POINT -> source.light().profile().isPresent();
             case RECT, DISC -> isShaped(source.light()) || !source.light().beam().isOpen();
             case DIRECTIONAL -> false;
+            case TUBE -> true;
         };
     }
 
@@ -153,6 +157,12 @@ public final class AngularMask {
         double forward = x * axis.x() + y * axis.y() + z * axis.z();
         double side = x * right.x() + y * right.y() + z * right.z();
         double height = x * up.x() + y * up.y() + z * up.z();
+        if (isTube) {
+            // Each part of the side shines by Lambert's law, and a thin tube is seen as wide as the sine of the angle from its axis.
+            double across = Math.sqrt(side * side + height * height);
+            double distance = Math.sqrt(across * across + forward * forward);
+            return distance > 0 ? across / distance : 1;
+        }
         return doorFactor(-side, forward, doors.left()) * doorFactor(side, forward, doors.right())
                 * doorFactor(-height, forward, doors.bottom()) * doorFactor(height, forward, doors.top())
                 * (beam == null ? 1 : beam.factor(Math.sqrt(side * side + height * height), forward))

@@ -28,6 +28,7 @@ import org.jspecify.annotations.Nullable;
  * <li>a rectangle unchanged;
  * <li>a disc by (√u, 2πv) in polar coordinates;
  * <li>the sphere of a point or spot light by height 1 − 2u along y and longitude 2πv (Archimedes);
+ * <li>the side of a tube by height along its axis and angle 2πv around it;
  * <li>a cap of directions by cosine 1 − u·(1 − cos spread) and longitude 2πv.
  * </ul>
  *
@@ -135,6 +136,7 @@ public final class AreaSamples {
                     case DISC -> onCircle(right, top, area.radius() * Math.sqrt(u), v);
                     case POINT, SPOT -> onCircle(new Vec3(1, 0, 0), new Vec3(0, 0, 1), area.radius() * 2 * Math.sqrt(u * (1 - u)), v)
                             .plus(new Vec3(0, area.radius() * (1 - 2 * u), 0));
+                    case TUBE -> onCircle(right, top, area.radius(), v).plus(axis.times((u - 0.5) * area.height()));
                     case DIRECTIONAL -> {
                         double cos = 1 - u * (1 - Transform.cosDegrees(area.spread()));
                         Vec3 toward = source.times(cos).plus(onCircle(right, top, Math.sqrt(Math.max(0, 1 - cos * cos)), v));

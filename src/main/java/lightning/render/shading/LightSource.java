@@ -71,7 +71,7 @@ public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, do
             case DIRECTIONAL -> AngularMask.isActive(this);
             case POINT -> !light.hasNoAttenuation() || AngularMask.isActive(this);
             case SPOT -> !light.hasNoAttenuation() || dropoff != 0 || AngularMask.isActive(this);
-            case RECT, DISC -> true;
+            case RECT, DISC, TUBE -> true;
         };
     }
 
@@ -107,6 +107,8 @@ public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, do
         double n = area.samples();
         return switch (type()) {
             case RECT -> area.width() * area.height() / n + (area.width() * area.width() + area.height() * area.height()) / (n * n);
+            case TUBE ->
+                    2 * area.radius() * area.height() / n + (4 * area.radius() * area.radius() + area.height() * area.height()) / (n * n);
             case DISC, POINT, SPOT -> Math.PI * area.radius() * area.radius() / n;
             case DIRECTIONAL -> 2 * Math.PI * (1 - Transform.cosDegrees(area.spread())) / n;
         } / 8;

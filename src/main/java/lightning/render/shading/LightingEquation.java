@@ -224,7 +224,7 @@ public final class LightingEquation {
     public float falloff() {
         return switch (source.type()) {
             case DIRECTIONAL -> (float) maskFactor();
-            case POINT -> (float) (attenuation() * maskFactor());
+            case POINT, TUBE -> (float) (attenuation() * maskFactor());
             case SPOT, RECT, DISC -> {
                 double c = axisCosine();
                 yield (float) (attenuation() * PowerFunction.pow(c > 0 ? c : 0, source.dropoff()) * maskFactor());

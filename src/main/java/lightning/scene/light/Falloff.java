@@ -21,6 +21,7 @@ public enum Falloff {
         double limit = switch (type) {
             case DIRECTIONAL -> 1;
             case RECT -> samples * Math.PI / (area.width() * area.height());
+            case TUBE -> samples * Math.PI / (2 * area.radius() * area.height());
             case POINT, SPOT, DISC -> samples / (area.radius() * area.radius());
         };
         return this == CUSTOM ? 1 : Math.min(limit, MAX);

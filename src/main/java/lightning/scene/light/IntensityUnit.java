@@ -7,7 +7,7 @@ package lightning.scene.light;
 public enum IntensityUnit {
     /** Value of white paper at falloff 1. */
     RELATIVE,
-    /** Luminous intensity along the axis; of a directional light, as {@link #LUX}. */
+    /** Luminous intensity along the axis, of a tube to its side; of a directional light, as {@link #LUX}. */
     CANDELA,
     /** Luminous flux of the whole light; of a directional light, per square meter. */
     LUMEN,
@@ -55,6 +55,8 @@ public enum IntensityUnit {
         return switch (light.type()) {
             case DIRECTIONAL -> 1;
             case POINT -> 4 * Math.PI;
+            // The sine of the angle from its axis, over all directions.
+            case TUBE -> Math.PI * Math.PI;
             case RECT, DISC -> Math.max(light.beam().flux(1 + light.dropoff()), MIN_SOLID_ANGLE);
             case SPOT -> {
                 double n = light.dropoff() + 1;
@@ -64,12 +66,13 @@ public enum IntensityUnit {
         };
     }
 
-    /** Returns the area that is seen along the axis, in square scene units; of a directional light, its projected solid angle. */
+    /** Returns the area that is seen along the axis, of a tube from its side, in square scene units; of a directional light, its projected solid angle. */
     public static double luminousArea(Light light) {
         AreaShape area = light.area();
         return switch (light.type()) {
             case DIRECTIONAL -> Math.PI * square(StrictMath.sin(Math.toRadians(area.spread())));
             case RECT -> area.width() * area.height();
+            case TUBE -> 2 * area.radius() * area.height();
             case POINT, SPOT, DISC -> Math.PI * square(area.radius());
         };
     }

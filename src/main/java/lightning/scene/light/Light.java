@@ -162,6 +162,7 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
             case DIRECTIONAL -> area.spread() > 0;
             case POINT, SPOT, DISC -> area.radius() > 0;
             case RECT -> area.width() > 0 || area.height() > 0;
+            case TUBE -> area.radius() > 0 || area.height() > 0;
         };
     }
 

@@ -5,6 +5,7 @@ import static lightning.scene.light.LightType.DISC;
 import static lightning.scene.light.LightType.POINT;
 import static lightning.scene.light.LightType.RECT;
 import static lightning.scene.light.LightType.SPOT;
+import static lightning.scene.light.LightType.TUBE;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -78,19 +79,23 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<Vec3> POSITION = new LightAttribute<>("at", "position", "position", NumericKind.position(),
             Vec3.ZERO, "scene units", Light::position, Light::withPosition, Section.PLACE,
-            Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
+            Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE, TUBE,
+                    LightTerm.SOURCE));
     public static final LightAttribute<Vec3> DIRECTION = of("direction", NumericKind.direction(), new Vec3(0, -1, 0),
             "any nonzero vector", Light::direction, Light::withDirection, Section.PLACE,
-            Map.of(DIRECTIONAL, LightTerm.SOURCE, SPOT, LightTerm.CONE_AXIS, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
+            Map.of(DIRECTIONAL, LightTerm.SOURCE, SPOT, LightTerm.CONE_AXIS, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE,
+                    TUBE, LightTerm.SOURCE));
     public static final LightAttribute<Falloff> FALLOFF = of("falloff", ChoiceKind.of(Falloff.class)
             .withLabels(List.of(Messages.key("custom"), Messages.key("inverse square"))), DistanceFalloff.DEFAULT.falloff(), "",
             Light::falloff,
             Light::withFalloff, Section.ATTENUATION,
-            Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
+            Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF, TUBE,
+                    LightTerm.FALLOFF));
     public static final LightAttribute<Attenuation> ATTENUATION =
             of("attenuation", NumericKind.attenuation(), DistanceFalloff.DEFAULT.attenuation(),
                     "per scene unit to the power 0, 1, 2", Light::attenuation, Light::withAttenuation, Section.ATTENUATION,
-                    Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
+                    Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF, TUBE,
+                            LightTerm.FALLOFF));
     public static final LightAttribute<Double> ANGLE = of("angle", "cone half-angle", Cone.ANGLES, Cone.DEFAULT.angle(),
             "degrees, half-angle", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.CONE_ANGLE));
     public static final LightAttribute<Double> DROPOFF = of("dropoff", "edge falloff", Cone.DROPOFFS, Cone.DEFAULT.dropoff(), "exponent",
@@ -120,7 +125,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     public static final LightAttribute<Double> RADIUS =
             of("radius", AreaShape.EXTENTS, AreaShape.DEFAULT.radius(),
                     "scene units", l -> l.area().radius(), (l, v) -> l.withArea(l.area().withRadius(v)), Section.AREA,
-                    Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
+                    Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, DISC, LightTerm.SOURCE, TUBE, LightTerm.SOURCE));
     public static final LightAttribute<Double> SPREAD =
             of("spread", AreaShape.SPREADS, AreaShape.DEFAULT.spread(),
                     "degrees, half-angle", l -> l.area().spread(), (l, v) -> l.withArea(l.area().withSpread(v)), Section.AREA,
@@ -132,7 +137,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     public static final LightAttribute<Double> HEIGHT =
             of("height", AreaShape.EXTENTS, AreaShape.DEFAULT.height(),
                     "scene units", l -> l.area().height(), (l, v) -> l.withArea(l.area().withHeight(v)), Section.AREA,
-                    Map.of(RECT, LightTerm.SOURCE));
+                    Map.of(RECT, LightTerm.SOURCE, TUBE, LightTerm.SOURCE));
     public static final LightAttribute<Vec3> UP = of("up", "roll axis", AreaShape.UPS, AreaShape.DEFAULT.up(),
             "any nonzero vector", l -> l.area().up(), (l, v) -> l.withArea(l.area().withUp(v)), Section.AREA,
             Map.of(RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
@@ -147,7 +152,8 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             of("visible", "visible to camera", ChoiceKind.YES_OR_NO, AreaShape.DEFAULT.visibility() != FaceVisibility.HIDDEN, "",
                     l -> l.area().visibility() != FaceVisibility.HIDDEN,
                     (l, v) -> l.withArea(l.area().withVisibility(v ? FaceVisibility.GLOWING : FaceVisibility.HIDDEN)), Section.AREA,
-                    Map.of(POINT, LightTerm.FACE, SPOT, LightTerm.FACE, RECT, LightTerm.FACE, DISC, LightTerm.FACE));
+                    Map.of(POINT, LightTerm.FACE, SPOT, LightTerm.FACE, RECT, LightTerm.FACE, DISC, LightTerm.FACE, TUBE,
+                            LightTerm.FACE));
     public static final LightAttribute<Boolean> ON = of("on", ChoiceKind.YES_OR_NO, Switches.DEFAULT.on(), "", Light::on, Light::withOn,
             Section.SWITCHES, Map.of());
     public static final LightAttribute<Boolean> SOLO =
@@ -269,7 +275,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     }
 
     private static Map<LightType, LightTerm> forAllTypes(LightTerm term) {
-        return Map.of(DIRECTIONAL, term, POINT, term, SPOT, term, RECT, term, DISC, term);
+        return Map.of(DIRECTIONAL, term, POINT, term, SPOT, term, RECT, term, DISC, term, TUBE, term);
     }
 
     @Override

@@ -11,7 +11,9 @@ public enum LightType {
     /** Rectangle that shines to one side, like a softbox. */
     RECT,
     /** Disc that shines to one side. */
-    DISC;
+    DISC,
+    /** Cylinder that shines from its side, like a fluorescent lamp. Its direction is its axis. */
+    TUBE;
 
     /** Returns whether the light has a position. */
     public boolean hasPosition() {

@@ -149,7 +149,7 @@ class PropertyEditTest {
         "key.intensity=1 2 | light 'key': intensity must have a number, found 2",
         "key.intensity=1 on no | light 'key': expected nothing after the value of intensity, found 'on'",
         "key.intensity=1e999 | light 'key': intensity must be a number within ±1.8e308, found '1e999'",
-        "key.type=pint | light 'key': type must be directional, point, spot, rect or disc, was 'pint', did you mean 'point'?",
+        "key.type=pint | light 'key': type must be directional, point, spot, rect, disc or tube, was 'pint', did you mean 'point'?",
         "key.name=fill | light 'fill': the name is already taken",
         "key.name=\"\" | a name must have 1 to 100 characters, no control characters and no spaces at its ends, was ''",
         "key.name= | a name must have 1 to 100 characters, no control characters and no spaces at its ends, was ''",
@@ -193,7 +193,7 @@ class PropertyEditTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
         "rim | expected a light's name and type, such as 'fill point', found 'rim'",
-        "rim pint | light 'rim': type must be directional, point, spot, rect or disc, was 'pint', did you mean 'point'?",
+        "rim pint | light 'rim': type must be directional, point, spot, rect, disc or tube, was 'pint', did you mean 'point'?",
         "rim point intensity=-1 on=5 | light 'rim': intensity must be ≥ 0, was -1; light 'rim': on: expected yes or no, found '5'",
         "key point | light 'key': the name is already taken",
         "sphere s { } | expected one light, such as 'fill point intensity=0.5', found 'sphere s { }'",

@@ -15,9 +15,12 @@ import lightning.scene.World;
 import lightning.scene.light.AreaShape;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.Scale;
 
@@ -94,6 +97,7 @@ class FaceHighlightTest {
                 return distance * distance / (area * -along) * equation.falloff();
             };
             case DIRECTIONAL -> cap(source.position(), Math.cos(Math.toRadians(shape.spread())));
+            case TUBE -> throw new AssertionError("has no known face");
             case POINT, SPOT -> {
                 double sin = shape.radius() / source.position().length();
                 yield cap(source.position().normalized(), Math.sqrt(1 - sin * sin));
@@ -133,12 +137,18 @@ class FaceHighlightTest {
         return light(type, toward.times(2), toward.negated(), size);
     }
 
+    /** Returns the types whose faces are known. */
+    @Provide
+    Arbitrary<LightType> withFaces() {
+        return Arbitraries.of(LightType.DIRECTIONAL, LightType.POINT, LightType.SPOT, LightType.RECT, LightType.DISC);
+    }
+
     /**
      * In the middle of the reflection of a light much wider than the lobe, the mean over the patterns of neighboring pixels is what the lobe sees of it,
      * with little grain.
      */
     @Property(tries = 100)
-    void lightWiderThanLobe_isSeenAsInMirror(@ForAll LightType type, @ForAll @DoubleRange(min = 0, max = 45) double degrees,
+    void lightWiderThanLobe_isSeenAsInMirror(@ForAll("withFaces") LightType type, @ForAll @DoubleRange(min = 0, max = 45) double degrees,
             @ForAll @DoubleRange(min = 0.0021, max = 0.02) @Scale(4) double alpha) {
         LightSource source = source(mirrored(type, degrees, 1));
         double expected = integral(source, view(degrees), alpha);
@@ -187,7 +197,7 @@ class FaceHighlightTest {
     }
 
     @Property(tries = 50)
-    void wideLobe_isLeftAsItIs(@ForAll LightType type, @ForAll @DoubleRange(min = 0.4, max = 1) double alpha) {
+    void wideLobe_isLeftAsItIs(@ForAll("withFaces") LightType type, @ForAll @DoubleRange(min = 0.4, max = 1) double alpha) {
         assertThat(factor(source(mirrored(type, 30, 1)), 0, view(30), alpha)).isEqualTo(1);
     }
 
@@ -206,7 +216,7 @@ class FaceHighlightTest {
 
     /** Faces that the horizon cuts, seen at grazing angles, included. */
     @Property(tries = 2000)
-    void factor_isFiniteAndNotNegative(@ForAll LightType type, @ForAll @DoubleRange(min = 0, max = 90) double degrees,
+    void factor_isFiniteAndNotNegative(@ForAll("withFaces") LightType type, @ForAll @DoubleRange(min = 0, max = 90) double degrees,
             @ForAll @DoubleRange(min = -1, max = 1) double x, @ForAll @DoubleRange(min = -0.3, max = 1) double z,
             @ForAll @DoubleRange(min = -3, max = 3) double logSize, @ForAll @DoubleRange(min = 0.0021, max = 1) @Scale(4) double alpha) {
         Vec3 at = new Vec3(x, 0.1, z);

@@ -89,6 +89,7 @@ public record LightGizmo(Light light, List<Segment> lines) {
                 yield cone(light.position().plus(axis.times(DIRECTIONAL_LENGTH * pixel)), light.position(), axis,
                         DIRECTIONAL_RADIUS * pixel);
             }
+            case TUBE -> sphere(light.position(), 0.4 * RADIUS * pixel);
             case RECT, DISC -> arrow(light.position(), light.direction().normalized(), SPOT_LENGTH * pixel);
         };
     }
@@ -101,6 +102,8 @@ public record LightGizmo(Light light, List<Segment> lines) {
             case DIRECTIONAL -> List.of();
             case POINT, SPOT -> radius > 0 ? sphere(light.position(), radius) : List.of();
             case DISC -> polygon(circle(light.position(), axis, radius));
+            case TUBE ->
+                    radius > 0 || light.area().height() > 0 ? tube(light.position(), axis, light.area().height() / 2, radius) : List.of();
             case RECT -> {
                 Vec3 right = light.area().right(axis);
                 Vec3 half = right.times(light.area().width() / 2);
@@ -110,6 +113,17 @@ public record LightGizmo(Light light, List<Segment> lines) {
                         at.plus(half).minus(top)));
             }
         };
+    }
+
+    private static List<Segment> tube(Vec3 center, Vec3 axis, double half, double radius) {
+        List<Vec3> bottom = circle(center.minus(axis.times(half)), axis, radius);
+        List<Vec3> top = circle(center.plus(axis.times(half)), axis, radius);
+        List<Segment> lines = new ArrayList<>(polygon(bottom));
+        lines.addAll(polygon(top));
+        for (int i = 0; i < SIDES; i += SIDES / 4) {
+            lines.add(new Segment(bottom.get(i), top.get(i)));
+        }
+        return lines;
     }
 
     private static List<Segment> arrow(Vec3 from, Vec3 axis, double length) {

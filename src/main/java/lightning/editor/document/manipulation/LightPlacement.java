@@ -2,9 +2,11 @@ package lightning.editor.document.manipulation;
 
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
+import lightning.scene.light.AreaShape;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightFlag;
+import lightning.scene.light.LightType;
 
 /**
  * Placement of a light by its effect at a chosen surface point, such as a highlight or a shadow. Lights with a direction turn to the point.
@@ -25,6 +27,9 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
     /** Way from the point to the light at which a flag is, and the size of a new flag, as shares of the distance. */
     private static final double FLAG_PLACE = 0.5;
     private static final double FLAG_SIZE = 0.15;
+
+    /** Least sine of the angle between a tube and a direction for which the tube only tilts. */
+    private static final double MIN_SIDE = 1e-3;
 
     /** Effect of the light at the point. */
     public sealed interface Goal {
@@ -137,11 +142,22 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
         if (!(direction.maxAbs() >= 1e-12)) {
             throw new IllegalArgumentException(Messages.tr("the target is at the light's position"));
         }
-        return startLight.withDirection(direction);
+        return turned(startLight, direction);
+    }
+
+    /** Returns a light that shines in a direction: a tube turns its side there, with as little rotation as possible. */
+    public static Light turned(Light light, Vec3 direction) {
+        if (light.type() != LightType.TUBE) {
+            return light.withDirection(direction);
+        }
+        Vec3 forward = direction.normalized();
+        Vec3 axis = light.direction().normalized();
+        Vec3 across = axis.minus(forward.times(axis.dot(forward)));
+        return light.withDirection(across.length() > MIN_SIDE ? across.normalized() : AreaShape.DEFAULT.right(forward));
     }
 
     private Light placeAlong(Vec3 point, Vec3 towardsLight, double distance) {
         Light placed = startLight.type().hasPosition() ? startLight.withPosition(point.plus(towardsLight.times(distance))) : startLight;
-        return startLight.type().hasDirection() ? placed.withDirection(towardsLight.times(-startLight.direction().length())) : placed;
+        return startLight.type().hasDirection() ? turned(placed, towardsLight.times(-startLight.direction().length())) : placed;
     }
 }

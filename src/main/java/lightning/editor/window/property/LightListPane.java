@@ -67,7 +67,8 @@ public final class LightListPane extends VBox {
         MenuButton add = new MenuButton(Messages.tr("Add Light"), new FontIcon(MaterialDesignP.PLUS));
         add.setId("add-light");
         CommandMenuItems items = CommandMenuItems.forMenu(commands);
-        for (LightType type : List.of(LightType.POINT, LightType.SPOT, LightType.DIRECTIONAL, LightType.RECT, LightType.DISC)) {
+        for (LightType type : List.of(LightType.POINT, LightType.SPOT, LightType.DIRECTIONAL, LightType.RECT, LightType.DISC,
+                LightType.TUBE)) {
             MenuItem item = items.value(Command.ADD_LIGHT, LightTypes.title(type), () -> add(type));
             item.setGraphic(new FontIcon(LightTypes.icon(type)));
             add.getItems().add(item);

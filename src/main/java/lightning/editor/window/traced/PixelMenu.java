@@ -39,7 +39,7 @@ final class PixelMenu {
     /** Maximum number of lights in the submenu. */
     private static final int MAX_OTHERS = 40;
     private static final List<LightType> TYPES =
-            List.of(LightType.POINT, LightType.SPOT, LightType.DIRECTIONAL, LightType.RECT, LightType.DISC);
+            List.of(LightType.POINT, LightType.SPOT, LightType.DIRECTIONAL, LightType.RECT, LightType.DISC, LightType.TUBE);
 
     /**
      * Pixel that the menu is about.

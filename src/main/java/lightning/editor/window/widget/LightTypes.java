@@ -34,6 +34,7 @@ public final class LightTypes {
             case DIRECTIONAL -> Messages.tr("Directional");
             case RECT -> Messages.tr("Rectangle");
             case DISC -> Messages.tr("Disc");
+            case TUBE -> Messages.tr("Tube");
         };
     }
 
@@ -45,6 +46,7 @@ public final class LightTypes {
             case DIRECTIONAL -> Messages.tr("directional light");
             case RECT -> Messages.tr("rectangle area light");
             case DISC -> Messages.tr("disc area light");
+            case TUBE -> Messages.tr("tube light");
         };
     }
 
@@ -55,6 +57,7 @@ public final class LightTypes {
             case DIRECTIONAL -> MaterialDesignW.WHITE_BALANCE_SUNNY;
             case RECT -> MaterialDesignC.CARD_OUTLINE;
             case DISC -> MaterialDesignC.CIRCLE_OUTLINE;
+            case TUBE -> MaterialDesignL.LIGHTBULB_FLUORESCENT_TUBE_OUTLINE;
         };
     }
 

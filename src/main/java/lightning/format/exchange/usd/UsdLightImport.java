@@ -124,18 +124,19 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
         }
     }
 
-    /** A cylinder becomes a ball of the same area, and so of the same luminance and flux. Its own size stays in values without effect. */
     private Light cylinder(Light light, JsonValue in) throws MeshException {
         Vec3 scale = scale(in);
         double length = size(UsdNumbers.tidy(in.get("length").number(0)) * scale.x());
         double radius = size(UsdNumbers.tidy(in.get("radius").number(0)) * LightScales.tube(scale));
         noteScale(scale.y(), scale.z());
-        notes.add("cylinder lights, imported as balls of the same area");
         notes.add("cones and profiles of cylinder lights", isShaped(in.get("shaping")) ? 1 : 0);
-        Light ball = placed(light, in).withArea(AreaShape.DEFAULT.withRadius(UsdNumbers.rounded(Math.sqrt(length * radius / 2)))
-                .withWidth(length)
-                .withHeight(UsdNumbers.rounded(2 * radius)).withUp(UsdNumbers.rounded(world(in).transformVector(Vec3.Y).normalized())));
-        return isNormalized(in) ? candela(ball, meters * meters / 4) : nit(ball);
+        boolean isLine = in.get("treatAsLine").bool(false);
+        Light tube = placed(light, in).withType(LightType.TUBE)
+                .withDirection(UsdNumbers.rounded(world(in).transformVector(new Vec3(1, 0, 0)).normalized()))
+                .withArea(AreaShape.DEFAULT.withRadius(isLine ? 0 : radius).withHeight(length));
+        // Its side is π times the rectangle as which it is seen.
+        return isNormalized(in) ? candela(tube, meters * meters / Math.PI)
+                : isLine ? candela(tube, 2 * radius * length * meters * meters) : nit(tube);
     }
 
     /** Returns a rectangle or disc with its cone, focus and profile. */

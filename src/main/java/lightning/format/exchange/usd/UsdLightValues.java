@@ -8,6 +8,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.format.usd.UsdLayer;
+import lightning.scene.light.AreaShape;
 import lightning.scene.light.IntensityUnit;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
@@ -30,6 +31,7 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
     static final String VISIBLE = "\"inherited\"";
     static final String INVISIBLE = "\"invisible\"";
     static final String POINT = "bool treatAsPoint";
+    static final String LINE = "bool treatAsLine";
     /** Values of a cone that holds nothing back. */
     static final Map<String, String> OPEN_CONE = Map.of(ANGLE, "180", SOFTNESS, "0", FOCUS, "0");
     static final Vec3 DOWN = new Vec3(0, -1, 0);
@@ -49,6 +51,7 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
             case SPOT -> original.equals("DiskLight") && light.dropoff() >= 1 ? original : "SphereLight";
             case RECT -> "RectLight";
             case DISC -> "DiskLight";
+            case TUBE -> "CylinderLight";
         };
     }
 
@@ -100,6 +103,14 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
                 addBeam(result);
             }
             case "CylinderLight" -> {
+                if (light.type() == LightType.TUBE) {
+                    result.put("float inputs:length", unscaled(light.area().height(), scale.x()));
+                    if (light.area().radius() > 0) {
+                        result.put("float inputs:radius", unscaled(light.area().radius(), LightScales.tube(scale)));
+                    }
+                    result.put(LINE, light.area().radius() == 0 ? "1" : "0");
+                    return;
+                }
                 // The ball that stands for it has its area; a ball of another size scales both.
                 double ball = Math.sqrt(light.area().width() * light.area().height() / 4);
                 double size = ball > 0 && Math.abs(light.area().radius() - ball) > 1e-6 * ball ? light.area().radius() / ball : 1;
@@ -144,12 +155,18 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
             var terms = light.distanceTerms();
             relative *= 1 / (terms.constant() + terms.linear() + terms.quadratic());
         }
+        if (light.type() == LightType.TUBE) {
+            return Double.isFinite(relative) ? relative * Math.PI * Math.PI : 0;
+        }
         boolean isRound = type.equals("SphereLight") || type.equals("CylinderLight");
         return Double.isFinite(relative) ? relative * Math.PI * (isRound ? SPHERE_FACTOR : 1) : 0;
     }
 
     private String matrix() {
         Vec3 direction = hangs(light) ? DOWN : light.direction().normalized();
+        if (light.type() == LightType.TUBE) {
+            return matrix(direction, AreaShape.DEFAULT.right(direction), light.position(), hasZUp);
+        }
         return matrix(light.area().right(direction), direction.times(-1), light.type().hasPosition() ? light.position() : Vec3.ZERO,
                 hasZUp);
     }

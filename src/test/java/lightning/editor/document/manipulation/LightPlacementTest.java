@@ -68,6 +68,17 @@ class LightPlacementTest {
     }
 
     @Test
+    void aimedTube_turnsItsSide() {
+        Light tube = DeskScene.light(scene, "key").withType(LightType.TUBE).withDirection(new Vec3(1, 1, 0));
+        Vec3 point = tube.position().plus(new Vec3(0, -2, 0));
+        Light aimed = LightPlacement.start(tube, new LightPlacement.Goal.Pool(), point).aimAt(point);
+        PreviewCameraTest.assertClose(aimed.direction(), new Vec3(1, 0, 0), 1e-12);
+        Light onEnd = tube.withDirection(Vec3.Y);
+        assertThat(LightPlacement.start(onEnd, new LightPlacement.Goal.Pool(), point).aimAt(point).direction().y()).isCloseTo(0,
+                within(1e-12));
+    }
+
+    @Test
     void flag_blocksTheLightAtPoint() {
         for (String name : DeskScene.names(scene)) {
             Scene lit = place(name, new LightPlacement.Goal.Diffuse(), pick(BALL_Y));
