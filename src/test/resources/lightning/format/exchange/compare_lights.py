@@ -7,7 +7,7 @@ from pxr import Gf, Usd, UsdGeom, UsdLux
 
 one, other = (Usd.Stage.Open(path) for path in sys.argv[1:3])
 PATHS = [prim.GetPath() for prim in one.Traverse()]
-TURNS = {"SphereLight": "", "DiskLight": "z", "DistantLight": "z", "RectLight": "xyz", "CylinderLight": "xyz", "DomeLight": "xyz"}
+TURNS = {"SphereLight": "", "DiskLight": "z", "DistantLight": "z", "RectLight": "xyz", "CylinderLight": "x", "DomeLight": "xyz"}
 
 
 def members(collection):
