@@ -67,11 +67,9 @@ public record LightGizmo(Light light, List<Segment> lines) {
         return new LightGizmo(light, lines);
     }
 
-    /** Returns the lines with those of the light's flag and filter, which are shown while it is selected. */
-    public List<Segment> selectedLines() {
-        List<Segment> all = new ArrayList<>(lines);
-        all.addAll(FilterOutline.of(light));
-        return all;
+    /** Returns the outlines of a light's flag and filter at their true size, which are shown while the light is selected. */
+    public static LightGizmo ofFilters(Light light) {
+        return new LightGizmo(light, FilterOutline.of(light));
     }
 
     private static List<Segment> typeSymbol(Light light, double pixel) {

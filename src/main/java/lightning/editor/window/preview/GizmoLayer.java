@@ -58,10 +58,12 @@ final class GizmoLayer extends Pane {
     /**
      * Content of the canvas of the selection.
      *
-     * @param lines wireframe of the selected light in scene space; empty if no light is selected
+     * @param lines    wireframe of the selected light in scene space; empty if no light is selected
+     * @param filters  outlines of its flag and filter
      * @param position position of the selected light; null if no light is selected
      */
-    private record SelectedDrawing(View view, List<LightGizmo.Segment> lines, @Nullable Vec3 position, Marks marks) {}
+    private record SelectedDrawing(View view, List<LightGizmo.Segment> lines, List<LightGizmo.Segment> filters, @Nullable Vec3 position,
+            Marks marks) {}
 
     GizmoLayer() {
         setMouseTransparent(true);
@@ -90,12 +92,16 @@ final class GizmoLayer extends Pane {
             shining = shiningNow;
             dark = darkNow;
         }
-        SelectedDrawing newSelection = selectedLight == null ? new SelectedDrawing(view, List.of(), null, marks)
-                : new SelectedDrawing(view, LightGizmo.of(selectedLight, camera, canvas, size).selectedLines(), selectedLight.position(),
+        SelectedDrawing newSelection = selectedLight == null ? new SelectedDrawing(view, List.of(), List.of(), null, marks)
+                : new SelectedDrawing(view, LightGizmo.of(selectedLight, camera, canvas, size).lines(),
+                        LightGizmo.ofFilters(selectedLight).lines(), selectedLight.position(),
                         marks);
         if (!newSelection.equals(drawnSelection)) {
             GraphicsContext g = clear(selected, canvas);
             draw(g, selectedLight == null ? List.of() : List.of(selectedLight), GizmoPainter.SELECTED, view);
+            if (selectedLight != null) {
+                GizmoPainter.drawWireframe(g, LightGizmo.ofFilters(selectedLight).strokes(camera, canvas), GizmoPainter.SELECTED);
+            }
             GizmoPainter.drawWireframe(g, marks.box(), GizmoPainter.SELECTED);
             marks.handles().ifPresent(gizmo -> GizmoPainter.drawHandles(g, gizmo, camera, canvas, HANDLE_EDGE));
             drawnSelection = newSelection;
