@@ -7,8 +7,9 @@ import lightning.base.math.Vec3;
 import lightning.editor.document.manipulation.LightGizmo.Segment;
 import lightning.scene.light.FilterShape;
 import lightning.scene.light.Light;
+import lightning.scene.value.Fog;
 
-/** Outlines of a light's flag and filter at their true size, in the scene. */
+/** Outlines at true size of a light's flag and filter, and of the box of fog, in the scene. */
 final class FilterOutline {
     private static final int SIDES = 24;
 
@@ -29,6 +30,11 @@ final class FilterOutline {
             lines.addAll(light.filter().shape() == FilterShape.SPHERE ? sphere(place) : box(place));
         }
         return lines;
+    }
+
+    /** Returns the box of a fog; none if the fog has no box. */
+    static List<Segment> of(Fog fog) {
+        return fog.isPresent() && fog.hasBox() ? box(new Place(fog.center(), Vec3.ZERO, fog.size())) : List.of();
     }
 
     private record Place(Vec3 center, Vec3 rotation, Vec3 size) {

@@ -16,6 +16,7 @@ import lightning.editor.document.manipulation.Viewport;
 import lightning.editor.window.model.GizmoPainter;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
+import lightning.scene.value.Fog;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -33,6 +34,7 @@ final class GizmoLayer extends Pane {
     private final Canvas others = new Canvas();
     private final Canvas selected = new Canvas();
     private @Nullable View drawnView;
+    private @Nullable Fog drawnFog;
     private List<Light> shining = List.of();
     private List<Light> dark = List.of();
     private @Nullable SelectedDrawing drawnSelection;
@@ -84,10 +86,13 @@ final class GizmoLayer extends Pane {
                 (scene.isActive(light) ? shiningNow : darkNow).add(light);
             }
         }
-        if (!view.equals(drawnView) || !shiningNow.equals(shining) || !darkNow.equals(dark)) {
+        Fog fogNow = scene.world().fog();
+        if (!view.equals(drawnView) || !fogNow.equals(drawnFog) || !shiningNow.equals(shining) || !darkNow.equals(dark)) {
             GraphicsContext g = clear(others, canvas);
             draw(g, shiningNow, GizmoPainter.UNSELECTED, view);
             draw(g, darkNow, GizmoPainter.UNLIT, view);
+            GizmoPainter.drawWireframe(g, LightGizmo.strokes(fogNow, camera, canvas), GizmoPainter.UNLIT);
+            drawnFog = fogNow;
             drawnView = view;
             shining = shiningNow;
             dark = darkNow;

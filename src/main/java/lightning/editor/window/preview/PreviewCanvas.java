@@ -220,11 +220,12 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         return settings.shadowsProperty().get();
     }
 
-    /** Returns what the preview shows: its camera, and which shadows. */
+    /** Returns what the preview shows: its camera, which shadows, and that it lacks fog. */
     String caption() {
         String view = camera.get().equals(PreviewCamera.of(editor.scene())) ? Messages.tr("Scene camera") : Messages.tr("Free view");
         String light = editor.selection().lightName();
-        return view + " · " + (showsShadows() && !light.isEmpty() ? Messages.tr("only shadows of {0}", light) : Messages.tr("no shadows"));
+        String shadows = showsShadows() && !light.isEmpty() ? Messages.tr("only shadows of {0}", light) : Messages.tr("no shadows");
+        return view + " · " + shadows + (editor.scene().world().fog().isPresent() ? " · " + Messages.tr("no fog") : "");
     }
 
     private void queuePicture(PreviewLoop.Picture picture) {
