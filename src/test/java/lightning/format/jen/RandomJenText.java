@@ -80,7 +80,7 @@ final class RandomJenText {
         for (Property<?> p : type.properties()) {
             boolean file = p.name().equals(BlockTypes.FILE) && type.keyword().equals("mesh");
             boolean missing = p.form() == Property.Form.QUOTED || p.unit().contains(", needs a ") || p.name().equals(BlockTypes.PART)
-                    || p.name().equals("bank") && groupNames.isEmpty();
+                    || p.name().equals("bank") && groupNames.isEmpty() || p.name().equals("gains") && nodes.isEmpty();
             if (file ? !mistake() : missing ? mistake() : random.nextInt(3) == 0) {
                 word(p.name());
                 value(p);
@@ -89,6 +89,11 @@ final class RandomJenText {
     }
 
     private void value(Property<?> p) {
+        if (p.name().equals("gains") && !nodes.isEmpty()) {
+            word(NameSyntax.quote(nodes.get(random.nextInt(nodes.size()))));
+            word(Double.toString(random.nextDouble(100)));
+            return;
+        }
         switch (p.form()) {
             case NUMBERS -> {
                 for (int i = 0; i < p.count(); i++) {
