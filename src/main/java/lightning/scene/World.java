@@ -128,6 +128,12 @@ public record World(double ambience, Rgb background, Optional<Environment> image
         if (needsSky && !sky.on()) {
             return Optional.of(Messages.tr("the physical sky is off"));
         }
+        if (sky.on() && attribute == LIGHT_COUNT) {
+            return Optional.of(Messages.tr("the sun is the only bright light of a physical sky"));
+        }
+        if (sky.on() && attribute == ENVIRONMENT) {
+            return Optional.of(Messages.tr("the physical sky is on"));
+        }
         boolean needsFog = FogAttributes.ALL.contains(attribute) && attribute != FogAttributes.DENSITY;
         return needsFog && !fog.isPresent() ? Optional.of(Messages.tr("the scene has no fog")) : Optional.empty();
     }

@@ -9,7 +9,10 @@ import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
 import lightning.scene.World;
+import lightning.scene.asset.Environment;
+import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.value.SceneLimits;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Shades rays that hit nothing with the background or the environment map. No row exists for them, so their directions are
@@ -22,18 +25,23 @@ public final class BackgroundShader {
     /** Returns the color in a unit direction, {@code float[3]}. */
     public static float[] color(World world, Vec3 direction) {
         float[][] to = new float[3][1];
-        new BackgroundShader().shade(world, direction.x(), direction.y(), direction.z(), to, 0);
+        new BackgroundShader().shade(world, map(world), direction.x(), direction.y(), direction.z(), to, 0);
         return new float[] {to[0][0], to[1][0], to[2][0]};
     }
 
-    private void shade(World world, double x, double y, double z, float[][] to, int i) {
-        if (world.environment().isEmpty()) {
+    /** Returns the map of the environment, or null if there is none. A sky is looked up, so callers do this once for many rays. */
+    private static @Nullable EnvironmentMap map(World world) {
+        return world.environment().map(Environment::map).orElse(null);
+    }
+
+    private void shade(World world, @Nullable EnvironmentMap map, double x, double y, double z, float[][] to, int i) {
+        if (map == null) {
             to[0][i] = (float) world.background().r();
             to[1][i] = (float) world.background().g();
             to[2][i] = (float) world.background().b();
             return;
         }
-        world.environment().get().map().radiance(x, y, z, world.dome(), color);
+        map.radiance(x, y, z, world.dome(), color);
         for (int c = 0; c < 3; c++) {
             to[c][i] = (float) Math.min(color[c] * world.intensity(), SceneLimits.MAX_EMISSION);
         }
@@ -45,7 +53,8 @@ public final class BackgroundShader {
             return;
         }
         World world = scene.world();
-        if (world.environment().isEmpty()) {
+        EnvironmentMap map = map(world);
+        if (map == null) {
             fill(world, to, to[0].length);
             return;
         }
@@ -60,20 +69,21 @@ public final class BackgroundShader {
         for (int i = 0; i < places.count(); i++) {
             if (!hit[i]) {
                 camera.writeDirection(places.x(i), places.y(i), dx, dy, dz, 0);
-                shade(world, dx[0], dy[0], dz[0], to, i);
+                shade(world, map, dx[0], dy[0], dz[0], to, i);
             }
         }
     }
 
     /** Fills the background of the rays that bounce from a level's rows; rows without such a ray stay undefined. */
     public void shadeBounceRays(HitRows above, BounceKind bounce, MaterialTable materials, World world, float[][] to) {
-        if (world.environment().isEmpty()) {
+        EnvironmentMap map = map(world);
+        if (map == null) {
             fill(world, to, bounce.rowCount(above));
             return;
         }
         for (int i = 0; i < bounce.rowCount(above); i++) {
             if (bounce.writeDirection(above, i, materials, direction)) {
-                shade(world, direction[0], direction[1], direction[2], to, i);
+                shade(world, map, direction[0], direction[1], direction[2], to, i);
             }
         }
     }

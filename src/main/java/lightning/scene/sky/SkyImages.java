@@ -18,6 +18,8 @@ final class SkyImages {
     private static final int WIDTH = 512;
     private static final int HEIGHT = 256;
     private static final int KEPT = 16;
+    /** Name of a sky where that of an image is shown. */
+    private static final String NAME = "physical sky";
     private static final Map<Sky, SoftReference<Environment>> IMAGES = new LinkedHashMap<>(KEPT, 0.75f, true) {
         @Override
         protected boolean removeEldestEntry(Entry<Sky, SoftReference<Environment>> eldest) {
@@ -34,7 +36,7 @@ final class SkyImages {
         SoftReference<Environment> kept = IMAGES.get(sky);
         Environment known = kept == null ? null : kept.get();
         if (known == null) {
-            known = new Environment("", create(sky));
+            known = new Environment(NAME, create(sky));
             IMAGES.put(sky, new SoftReference<>(known));
         }
         return known;

@@ -232,6 +232,17 @@ class UsdSparseExportTest {
                 .isEqualTo("/World/sky.inputs:intensity\n");
     }
 
+    @Test
+    void physicalSky_isNoted_andTheDomeStays() throws Exception {
+        JenDocument document = imported();
+        Scene scene = document.scene();
+        JenDocument edited = document.withAnimatedScene(document.animatedScene().withScene(
+                scene.withWorld(scene.world().withSky(scene.world().sky().withOn(true)))));
+        LightExport export =
+                LightExport.toUsd(edited.text(), edited.animatedScene(), folder.resolve("sparse.jen"), folder.resolve("lights.usda"));
+        assertThat(export.notes()).containsEntry("physical skies", 1);
+    }
+
     /** A dome's image has its center at +z: half a turn more about y, which inverts the other angles. */
     @Test
     void tiltedDome_isImportedWithItsThreeAngles() throws Exception {

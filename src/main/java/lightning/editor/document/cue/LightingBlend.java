@@ -53,7 +53,9 @@ public final class LightingBlend {
         this.to = to;
         this.t = t;
         hasSameGroups = from.rig().lightGroups().equals(to.rig().lightGroups());
-        hasSameEnvironment = from.world().environment().equals(to.world().environment());
+        // The sun of a sky moves from one place to the other.
+        boolean hasSkies = from.world().sky().on() && to.world().sky().on() && from.world().sky().unit() == to.world().sky().unit();
+        hasSameEnvironment = hasSkies || from.world().environment().equals(to.world().environment());
         fromSolos = SoloState.of(from);
         toSolos = SoloState.of(to);
         // Other environments are dark halfway, where the solo of one has no effect.

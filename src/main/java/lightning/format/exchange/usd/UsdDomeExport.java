@@ -29,6 +29,10 @@ public record UsdDomeExport(UsdLayer layer, UsdPrimWriter writer, ConversionNote
             dome.ifPresent(d -> layer.prim(d.prim().path()).metadata("active", "false"));
             return;
         }
+        if (world.sky().on()) {
+            notes.add("physical skies");
+            return;
+        }
         notes.add("light gain of the environment", world.gain() == 1 ? 0 : 1);
         String file = world.environment().get().file();
         boolean isBrightness =

@@ -23,6 +23,7 @@ import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightGroup;
 import lightning.scene.light.LightRig;
 import lightning.scene.light.LightType;
+import lightning.scene.sky.Sky;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
@@ -40,6 +41,16 @@ class LightingBlendTest {
 
     private static Light blend(Light a, Light b, double t) {
         return LightingBlend.blend(lightingOf(a), lightingOf(b), t).rig().lights().getFirst();
+    }
+
+    @Test
+    void sunOfSky_movesAtItsBrightness() {
+        World morning = World.DEFAULT.withSky(Sky.NONE.with(sky -> sky.on(true).elevation(10).azimuth(90))).withIntensity(2);
+        World noon = morning.withSky(morning.sky().with(sky -> sky.elevation(50).azimuth(180)));
+        LightRig rig = LightRig.of(List.of(KEY));
+        World between = LightingBlend.blend(new Lighting(morning, rig), new Lighting(noon, rig), 0.25).world();
+        assertThat(between.sky()).isEqualTo(morning.sky().with(sky -> sky.elevation(20).azimuth(112.5)));
+        assertThat(between.intensity()).isEqualTo(2);
     }
 
     @Provide
