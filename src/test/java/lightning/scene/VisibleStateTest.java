@@ -20,9 +20,12 @@ import lightning.sample.Slow;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.light.Falloff;
+import lightning.scene.light.FilterShape;
 import lightning.scene.light.IntensityUnit;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightFilter;
+import lightning.scene.light.LightFlag;
 import lightning.scene.light.LightType;
 import lightning.scene.material.Bulb;
 import net.jqwik.api.Arbitrary;
@@ -57,7 +60,9 @@ class VisibleStateTest {
     void activeAttributes_areVisible() {
         for (NumericParameter dial : NumericParameter.ALL) {
             assertThat(LightType.values()).as(dial.title()).anySatisfy(type -> {
-                Scene typed = DeskScene.sceneOf(LightEdits.setType(scene, "key", type));
+                Scene bare = DeskScene.sceneOf(LightEdits.setType(scene, "key", type));
+                Scene typed = DeskScene.sceneOf(LightEdits.edit(bare, "key", l -> l.withFlag(LightFlag.NONE.withOn(true))
+                        .withFilter(LightFilter.NONE.withShape(FilterShape.BOX))));
                 // One of two values may be the scene's own.
                 assertThat(
                         DoubleStream.of(7, 0).mapToObj(v -> dial.set(typed, "key", Math.clamp(v, dial.range().min(), dial.range().max()))))
@@ -69,6 +74,12 @@ class VisibleStateTest {
         assertThat(isInvisible(LightEdits.setType(scene, "key", LightType.POINT))).isFalse();
         assertThat(isInvisible(LightEdits.setOn(scene, "key", false))).isFalse();
         assertThat(isInvisible(LightEdits.setSolo(scene, "key", true))).isFalse();
+    }
+
+    @Test
+    void flagThatIsOff_isInvisible() {
+        assertThat(isInvisible(LightEdits.edit(scene, "key", l -> l.withFlag(LightFlag.NONE.withWidth(7))))).isTrue();
+        assertThat(isInvisible(LightEdits.edit(scene, "key", l -> l.withFilter(LightFilter.NONE.withDensity(0.5))))).isTrue();
     }
 
     @Test
