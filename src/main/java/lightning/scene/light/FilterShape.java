@@ -1,6 +1,6 @@
 package lightning.scene.light;
 
-/** Where a light filter acts. */
+/** Region of a light filter. */
 public enum FilterShape {
     /** Nowhere. */
     NONE,

@@ -8,7 +8,7 @@ import lightning.scene.value.SceneLimits;
 /**
  * Card between a light and the scene that only this light sees: a flag, or a scrim if it lets some light through.
  *
- * @param on       whether it is there
+ * @param on       whether the light has it
  * @param position its center, scene units
  * @param rotation degrees about x, then y, then z; without one it is upright and faces z
  * @param width    scene units

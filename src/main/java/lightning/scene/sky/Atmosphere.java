@@ -5,7 +5,7 @@ package lightning.scene.sky;
  *
  * <p>Lengths are in meters, coefficients per meter. Molecules scatter by 1.24062·10⁻⁶ λ⁻⁴ at the ground, λ in µm, and thin out by e each 8 km
  * (Rayleigh). Aerosols have an optical depth of β λ^−1.3, with β = 0.04608 T − 0.04586 for turbidity T (Preetham, Shirley and Smits, A practical
- * analytic model for daylight, 1999), thin out by e each 1.2 km, and scatter 9/10 of what they take. Ozone absorbs, in a layer
+ * analytic model for daylight, 1999), thin out by e each 1.2 km, and scatter 9/10 of the light that they take. Ozone absorbs, in a layer
  * around 25 km of 300 Dobson units. Its cross sections are those of Serdyuchenko et al. (2014) at 233 K, as means of bands.
  */
 final class Atmosphere {

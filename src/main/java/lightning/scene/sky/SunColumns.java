@@ -13,7 +13,7 @@ final class SunColumns {
     private static final int DIRECTIONS = 128;
     private static final int STEPS = 96;
     private static final double HORIZON = Math.sqrt(Atmosphere.TOP * Atmosphere.TOP - Atmosphere.GROUND * Atmosphere.GROUND);
-    /** The same air for every sky: only its coefficients differ. */
+    /** Columns of every sky: only the coefficients differ. */
     static final SunColumns TABLE = new SunColumns();
 
     private final float[] columns = new float[HEIGHTS * DIRECTIONS * Atmosphere.COLUMNS];
