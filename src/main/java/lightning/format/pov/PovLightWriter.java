@@ -137,10 +137,9 @@ record PovLightWriter(BoundingSphere bounds, List<String> warnings) {
         warnings.add("light " + light.name() + ": POV-Ray's area light has a grid of " + gridSize + " × " + gridSize
                 + " samples; falloff and highlights use its center");
         String shape = switch (light.type()) {
-            case RECT -> "";
+            case RECT, TUBE -> "";
             case DISC, DIRECTIONAL -> " circular";
             case POINT, SPOT -> " circular orient";
-            case TUBE -> "";
         };
         // The outermost samples lie at the ends of the vectors, and jitter moves each by up to half their spacing.
         double inset = (gridSize - 1.0) / gridSize;

@@ -69,7 +69,7 @@ public final class AngularMask {
         filter = FilterMask.of(source.light(), source.origin(), isDirectional);
         boolean isSurface = source.type().isSurface();
         boolean hasDoors = LightAttribute.DOORS.appliesTo(source.type());
-        axis = hasDoors || source.type() == LightType.TUBE ? source.axis() : DOWN;
+        axis = hasDoors || isTube ? source.axis() : DOWN;
         right = isSurface ? source.light().area().right(axis) : right(axis);
         up = right.cross(axis);
         doors = hasDoors ? source.light().doors() : BarnDoors.OPEN;
@@ -80,28 +80,6 @@ public final class AngularMask {
         beam = isSurface && !source.light().beam().isOpen() ? source.light().beam() : null;
         goboHalfSize = StrictMath.tan(Math.toRadians(
                 Math.min(isSurface ? source.light().beam().outerAngle() : source.light().angle(), MAX_GOBO_ANGLE)));
-    }
-
-    private AngularMask(AngularMask o, Vec3 position) {
-        this.position = position;
-        axis = o.axis;
-        right = o.right;
-        up = o.up;
-        doors = o.doors;
-        feather = o.feather;
-        beam = o.beam;
-        gobo = o.gobo;
-        photometry = o.photometry;
-        goboHalfSize = o.goboHalfSize;
-        fog = o.fog;
-        filter = o.filter;
-        isDirectional = o.isDirectional;
-        isTube = o.isTube;
-    }
-
-    /** Returns this mask at a sample of the light. */
-    public AngularMask at(Vec3 sample) {
-        return new AngularMask(this, sample);
     }
 
     private static Vec3 right(Vec3 axis) {
@@ -131,29 +109,31 @@ public final class AngularMask {
 
     /** Returns the factor at a point in render space, 0…1. */
     public double factor(float px, float py, float pz) {
-        double transmitted =
-                (fog == null ? 1 : transmittance(fog, px, py, pz)) * (filter == null ? 1 : filter.factor(px, py, pz, position));
-        return isDirectional ? transmitted : transmitted * angularFactor(px, py, pz);
+        return factor(px, py, pz, position.x(), position.y(), position.z());
+    }
+
+    /** Returns the factor at a point for a sample of the light at {@code sx}, {@code sy}, {@code sz}, 0…1. */
+    public double factor(float px, float py, float pz, double sx, double sy, double sz) {
+        double transmitted = (fog == null ? 1 : transmittance(fog, px, py, pz, sx, sy, sz))
+                * (filter == null ? 1 : filter.factor(px, py, pz, sx, sy, sz));
+        return isDirectional ? transmitted : transmitted * angularFactor(px - sx, py - sy, pz - sz);
     }
 
     /** Returns the share of the light that reaches a point through fog. */
-    private double transmittance(FogMedium medium, double px, double py, double pz) {
+    private double transmittance(FogMedium medium, double px, double py, double pz, double sx, double sy, double sz) {
         if (isDirectional) {
-            return FogMedium.transmittance(
-                    medium.depth(px, py, pz, position.x(), position.y(), position.z(), Double.POSITIVE_INFINITY));
+            return FogMedium.transmittance(medium.depth(px, py, pz, sx, sy, sz, Double.POSITIVE_INFINITY));
         }
-        double x = position.x() - px;
-        double y = position.y() - py;
-        double z = position.z() - pz;
+        double x = sx - px;
+        double y = sy - py;
+        double z = sz - pz;
         double distance = Math.sqrt(x * x + y * y + z * z);
         return distance < LightingEquation.MIN_DISTANCE ? 1
                 : FogMedium.transmittance(medium.depth(px, py, pz, x / distance, y / distance, z / distance, distance));
     }
 
-    private double angularFactor(float px, float py, float pz) {
-        double x = px - position.x();
-        double y = py - position.y();
-        double z = pz - position.z();
+    /** Returns the factor in the direction from the light, a vector of any length. */
+    private double angularFactor(double x, double y, double z) {
         double forward = x * axis.x() + y * axis.y() + z * axis.z();
         double side = x * right.x() + y * right.y() + z * right.z();
         double height = x * up.x() + y * up.y() + z * up.z();

@@ -8,6 +8,7 @@ import lightning.scene.GatherSettings;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
+import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.value.DomeRotation;
 import lightning.scene.value.SceneLimits;
@@ -28,9 +29,10 @@ public record BackgroundLight(Rgb color, Optional<EnvironmentMap> map, DomeRotat
     /** Returns the light of a scene's background. */
     public static BackgroundLight of(Scene scene) {
         World world = scene.world();
-        if (world.environment().isPresent()) {
+        Optional<Environment> environment = world.environment();
+        if (environment.isPresent()) {
             return scene.rig().isEnvironmentActive()
-                    ? new BackgroundLight(Rgb.BLACK, Optional.of(world.environment().get().map()), world.dome(), world.lightIntensity(),
+                    ? new BackgroundLight(Rgb.BLACK, environment.map(Environment::map), world.dome(), world.lightIntensity(),
                             Rgb.BLACK)
                     : NONE;
         }

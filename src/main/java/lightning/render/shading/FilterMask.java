@@ -2,7 +2,6 @@ package lightning.render.shading;
 
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
-import lightning.scene.light.FilterShape;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightFilter;
 import lightning.scene.light.LightFlag;
@@ -64,17 +63,16 @@ final class FilterMask {
     }
 
     /** Returns the factor at a point for light from a position, or from a direction of a directional light. */
-    double factor(double px, double py, double pz, Vec3 source) {
-        return (flag == null ? 1 : flagFactor(flag, px, py, pz, source)) * (filter == null ? 1 : filterFactor(filter, px, py, pz));
+    double factor(double px, double py, double pz, double sx, double sy, double sz) {
+        return (flag == null ? 1 : flagFactor(flag, px, py, pz, sx, sy, sz)) * (filter == null ? 1 : filterFactor(filter, px, py, pz));
     }
 
-    private double flagFactor(Place place, double px, double py, double pz, Vec3 source) {
+    private double flagFactor(Place place, double px, double py, double pz, double sx, double sy, double sz) {
         place.write(px, py, pz, local);
         double x = local[0];
         double y = local[1];
         double z = local[2];
-        place.write(isDirectional ? px + source.x() : source.x(), isDirectional ? py + source.y() : source.y(),
-                isDirectional ? pz + source.z() : source.z(), local);
+        place.write(isDirectional ? px + sx : sx, isDirectional ? py + sy : sy, isDirectional ? pz + sz : sz, local);
         double rise = local[2] - z;
         // Share of the way from the point to the light at which it meets the card's plane.
         double t = -z / rise;
@@ -103,7 +101,7 @@ final class FilterMask {
                 yield Double.isNaN(below) ? local[1] < 0 ? 1 : 0 : smooth(below);
             }
         };
-        return 1 - filtered.density() * (filtered.inverted() && filtered.shape() != FilterShape.NONE ? 1 - taken : taken);
+        return 1 - filtered.density() * (filtered.inverted() ? 1 - taken : taken);
     }
 
     /** Returns 1 inside an edge, 0 outside, and a smooth passage between. */

@@ -106,12 +106,15 @@ public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, do
         AreaShape area = light.area();
         double n = area.samples();
         return switch (type()) {
-            case RECT -> area.width() * area.height() / n + (area.width() * area.width() + area.height() * area.height()) / (n * n);
-            case TUBE ->
-                    2 * area.radius() * area.height() / n + (4 * area.radius() * area.radius() + area.height() * area.height()) / (n * n);
+            case RECT -> strip(area.width(), area.height(), n);
+            case TUBE -> strip(2 * area.radius(), area.height(), n);
             case DISC, POINT, SPOT -> Math.PI * area.radius() * area.radius() / n;
             case DIRECTIONAL -> 2 * Math.PI * (1 - Transform.cosDegrees(area.spread())) / n;
         } / 8;
+    }
+
+    private static double strip(double width, double height, double n) {
+        return width * height / n + (width * width + height * height) / (n * n);
     }
 
     /** Returns the points at which shadow rays to a light with a position end. */

@@ -25,7 +25,8 @@ class FilterMaskTest {
 
     private static double factor(LightFlag flag, LightFilter filter, Vec3 point) {
         Light light = Light.of("l", LightType.POINT).withFlag(flag).withFilter(filter);
-        return Objects.requireNonNull(FilterMask.of(light, Vec3.ZERO, false)).factor(point.x(), point.y(), point.z(), ABOVE);
+        return Objects.requireNonNull(FilterMask.of(light, Vec3.ZERO, false)).factor(point.x(), point.y(), point.z(), ABOVE.x(), ABOVE.y(),
+                ABOVE.z());
     }
 
     private static double behind(LightFlag flag, double x, double z) {
@@ -72,9 +73,9 @@ class FilterMaskTest {
         Light light = Light.of("l", LightType.DIRECTIONAL).withFlag(CARD);
         FilterMask mask = Objects.requireNonNull(FilterMask.of(light, Vec3.ZERO, true));
         Vec3 toward = new Vec3(0.6, 0.8, 0);
-        assertThat(mask.factor(-1.5, 0, 0, toward)).isZero();
-        assertThat(mask.factor(0, 0, 0, toward)).isOne();
-        assertThat(mask.factor(-1.5, 2.1, 0, toward)).isOne();
+        assertThat(mask.factor(-1.5, 0, 0, toward.x(), toward.y(), toward.z())).isZero();
+        assertThat(mask.factor(0, 0, 0, toward.x(), toward.y(), toward.z())).isOne();
+        assertThat(mask.factor(-1.5, 2.1, 0, toward.x(), toward.y(), toward.z())).isOne();
     }
 
     @Test

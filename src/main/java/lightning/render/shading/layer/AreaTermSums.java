@@ -153,11 +153,11 @@ final class AreaTermSums {
             return;
         }
         AreaSamples samples = source.samples(rows);
-        AngularMask[] masks = new AngularMask[samples.patterns];
-        Arrays.setAll(masks, t -> mask.at(samples.position(t, s)));
         terms.unroundedFalloffs(rows, source, factors);
         for (int i = 0; i < rows.count; i++) {
-            falloff[i] = (float) (factors[i] * masks[rays.pattern[i]].factor(rows.px[i], rows.py[i], rows.pz[i]));
+            int at = samples.index(s, rays.pattern[i]);
+            falloff[i] = (float) (factors[i]
+                    * mask.factor(rows.px[i], rows.py[i], rows.pz[i], samples.x[at], samples.y[at], samples.z[at]));
         }
     }
 
