@@ -2,6 +2,7 @@ package lightning.editor.document.manipulation;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntFunction;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.scene.Scene;
@@ -26,16 +27,21 @@ public final class GroupBounds {
         for (NodeGroup ancestor : scene.stage().enclosingGroups(group.name())) {
             toScene = toScene.times(ancestor.placement().transform());
         }
-        return edges(toScene.times(group.placement().transform()));
+        Transform transform = toScene.times(group.placement().transform());
+        return box.isEmpty() ? List.of() : edges(corner -> transform.transformPoint(box.corner(corner)));
     }
 
-    private List<LightGizmo.Segment> edges(Transform toScene) {
+    /**
+     * Returns the twelve edges of a box.
+     *
+     * @param corners returns a corner by its bits: 1 for the end of x, 2 for that of y, 4 for that of z
+     */
+    static List<LightGizmo.Segment> edges(IntFunction<Vec3> corners) {
         List<LightGizmo.Segment> lines = new ArrayList<>();
-        for (int corner = 0; corner < NodeBounds.CORNERS && !box.isEmpty(); corner++) {
+        for (int corner = 0; corner < NodeBounds.CORNERS; corner++) {
             for (int axis = 0; axis < 3; axis++) {
                 if ((corner >> axis & 1) == 0) {
-                    lines.add(new LightGizmo.Segment(toScene.transformPoint(box.corner(corner)),
-                            toScene.transformPoint(box.corner(corner | 1 << axis))));
+                    lines.add(new LightGizmo.Segment(corners.apply(corner), corners.apply(corner | 1 << axis)));
                 }
             }
         }

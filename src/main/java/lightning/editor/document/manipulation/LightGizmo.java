@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Vec3;
 import lightning.scene.light.Light;
-import lightning.scene.value.Fog;
 
 /**
  * Wireframe of a light in the preview (paper §3.2), about equally large on the screen at every distance. Point lights are spheres. Spots
@@ -66,16 +65,6 @@ public record LightGizmo(Light light, List<Segment> lines) {
         List<Segment> lines = new ArrayList<>(typeSymbol(light, pixel));
         lines.addAll(outline(light));
         return new LightGizmo(light, lines);
-    }
-
-    /** Returns the outlines of a light's flag and filter at their true size, which are shown while the light is selected. */
-    public static LightGizmo ofFilters(Light light) {
-        return new LightGizmo(light, FilterOutline.of(light));
-    }
-
-    /** Returns the strokes of the box of a fog; none if it has no box. */
-    public static List<Stroke> strokes(Fog fog, PreviewCamera view, Viewport canvas) {
-        return strokes(FilterOutline.of(fog), view, canvas);
     }
 
     private static List<Segment> typeSymbol(Light light, double pixel) {
@@ -167,7 +156,7 @@ public record LightGizmo(Light light, List<Segment> lines) {
         return points;
     }
 
-    private static List<Segment> polygon(List<Vec3> points) {
+    static List<Segment> polygon(List<Vec3> points) {
         List<Segment> lines = new ArrayList<>();
         for (int i = 0; i < points.size(); i++) {
             lines.add(new Segment(points.get(i), points.get((i + 1) % points.size())));
@@ -177,10 +166,6 @@ public record LightGizmo(Light light, List<Segment> lines) {
 
     /** Returns the lines on the canvas, clipped to the near plane. */
     public List<Stroke> strokes(PreviewCamera view, Viewport canvas) {
-        return strokes(lines, view, canvas);
-    }
-
-    private static List<Stroke> strokes(List<Segment> lines, PreviewCamera view, Viewport canvas) {
         double near = NEAR_SHARE * view.distance();
         List<Stroke> strokes = new ArrayList<>();
         for (Segment line : lines) {

@@ -9,6 +9,8 @@ import javafx.scene.layout.Pane;
 import javafx.scene.paint.Color;
 import javafx.scene.shape.StrokeLineCap;
 import lightning.base.math.Vec3;
+import lightning.editor.document.manipulation.FilterOutline;
+import lightning.editor.document.manipulation.GroupBounds;
 import lightning.editor.document.manipulation.LightGizmo;
 import lightning.editor.document.manipulation.NodeGizmo;
 import lightning.editor.document.manipulation.PreviewCamera;
@@ -91,7 +93,7 @@ final class GizmoLayer extends Pane {
             GraphicsContext g = clear(others, canvas);
             draw(g, shiningNow, GizmoPainter.UNSELECTED, view);
             draw(g, darkNow, GizmoPainter.UNLIT, view);
-            GizmoPainter.drawWireframe(g, LightGizmo.strokes(fogNow, camera, canvas), GizmoPainter.UNLIT);
+            GizmoPainter.drawWireframe(g, GroupBounds.strokes(FilterOutline.of(fogNow), camera, canvas), GizmoPainter.UNLIT);
             drawnFog = fogNow;
             drawnView = view;
             shining = shiningNow;
@@ -99,14 +101,12 @@ final class GizmoLayer extends Pane {
         }
         SelectedDrawing newSelection = selectedLight == null ? new SelectedDrawing(view, List.of(), List.of(), null, marks)
                 : new SelectedDrawing(view, LightGizmo.of(selectedLight, camera, canvas, size).lines(),
-                        LightGizmo.ofFilters(selectedLight).lines(), selectedLight.position(),
+                        FilterOutline.of(selectedLight), selectedLight.position(),
                         marks);
         if (!newSelection.equals(drawnSelection)) {
             GraphicsContext g = clear(selected, canvas);
             draw(g, selectedLight == null ? List.of() : List.of(selectedLight), GizmoPainter.SELECTED, view);
-            if (selectedLight != null) {
-                GizmoPainter.drawWireframe(g, LightGizmo.ofFilters(selectedLight).strokes(camera, canvas), GizmoPainter.SELECTED);
-            }
+            GizmoPainter.drawWireframe(g, GroupBounds.strokes(newSelection.filters(), camera, canvas), GizmoPainter.SELECTED);
             GizmoPainter.drawWireframe(g, marks.box(), GizmoPainter.SELECTED);
             marks.handles().ifPresent(gizmo -> GizmoPainter.drawHandles(g, gizmo, camera, canvas, HANDLE_EDGE));
             drawnSelection = newSelection;
