@@ -1,11 +1,9 @@
 package lightning.scene;
 
 import java.util.List;
-import java.util.function.BiFunction;
-import java.util.function.Function;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.base.text.NumberUnit;
+import lightning.scene.attribute.AttributePart;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.value.Fog;
@@ -13,38 +11,32 @@ import lightning.scene.value.SceneLimits;
 
 /** Attributes of a world's {@link Fog}. */
 public final class FogAttributes {
-    public static final SceneAttribute<World, Double> DENSITY = of("fog", "fog density",
+    private static final AttributePart<World, Fog> PART = new AttributePart<>(Fog.NONE, World::fog, World::withFog);
+
+    public static final SceneAttribute<World, Double> DENSITY = PART.attribute("fog", "fog density",
             NumericKind.number(0, SceneLimits.MAX_FOG_DENSITY, 0.01), "per scene unit; 3 / fog is the visibility distance",
             Fog::density, Fog::withDensity);
-    public static final SceneAttribute<World, Rgb> COLOR = of("fog_color", "fog color", NumericKind.color(1),
+    public static final SceneAttribute<World, Rgb> COLOR = PART.attribute("fog_color", "fog color", NumericKind.color(1),
             "linear red, green, blue: the share of light that is scattered", Fog::color, Fog::withColor);
-    public static final SceneAttribute<World, Rgb> AMBIENT = of("fog_ambient", "fog ambient light",
+    public static final SceneAttribute<World, Rgb> AMBIENT = PART.attribute("fog_ambient", "fog ambient light",
             NumericKind.color(SceneLimits.MAX_EMISSION), "linear red, green, blue", Fog::ambient, Fog::withAmbient);
-    public static final SceneAttribute<World, Double> ANISOTROPY = of("fog_anisotropy", "fog anisotropy",
+    public static final SceneAttribute<World, Double> ANISOTROPY = PART.attribute("fog_anisotropy", "fog anisotropy",
             NumericKind.number(-SceneLimits.MAX_ANISOTROPY, SceneLimits.MAX_ANISOTROPY, 0.1),
             "mean cosine: 0 = even, above 0 = forward, below 0 = back", Fog::anisotropy, Fog::withAnisotropy);
-    public static final SceneAttribute<World, Double> HEIGHT = of("fog_height", "fog height",
+    public static final SceneAttribute<World, Double> HEIGHT = PART.attribute("fog_height", "fog height",
             NumericKind.number(-SceneLimits.MAX_COORDINATE, SceneLimits.MAX_COORDINATE, 0.1), "y up to which the density is full",
             Fog::height, Fog::withHeight);
-    public static final SceneAttribute<World, Double> FALLOFF = of("fog_falloff", "fog falloff with height",
+    public static final SceneAttribute<World, Double> FALLOFF = PART.attribute("fog_falloff", "fog falloff with height",
             NumericKind.number(0, SceneLimits.MAX_FOG_DENSITY, 0.1), "per scene unit above the height, 0 = none",
             Fog::falloff, Fog::withFalloff);
-    public static final SceneAttribute<World, Vec3> CENTER = of("fog_center", "fog center", NumericKind.position(),
+    public static final SceneAttribute<World, Vec3> CENTER = PART.attribute("fog_center", "fog center", NumericKind.position(),
             "center of the box, scene units", Fog::center, Fog::withCenter);
-    public static final SceneAttribute<World, Vec3> SIZE = of("fog_size", "fog size",
-            new NumericKind<>(NumericKind.Form.INDEPENDENT, List.of("x", "y", "z"), 0, SceneLimits.MAX_COORDINATE, 0.1, false,
-                    NumberUnit.FACTOR, v -> List.of(v.x(), v.y(), v.z()), n -> new Vec3(n.get(0), n.get(1), n.get(2)),
-                    (name, v) -> SceneLimits.checkRange(name, v, 0, SceneLimits.MAX_COORDINATE)),
+    public static final SceneAttribute<World, Vec3> SIZE = PART.attribute("fog_size", "fog size",
+            NumericKind.lengths(SceneLimits.MAX_COORDINATE),
             "lengths of the box, scene units, 0 = fog everywhere", Fog::size, Fog::withSize);
 
     /** All attributes, in file order. */
     static final List<SceneAttribute<World, ?>> ALL = List.of(DENSITY, COLOR, AMBIENT, ANISOTROPY, HEIGHT, FALLOFF, CENTER, SIZE);
 
     private FogAttributes() {}
-
-    private static <V> SceneAttribute<World, V> of(String name, String title, NumericKind<V> kind, String unit, Function<Fog, V> get,
-            BiFunction<Fog, V, Fog> with) {
-        return new SceneAttribute<>(name, title, kind, get.apply(Fog.NONE), unit, world -> get.apply(world.fog()),
-                (world, v) -> world.withFog(with.apply(world.fog(), v)));
-    }
 }

@@ -112,8 +112,17 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
         return vector(Form.INDEPENDENT, max, step, unit, rangeCheck);
     }
 
+    /** Returns a kind for lengths along x, y and z, from 0. */
+    public static NumericKind<Vec3> lengths(double max) {
+        return vector(Form.INDEPENDENT, 0, max, 0.1, NumberUnit.FACTOR, (what, v) -> SceneLimits.checkRange(what, v, 0, max));
+    }
+
     private static NumericKind<Vec3> vector(Form form, double max, double step, NumberUnit unit, RangeCheck<Vec3> rangeCheck) {
-        return new NumericKind<>(form, AXES, -max, max, step, false, unit, v -> List.of(v.x(), v.y(), v.z()),
+        return vector(form, -max, max, step, unit, rangeCheck);
+    }
+
+    private static NumericKind<Vec3> vector(Form form, double min, double max, double step, NumberUnit unit, RangeCheck<Vec3> rangeCheck) {
+        return new NumericKind<>(form, AXES, min, max, step, false, unit, v -> List.of(v.x(), v.y(), v.z()),
                 n -> new Vec3(n.get(0), n.get(1), n.get(2)), rangeCheck);
     }
 

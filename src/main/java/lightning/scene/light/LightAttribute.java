@@ -19,6 +19,7 @@ import lightning.base.text.Messages;
 import lightning.scene.asset.Gobo;
 import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.LightTexture;
+import lightning.scene.attribute.AttributePart;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
@@ -59,6 +60,9 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     }
 
     private static final List<LightAttribute<?>> REGISTRY = new ArrayList<>();
+    private static final AttributePart<Light, LightFlag> FLAGS = new AttributePart<>(LightFlag.NONE, Light::flag, Light::withFlag);
+    private static final AttributePart<Light, LightFilter> LIGHT_FILTERS =
+            new AttributePart<>(LightFilter.NONE, Light::filter, Light::withFilter);
 
     public static final LightAttribute<LightType> TYPE = of("type", ChoiceKind.of(LightType.class), POINT, "",
             Light::type, Light::withType, Section.KIND, Map.of());
@@ -254,14 +258,18 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
 
     private static <V> LightAttribute<V> flag(String name, String title, ValueKind.LightKind<V> kind, String unit,
             Function<LightFlag, V> get, BiFunction<LightFlag, V, LightFlag> with) {
-        return of(name, title, kind, get.apply(LightFlag.NONE), unit, l -> get.apply(l.flag()),
-                (l, v) -> l.withFlag(with.apply(l.flag(), v)), Section.FILTERS, forAllTypes(LightTerm.FALLOFF));
+        return part(FLAGS, name, title, kind, unit, get, with);
     }
 
     private static <V> LightAttribute<V> filter(String name, String title, ValueKind.LightKind<V> kind, String unit,
             Function<LightFilter, V> get, BiFunction<LightFilter, V, LightFilter> with) {
-        return of(name, title, kind, get.apply(LightFilter.NONE), unit, l -> get.apply(l.filter()),
-                (l, v) -> l.withFilter(with.apply(l.filter(), v)), Section.FILTERS, forAllTypes(LightTerm.FALLOFF));
+        return part(LIGHT_FILTERS, name, title, kind, unit, get, with);
+    }
+
+    private static <P, V> LightAttribute<V> part(AttributePart<Light, P> part, String name, String title, ValueKind.LightKind<V> kind,
+            String unit, Function<P, V> get, BiFunction<P, V, P> with) {
+        return of(name, title, kind, get.apply(part.initial()), unit, part.getter(get), part.setter(with), Section.FILTERS,
+                forAllTypes(LightTerm.FALLOFF));
     }
 
     /** Returns the falloff of rectangles and discs. */

@@ -1,7 +1,6 @@
 package lightning.scene.light;
 
 import io.soabase.recordbuilder.core.RecordBuilder;
-import java.util.List;
 import lightning.base.math.Vec3;
 import lightning.base.text.NumberUnit;
 import lightning.scene.attribute.NumericKind;
@@ -24,10 +23,7 @@ public record LightFilter(FilterShape shape, Vec3 position, Vec3 rotation, Vec3 
         implements LightFilterBuilder.With {
     static final NumericKind<Vec3> ROTATIONS =
             NumericKind.axes(SceneLimits.MAX_ROTATION, 1, NumberUnit.DEGREES, (_, v) -> Placement.IDENTITY.withRotation(v));
-    static final NumericKind<Vec3> SIZES =
-            new NumericKind<>(NumericKind.Form.INDEPENDENT, List.of("x", "y", "z"), 0, SceneLimits.MAX_EXTENT,
-                    0.1, false, NumberUnit.FACTOR, v -> List.of(v.x(), v.y(), v.z()), n -> new Vec3(n.get(0), n.get(1), n.get(2)),
-                    (name, v) -> SceneLimits.checkRange(name, v, 0, SceneLimits.MAX_EXTENT));
+    static final NumericKind<Vec3> SIZES = NumericKind.lengths(SceneLimits.MAX_EXTENT);
     static final NumericKind<Double> SHARES = NumericKind.number(0, 1, 0.1);
     public static final LightFilter NONE = new LightFilter(FilterShape.NONE, Vec3.ZERO, Vec3.ZERO, new Vec3(1, 1, 1), 0, 1, false);
 
