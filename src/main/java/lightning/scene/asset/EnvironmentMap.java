@@ -25,6 +25,8 @@ public final class EnvironmentMap {
     private final Map<Integer, List<EnvironmentLight>> lights = new ConcurrentHashMap<>();
     private final Map<Integer, List<EnvironmentLight>> brightLights = new ConcurrentHashMap<>();
     private final @Nullable EnvironmentSun sun;
+    /** Cosine of the sun's radius; 1 without a sun. */
+    private final double sunCosine;
     private @Nullable Double limit;
     /** Its memory is larger than that of most maps, and it can be computed again. */
     private SoftReference<SmoothGrid> smoothGrid = new SoftReference<>(null);
@@ -50,6 +52,7 @@ public final class EnvironmentMap {
         this.height = height;
         this.rgb = rgb;
         this.sun = sun;
+        sunCosine = sun == null ? 1 : Transform.cosDegrees(sun.radius());
     }
 
     public int width() {
@@ -115,7 +118,7 @@ public final class EnvironmentMap {
      */
     public void radiance(double x, double y, double z, DomeRotation dome, double[] result) {
         radiance(x, y, z, dome, Double.POSITIVE_INFINITY, result);
-        if (sun != null && dome.toWorld().transformVector(sun.direction()).dot(new Vec3(x, y, z)) > Transform.cosDegrees(sun.radius())) {
+        if (sun != null && dome.toWorld().transformVector(sun.direction()).dot(new Vec3(x, y, z)) > sunCosine) {
             Rgb disc = sun.radiance();
             result[0] += disc.r();
             result[1] += disc.g();

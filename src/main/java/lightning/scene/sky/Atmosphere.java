@@ -54,6 +54,13 @@ final class Atmosphere {
         to[2] = Math.max(0, 1 - Math.abs(height - OZONE_HEIGHT) / OZONE_EXTENT);
     }
 
+    /** Adds a piece of a path to the columns along it. */
+    static void addColumns(double[] columns, double[] densities, double length) {
+        for (int c = 0; c < COLUMNS; c++) {
+            columns[c] += densities[c] * length;
+        }
+    }
+
     /**
      * Returns the optical depth of a path in a band.
      *

@@ -73,9 +73,7 @@ final class MultipleScattering {
             Atmosphere.writeDensities(there, density);
             double sunThere = Math.clamp((r * sunCos + t * (ahead * sunSin + cos * sunCos)) / there, -1, 1);
             boolean isLit = SunColumns.TABLE.write(there, sunThere, toSun);
-            for (int c = 0; c < Atmosphere.COLUMNS; c++) {
-                columns[c] += density[c] * step / 2;
-            }
+            Atmosphere.addColumns(columns, density, step / 2);
             for (int b = 0; b < SolarSpectrum.BANDS; b++) {
                 double scattered = (air.molecules[b] * density[0] + Atmosphere.ALBEDO * air.aerosols[b] * density[1]) * step;
                 double depth = air.depth(b, columns);
@@ -84,9 +82,7 @@ final class MultipleScattering {
                     second[b] += scattered * StrictMath.exp(-depth - air.depth(b, toSun)) / (4 * Math.PI);
                 }
             }
-            for (int c = 0; c < Atmosphere.COLUMNS; c++) {
-                columns[c] += density[c] * step / 2;
-            }
+            Atmosphere.addColumns(columns, density, step / 2);
         }
         if (toGround == length) {
             double sunThere = (r * sunCos + length * (ahead * sunSin + cos * sunCos)) / Atmosphere.GROUND;

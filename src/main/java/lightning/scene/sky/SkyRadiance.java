@@ -43,7 +43,7 @@ final class SkyRadiance {
     }
 
     private void march(Atmosphere air, MultipleScattering multiple, int row, int column) {
-        double share = (row + 0.0) / (ELEVATIONS - 1);
+        double share = (double) row / (ELEVATIONS - 1);
         double cos = StrictMath.sin(Math.PI / 2 * share * share);
         double ahead = Math.sqrt(1 - cos * cos) * StrictMath.cos(Math.PI * column / (AZIMUTHS - 1));
         double length = Atmosphere.toTop(Atmosphere.GROUND, cos);
@@ -61,9 +61,7 @@ final class SkyRadiance {
             Atmosphere.writeDensities(r, density);
             boolean isLit = SunColumns.TABLE.write(r, sunThere, toSun);
             multiple.write(r, sunThere, further);
-            for (int c = 0; c < Atmosphere.COLUMNS; c++) {
-                columns[c] += density[c] * step / 2;
-            }
+            Atmosphere.addColumns(columns, density, step / 2);
             for (int b = 0; b < SolarSpectrum.BANDS; b++) {
                 double depth = air.depth(b, columns);
                 double molecules = air.molecules[b] * density[0] * step;
@@ -75,9 +73,7 @@ final class SkyRadiance {
                 }
                 sum[2][b] += (molecules + aerosols) * StrictMath.exp(-depth) * further[b];
             }
-            for (int c = 0; c < Atmosphere.COLUMNS; c++) {
-                columns[c] += density[c] * step / 2;
-            }
+            Atmosphere.addColumns(columns, density, step / 2);
         }
         int at = (row * AZIMUTHS + column) * TERMS;
         for (int k = 0; k < sum.length; k++) {

@@ -19,6 +19,20 @@ final class SolarSpectrum {
     private static final double[] IRRADIANCE = {1.7291, 1.6506, 1.9734, 2.0213, 1.9459, 1.8733, 1.8808, 1.8509, 1.8343, 1.7981, 1.7249,
         1.6642, 1.5631, 1.5338, 1.4611, 1.3890};
 
+    /** Color matching functions of the bands. */
+    private static final double[] X = new double[BANDS];
+    private static final double[] Y = new double[BANDS];
+    private static final double[] Z = new double[BANDS];
+
+    static {
+        for (int i = 0; i < BANDS; i++) {
+            double w = wavelength(i);
+            X[i] = 1.056 * lobe(w, 599.8, 37.9, 31.0) + 0.362 * lobe(w, 442.0, 16.0, 26.7) - 0.065 * lobe(w, 501.1, 20.4, 26.2);
+            Y[i] = 0.821 * lobe(w, 568.8, 46.9, 40.5) + 0.286 * lobe(w, 530.9, 16.3, 31.1);
+            Z[i] = 1.217 * lobe(w, 437.0, 11.8, 36.0) + 0.681 * lobe(w, 459.0, 26.0, 13.8);
+        }
+    }
+
     private SolarSpectrum() {}
 
     /** Returns the middle of a band, nm. */
@@ -38,10 +52,9 @@ final class SolarSpectrum {
         double z = 0;
         for (int i = 0; i < BANDS; i++) {
             double power = factor[i] * IRRADIANCE[i] * WIDTH * LUMENS;
-            double w = wavelength(i);
-            x += power * (1.056 * lobe(w, 599.8, 37.9, 31.0) + 0.362 * lobe(w, 442.0, 16.0, 26.7) - 0.065 * lobe(w, 501.1, 20.4, 26.2));
-            y += power * (0.821 * lobe(w, 568.8, 46.9, 40.5) + 0.286 * lobe(w, 530.9, 16.3, 31.1));
-            z += power * (1.217 * lobe(w, 437.0, 11.8, 36.0) + 0.681 * lobe(w, 459.0, 26.0, 13.8));
+            x += power * X[i];
+            y += power * Y[i];
+            z += power * Z[i];
         }
         return new Rgb(Math.max(3.2406 * x - 1.5372 * y - 0.4986 * z, 0), Math.max(-0.9689 * x + 1.8758 * y + 0.0415 * z, 0),
                 Math.max(0.0557 * x - 0.2040 * y + 1.0570 * z, 0));

@@ -34,9 +34,7 @@ final class SunColumns {
                     double at = length * t * t;
                     double step = length * 2 * t / STEPS;
                     Atmosphere.writeDensities(Math.sqrt(at * at + 2 * r * cos * at + r * r), density);
-                    for (int c = 0; c < Atmosphere.COLUMNS; c++) {
-                        sum[c] += density[c] * step;
-                    }
+                    Atmosphere.addColumns(sum, density, step);
                 }
                 for (int c = 0; c < Atmosphere.COLUMNS; c++) {
                     columns[index(h, d) + c] = (float) sum[c];
