@@ -58,7 +58,7 @@ public final class NewLight {
         double cosine = effective.type() == LightType.DIRECTIONAL || effective.type() == LightType.POINT || distance == 0 ? 1
                 : effective.direction().normalized().dot(toPoint) / distance;
         boolean isOutside = effective.type() == LightType.SPOT && cosine < Math.cos(Math.toRadians(effective.angle()));
-        double share = effective.type() == LightType.TUBE ? Math.sqrt(1 - cosine * cosine)
+        double share = effective.type() == LightType.TUBE ? Math.sqrt(Math.max(0, 1 - cosine * cosine))
                 : effective.type().isSurface() ? Math.max(0, cosine) : isOutside ? 0 : 1;
         return effective.weight().luminance() * share * strength(effective, distance);
     }
