@@ -52,6 +52,7 @@ public class LightningApp extends Application {
     private @Nullable StartupSession startupSession;
     private @Nullable Editor editor;
     private @Nullable IdlePreloader preloader;
+    private boolean isStopped;
 
     /**
      * Opens the editor and returns when its window is closed. At most once per process.
@@ -181,8 +182,8 @@ public class LightningApp extends Application {
     }
 
     /** Runs the action only if the window is still open: it may have been closed while the scene was read. */
-    private static void runIfOpen(Stage stage, Runnable action) {
-        if (stage.isShowing()) {
+    private void runIfOpen(Stage stage, Runnable action) {
+        if (!isStopped && stage.isShowing()) {
             action.run();
         }
     }
@@ -223,6 +224,7 @@ public class LightningApp extends Application {
 
     @Override
     public void stop() {
+        isStopped = true;
         if (editor != null) {
             requireNonNull(preloader).close();
             editor.close();

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import javafx.collections.ListChangeListener;
 import javafx.scene.Node;
 import javafx.scene.Scene;
@@ -22,6 +23,7 @@ import lightning.scene.AntialiasMode;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
+import org.testfx.api.FxToolkit;
 import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
 import org.testfx.framework.junit5.Stop;
@@ -145,6 +147,25 @@ class LightningAppTest {
         FastRobot.settle();
         assertThat(robot.lookup("#welcome").tryQuery()).isEmpty();
         assertThat(stage.getScene().getFocusOwner().getId()).isEqualTo("preview-canvas");
+    }
+
+    /** The window may live on, as with the next test's app, so the editor must not open in it. */
+    @Test
+    void stoppedWhileOpening_opensNoEditor(FxRobot robot) throws Exception {
+        FxToolkit.setupFixture(app::stop);
+        var next = new AtomicReference<Editor>();
+        var nextApp = new LightningApp() {
+            @Override
+            void editorOpened(Editor opened) {
+                next.set(opened);
+            }
+        };
+        nextApp.init();
+        FxToolkit.setupFixture(() -> nextApp.start(stage));
+        TestEditors.await(() -> next.get() != null);
+        FastRobot.settle();
+        FxToolkit.setupFixture(nextApp::stop);
+        assertThat(editor).isNull();
     }
 
     @Test
