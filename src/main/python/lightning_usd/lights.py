@@ -14,6 +14,11 @@ INPUTS = {"intensity": 1.0, "exposure": 0.0, "normalize": False, "diffuse": 1.0,
           "width": 1.0, "height": 1.0, "length": 1.0}
 
 
+def is_mesh_light(prim: Usd.Prim) -> bool:
+    """Returns whether the surface of a mesh is a light."""
+    return prim.HasAPI(UsdLux.MeshLightAPI) and prim.IsA(UsdGeom.Mesh)
+
+
 def is_light(prim: Usd.Prim) -> bool:
     """Returns whether a prim is a light of a type of its own."""
     return prim.GetTypeName() in KINDS or prim.IsA(UsdLux.NonboundableLightBase) or prim.IsA(UsdLux.BoundableLightBase)
@@ -35,7 +40,7 @@ def light(values: Values, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
     """Returns a light at a time."""
     prim = values.prim
     kind = prim.GetTypeName()
-    result: dict[str, Any] = {"type": str(kind), "matrix": world_matrix(UsdGeom.XformCache(time).GetLocalToWorldTransform(prim))}
+    result: dict[str, Any] = {"type": "MeshLight" if is_mesh_light(prim) else str(kind), "matrix": world_matrix(UsdGeom.XformCache(time).GetLocalToWorldTransform(prim))}
     for name, fallback in INPUTS.items():
         found = values.get("inputs:" + name, time, fallback)
         result[name] = bool(found) if isinstance(fallback, bool) else out.number(prim, "inputs:" + name, found, fallback)

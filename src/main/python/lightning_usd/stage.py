@@ -11,7 +11,7 @@ from cameras import camera, chosen_camera, resolution
 from choice import Choice
 from hidden import HiddenParents
 from layers import note_missing, open_layers
-from lights import is_light, light, linked_nodes, rig, unknown_light
+from lights import is_light, is_mesh_light, light, linked_nodes, rig, unknown_light
 from materials import Materials
 from meshes import Meshes, SOLIDS, solid
 from output import MAX_NODES, Output, PrimError, StageError, numbers, world_matrix
@@ -56,6 +56,9 @@ class Walk:
         self.lights: list[tuple[Usd.Prim, tuple[Gf.Matrix4d, bool] | None]] = []
         self.cameras: list[Usd.Prim] = []
         self.prototypes: dict[Sdf.Path, int] = {}
+        # Nodes of the meshes that are lights; those of prototypes are none.
+        self.mesh_lights: dict[Sdf.Path, int] = {}
+        self.is_in_prototype = False
         self.prototype_lights: dict[Sdf.Path, list[tuple[Usd.Prim, Gf.Matrix4d, bool]]] = {}
 
     def run(self) -> None:
@@ -150,8 +153,11 @@ class Walk:
             self.attempt(prim, lambda: self.add_instances(node, prim))
         elif prim.IsA(UsdGeom.Gprim):
             self.attempt(prim, lambda: self.add_geometry(node, prim))
-        if prim.HasAPI(UsdLux.MeshLightAPI):
-            self.out.note("meshes that are lights")
+        if is_mesh_light(prim) and "mesh" in node and not self.is_in_prototype:
+            self.mesh_lights[prim.GetPath()] = index
+            self.lights.append((prim, None))
+        elif prim.HasAPI(UsdLux.MeshLightAPI):
+            self.out.note("lights of point instancers or without a mesh, whose surface was to shine")
         return index
 
     def attempt(self, prim: Usd.Prim, function: Any) -> Any:
@@ -239,7 +245,10 @@ class Walk:
     def walk_prototype(self, prototype: Usd.Prim) -> int:
         """Adds the nodes of a prototype; keeps its lights for its instances, each with its transform to the prototype."""
         count = len(self.lights)
+        outer = self.is_in_prototype
+        self.is_in_prototype = True
         result = self.walk(prototype, -2, True)
+        self.is_in_prototype = outer
         cache = UsdGeom.XformCache(self.time)
         inverse = cache.GetLocalToWorldTransform(prototype).GetInverse()
         self.prototype_lights[prototype.GetPath()] = [
@@ -292,5 +301,8 @@ class Walk:
             result["matrix"] = world_matrix(place[0])
             result["hidden"] = place[1]
             result["rig"]["shared"] = True
+        if prim.GetPath() in self.mesh_lights:
+            result["node"] = self.mesh_lights[prim.GetPath()]
+            result["bound"] = self.materials.of(prim) >= 0
         result["links"] = linked_nodes(prim, self.nodes, self.out)
         return result

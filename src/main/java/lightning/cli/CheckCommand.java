@@ -84,6 +84,7 @@ final class CheckCommand implements Callable<Integer> {
             case RECT -> "rect";
             case DISC -> "disc";
             case TUBE -> "tube";
+            case OBJECT -> "object";
         };
     }
 }

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import lightning.base.text.Quote;
@@ -90,6 +91,9 @@ final class ImportCommand implements Callable<Integer> {
             description = "Indirect light: on, off, or auto, which is on if the camera is in a closed room (default: auto).")
     private IndirectChoice indirect = IndirectChoice.AUTO;
 
+    @Option(names = "--glowing-lights", description = "Make each object that glows a light that shines on others with soft shadows.")
+    private boolean hasGlowingLights;
+
     @Option(names = "--lighting", paramLabel = "LIGHTS",
             description = "Lights of the scene: file (the file's own), studio (soft key, fill and rim lights on a cyclorama) or sky (sun, "
                     + "sky and ground). studio and sky fit the size of the subject, frame it if the file has no camera, and smooth edges "
@@ -121,6 +125,8 @@ final class ImportCommand implements Callable<Integer> {
         }
         boolean saysIndirect = imported.hasIndirect();
         imported = lighting.apply(indirect.apply(imported));
+        Optional<LightUnits> usedUnits = imported.units();
+        imported = hasGlowingLights ? imported.withGlowingLights() : imported;
         imported = keepsOthers ? imported.keepingOthers((old, used) -> console
                 .warn("%s: stays, because it has other content; the scene uses %s", output.resolveSibling(old), Quote.of(used))) : imported;
         List<Path> replaced = keepsOthers ? List.of() : imported.differentFiles();
@@ -136,10 +142,8 @@ final class ImportCommand implements Callable<Integer> {
             writePictures(imported, name.substring(0, name.length() - JenFile.EXTENSION.length()));
         }
         if (units == null) {
-            imported.units()
-                    .ifPresent(
-                            usedUnits -> console.warn("%s: light units taken as %s; --light-pictures shows each choice",
-                                    file, usedUnits.description()));
+            usedUnits.ifPresent(used -> console.warn("%s: light units taken as %s; --light-pictures shows each choice", file,
+                    used.description()));
         }
         if (imported.hasIndirect() && !saysIndirect && indirect == IndirectChoice.AUTO) {
             console.warn("%s: the camera is in a closed room, so indirect light is on; --indirect off leaves it out", file);
@@ -149,7 +153,7 @@ final class ImportCommand implements Callable<Integer> {
                 Console.count(imported.scene().materials().size(), "material"), Console.count(imported.scene().lights().size(), "light"));
         console.report().setResult(new ConversionReport(output.toString(), imported.scene().stage().shapeCount(),
                 imported.scene().materials().size(), imported.scene().lights().size(),
-                imported.units().map(LightUnits::description).orElse(null), imported.hasIndirect(), imported.notes()));
+                usedUnits.map(LightUnits::description).orElse(null), imported.hasIndirect(), imported.notes()));
         return ExitCode.OK;
     }
 

@@ -12,8 +12,6 @@ import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.light.AreaShape;
 import lightning.scene.light.FaceVisibility;
-import lightning.scene.light.Falloff;
-import lightning.scene.light.IntensityUnit;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightRig;
 import lightning.scene.material.AlphaCutout;
@@ -60,7 +58,7 @@ record LightFace(Shape shape, Material material) {
     private static boolean isVisible(Light light) {
         AreaShape area = light.area();
         return area.visibility() != FaceVisibility.HIDDEN && switch (light.type()) {
-            case DIRECTIONAL -> false;
+            case DIRECTIONAL, OBJECT -> false;
             case RECT -> area.width() >= SceneLimits.MIN_SCALE && area.height() >= SceneLimits.MIN_SCALE;
             case POINT, SPOT, DISC -> area.radius() >= SceneLimits.MIN_SCALE;
             case TUBE -> area.radius() >= SceneLimits.MIN_SCALE && area.height() >= SceneLimits.MIN_SCALE;
@@ -80,7 +78,7 @@ record LightFace(Shape shape, Material material) {
                 yield new Shape(Solid.CYLINDER, light.name(), material, new Placement(light.position().minus(axis.times(height / 2)),
                         rotation(AreaShape.DEFAULT.right(axis), axis), new Vec3(radius, height, radius)));
             }
-            case POINT, SPOT, DIRECTIONAL -> new Shape(Solid.SPHERE, light.name(), material,
+            case POINT, SPOT, DIRECTIONAL, OBJECT -> new Shape(Solid.SPHERE, light.name(), material,
                     new Placement(light.position(), Vec3.ZERO, Vec3.ONE.times(area.radius())));
         };
     }
@@ -115,14 +113,14 @@ record LightFace(Shape shape, Material material) {
                 .withCutout(AlphaCutout.NONE.withClip(switch (light.type()) {
                     case RECT -> AlphaCutout.Clip.BACK;
                     case DISC -> AlphaCutout.Clip.BACK_AND_CORNERS;
-                    case POINT, SPOT, DIRECTIONAL, TUBE -> AlphaCutout.Clip.NONE;
+                    case POINT, SPOT, DIRECTIONAL, TUBE, OBJECT -> AlphaCutout.Clip.NONE;
                 }));
         if (light.area().visibility() != FaceVisibility.GLOWING) {
             return black;
         }
         // A view without soft shadows does not change the face.
         Light soft = light.withArea(light.area().withHardShadows(false));
-        Rgb radiance = rig.isActive(light) ? radiance(soft, rig.effectiveLight(soft)) : Rgb.BLACK;
+        Rgb radiance = rig.isActive(light) ? rig.radiance(soft) : Rgb.BLACK;
         // A dark light keeps its texture, so that switching it on looks up no texel.
         return soft.faceImage().isEmpty() ? black.withBulb(Bulb.NONE.withGlow(Bulb.limited(radiance)))
                 : black.withGlowMap(glowMap(light)).withBulb(Bulb.NONE.withGlow(limited(radiance, soft.faceImage().get())));
@@ -137,21 +135,6 @@ record LightFace(Shape shape, Material material) {
     private static Rgb limited(Rgb radiance, Texture image) {
         double max = Math.max(1, image.areas().max());
         return Bulb.limited(radiance.times(max)).times(1 / max);
-    }
-
-    /**
-     * Returns the value of the face in the picture: its luminance in nits for a photometric unit. An inverse-square light is as bright as
-     * white paper that it would light if it touched the paper and filled its view: π/A times color and intensity, where A is the area seen
-     * along the axis. Other relative lights have no luminance: their face has color times intensity, as white paper at falloff 1.
-     * A texture multiplies it.
-     *
-     * @param effective the light with group, exposure, unit and temperature applied
-     */
-    static Rgb radiance(Light light, Light effective) {
-        boolean isPhysical = light.falloff() == Falloff.INVERSE_SQUARE || light.emission().unit() == IntensityUnit.NIT;
-        return isPhysical
-                ? effective.weight().times(Math.min(Math.PI / IntensityUnit.luminousArea(light), SceneLimits.MAX_INTENSITY))
-                : effective.weight();
     }
 
     /** Returns a name that is not among the given ones, the same for the same light if possible, and adds it to them. */

@@ -12,6 +12,7 @@ import lightning.scene.light.LightGroup;
 import lightning.scene.light.LightRig;
 import lightning.scene.material.Material;
 import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
 
 /**
  * Complete input of a render. Two equal scenes give the same image in every bit.
@@ -24,7 +25,7 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
 
     public Scene {
         rig.checkDisjoint(stage.names());
-        rig = rig.withEnvironment(world.environmentLights(rig::isNameUsed), world.meters());
+        rig = rig.withEnvironment(world.environmentLights(rig::isNameUsed), world.meters()).withSurfaces(stage.surfaces(rig));
         stage = stage.withBulbs(rig).withFaces(rig);
         OverflowCheck.check(stage, rig);
     }
@@ -179,6 +180,7 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
     public List<String> names(ValueKind.NameKind.Referent referent) {
         return switch (referent) {
             case LIGHT -> lights().stream().map(Light::name).toList();
+            case SHAPE -> stage.shapes().stream().map(Shape::name).toList();
             case LIGHT_GROUP -> rig.lightGroups().stream().map(LightGroup::name).toList();
         };
     }

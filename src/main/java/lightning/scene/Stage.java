@@ -13,7 +13,11 @@ import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import lightning.base.math.Transform;
 import lightning.base.text.Quote;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.light.Light;
 import lightning.scene.light.LightRig;
+import lightning.scene.light.LightType;
+import lightning.scene.light.ObjectSurface;
 import lightning.scene.material.Material;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.NodeNames;
@@ -91,6 +95,34 @@ public final class Stage {
         return !hasBulbs ? this : withMaterials(materials.stream()
                 .map(m -> m.bulb().light().isEmpty() || m.bulb().litBy(rig).equals(m.bulb()) ? m : m.withBulb(m.bulb().litBy(rig)))
                 .toList());
+    }
+
+    /** Returns the surfaces of the shapes that are lights of a rig, hidden ones too, by the shapes' names. */
+    Map<String, ObjectSurface> surfaces(LightRig rig) {
+        Map<String, ObjectSurface> surfaces = new HashMap<>();
+        for (Light light : rig.lights()) {
+            if (light.type() == LightType.OBJECT && !light.area().shape().isEmpty()) {
+                surface(light, rig).ifPresent(surface -> surfaces.put(light.area().shape(), surface));
+            }
+        }
+        return surfaces.isEmpty() ? Map.of() : Map.copyOf(surfaces);
+    }
+
+    private Optional<ObjectSurface> surface(Light light, LightRig rig) {
+        String name = light.area().shape();
+        if (!(node(name).orElse(null) instanceof Shape shape)) {
+            return Optional.empty();
+        }
+        Transform toScene = Transform.IDENTITY;
+        for (NodeGroup group : enclosingGroups(name)) {
+            toScene = toScene.times(group.placement().transform());
+        }
+        Transform place = toScene.times(shape.placement().transform());
+        Material material = requireNonNull(materialsByName.get(shape.material()));
+        Optional<TextureMap> image = material.bulb().light().equals(light.name()) ? material.glowMap() : Optional.empty();
+        ObjectSurface known = rig.surface(name).orElse(null);
+        return Optional.of(known != null && known.isOf(shape.solid(), place, image) ? known
+                : new ObjectSurface(shape.solid(), place, image, known));
     }
 
     /** Returns this stage with the faces of a rig's visible lights. */

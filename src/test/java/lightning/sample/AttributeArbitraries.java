@@ -66,7 +66,8 @@ public final class AttributeArbitraries {
             // Names of the studio's shapes and others; links to missing names have no effect.
             case ValueKind.LinksKind _ -> LightArbitraries.links().map(AttributeArbitraries::valueOf);
             case ValueKind.GainsKind _ -> LightArbitraries.gains().map(AttributeArbitraries::valueOf);
-            case ValueKind.NameKind _ -> attribute == MaterialAttribute.BULB ? valueOf(MaterialArbitraries.bulbLights()) : current;
+            case ValueKind.NameKind _ -> attribute == MaterialAttribute.BULB ? valueOf(MaterialArbitraries.bulbLights())
+                    : attribute == LightAttribute.SHAPE ? valueOf(LightArbitraries.shapes()) : current;
             case ValueKind.AssetKind<?> _,ValueKind.TextureKind _ -> current;
         };
     }

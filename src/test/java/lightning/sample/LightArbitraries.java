@@ -237,8 +237,13 @@ final class LightArbitraries {
                 Tuple.of(1, Arbitraries.of(1e-9, 90.0)));
         Arbitrary<Vec3> up = Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Vec3.Y, new Vec3(0, -1, 0))),
                 Tuple.of(1, NumberArbitraries.vectors(-2, 2).filter(v -> v.maxAbs() > 1e-3)));
-        return Combinators.combine(Combinators.combine(length, spread, length, length, up, samples()).as(AreaShape::new), visibilities())
-                .as(AreaShape::withVisibility);
+        return Combinators.combine(Combinators.combine(length, spread, length, length, up, samples()).as(AreaShape::new), visibilities(),
+                shapes()).as((area, visibility, shape) -> area.withVisibility(visibility).withShape(shape));
+    }
+
+    /** Returns names of shapes that may be lights, of groups and of none. */
+    static Arbitrary<String> shapes() {
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.just("")), Tuple.of(6, LINKED_NAMES));
     }
 
     private static Arbitrary<FaceVisibility> visibilities() {

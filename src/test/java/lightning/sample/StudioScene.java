@@ -41,11 +41,11 @@ public final class StudioScene {
         return scene.withLights(lights).withPicture(scene.picture().withSize(width, height));
     }
 
-    /** Returns a point-sized light with rows of every state: lit, shadowed and, for a spot, outside its cone. */
+    /** Returns a point-sized light, or the light of the ball, with rows of every state: lit, shadowed and, for a spot, outside its cone. */
     public static Light key(LightType type) {
         return Light.of(KEY, type).withPosition(new Vec3(2, 4, 2)).withDirection(new Vec3(-2, -4.5, -2.2))
                 .withAttenuation(new Attenuation(0.1, 0.2, 0.01)).withAngle(20).withDropoff(2)
-                .withArea(AreaShape.DEFAULT.withWidth(0).withHeight(0));
+                .withArea(AreaShape.DEFAULT.withWidth(0).withHeight(0).withShape(type == LightType.OBJECT ? "ball" : ""));
     }
 
     private static Material material(String name, Rgb reflective) {

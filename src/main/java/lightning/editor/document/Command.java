@@ -77,6 +77,8 @@ public enum Command {
             DisabledReasons.unlessAnimating(DisabledReasons::noShapeOrTooManyShapes)),
     DELETE_SHAPE(Messages.key("Delete Object"), Messages.key("Delete the selected object or group"), "mdi2t-trash-can-outline", "",
             DisabledReasons.unlessAnimating(DisabledReasons::noShape)),
+    MAKE_LIGHT(Messages.key("Make It a Light"), Messages.key("Make the selected object a light, as bright as its glow"),
+            "mdi2l-lightbulb-on-outline", "", DisabledReasons.unlessAnimating(DisabledReasons::noShape)),
     RENAME_SHAPE(Messages.key("Rename Object"), Messages.key("Rename the selected object or group"), "mdi2r-rename-box", "",
             DisabledReasons.unlessAnimating(DisabledReasons::noShape)),
     CHOOSE_PROFILE(Messages.key("Choose IES Profile"), Messages.key("Apply an IES profile from the scene's folder to the light"),

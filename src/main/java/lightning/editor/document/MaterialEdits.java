@@ -9,6 +9,7 @@ import lightning.format.jen.PropertyEdit;
 import lightning.scene.Scene;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.light.Emission;
+import lightning.scene.light.LightType;
 import lightning.scene.material.Bulb;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
@@ -56,7 +57,9 @@ public final class MaterialEdits {
     public static EditOutcome setBulb(Scene scene, String name, String light) {
         return edit(scene, name, m -> {
             double weight = scene.light(light).map(l -> scene.rig().effectiveLight(l).weight().max()).orElse(0.0);
-            boolean isInitial = m.bulb().exposure() == Bulb.NONE.exposure() && weight > 0;
+            // The bulb of an object's light has the radiance of the light.
+            boolean isObject = scene.light(light).filter(l -> l.type() == LightType.OBJECT).isPresent();
+            boolean isInitial = m.bulb().exposure() == Bulb.NONE.exposure() && weight > 0 && !isObject;
             Material bulb = MaterialAttribute.BULB.with(m, light);
             return isInitial ? MaterialAttribute.BULB_EXPOSURE.with(bulb, exposure(weight)) : bulb;
         });

@@ -24,6 +24,8 @@ public final class NewLight {
     private static final double STOPS_BELOW_KEY = 2;
     /** Least brightness of a key light, in stops below white paper: a scene that is nearly dark needs no fainter light. */
     private static final double DARKEST_KEY = 8;
+    /** Share of the surface of a convex object that is seen, projected: a quarter (Cauchy 1850). */
+    private static final double CONVEX_SHARE = 0.25;
 
     private NewLight() {}
 
@@ -59,7 +61,8 @@ public final class NewLight {
                 : effective.direction().normalized().dot(toPoint) / distance;
         boolean isOutside = effective.type() == LightType.SPOT && cosine < Math.cos(Math.toRadians(effective.angle()));
         double share = effective.type() == LightType.TUBE ? Math.sqrt(Math.max(0, 1 - cosine * cosine))
-                : effective.type().isSurface() ? Math.max(0, cosine) : isOutside ? 0 : 1;
+                : effective.type() == LightType.OBJECT ? CONVEX_SHARE : effective.type().isSurface() ? Math.max(0, cosine) : isOutside ? 0
+                : 1;
         return effective.weight().luminance() * share * strength(effective, distance);
     }
 
@@ -71,7 +74,7 @@ public final class NewLight {
         double radius = switch (type) {
             case DISC -> size / 2;
             case TUBE -> size / 40;
-            case DIRECTIONAL, POINT, SPOT, RECT -> 0;
+            case DIRECTIONAL, POINT, SPOT, RECT, OBJECT -> 0;
         };
         Light light = Light.of(type.name().toLowerCase(Locale.ROOT), type).withPosition(position);
         light = type == LightType.TUBE ? light.withDirection(AreaShape.DEFAULT.right(target.minus(position).normalized()))

@@ -7,6 +7,7 @@ import java.util.function.UnaryOperator;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.editor.document.manipulation.DuplicateOffset;
+import lightning.scene.ObjectLight;
 import lightning.scene.Scene;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
@@ -45,6 +46,16 @@ public final class NodeEdits {
     /** Deletes a shape, or a group with its content. */
     public static EditOutcome delete(Scene scene, String name) {
         return EditOutcome.of(() -> scene.replaceNode(node(scene, name).name(), List.of()));
+    }
+
+    /** Makes a shape a light as bright as its glow; refused for a group. @param light name of the new light */
+    public static EditOutcome makeLight(Scene scene, String name, String light) {
+        return EditOutcome.of(() -> {
+            if (!(node(scene, name) instanceof Shape)) {
+                throw new IllegalArgumentException(Messages.tr("{0} is a group; only an object can be a light", name));
+            }
+            return ObjectLight.make(scene, name, light);
+        });
     }
 
     /** Renames a node; refused if the name is taken or invalid in a scene file. */

@@ -54,7 +54,7 @@ final class PunctualLightExport {
             case DIRECTIONAL -> GltfLight.Type.DIRECTIONAL;
             case POINT -> GltfLight.Type.POINT;
             case SPOT, RECT, DISC -> GltfLight.Type.SPOT;
-            case TUBE -> GltfLight.Type.POINT;
+            case TUBE, OBJECT -> GltfLight.Type.POINT;
         };
         return new GltfLight(0, light.name(), gltfType, color, intensity,
                 inner.isPresent() ? Math.toRadians(inner.getAsDouble()) : innerAngle(dropoff, outer), outer, false, settings);

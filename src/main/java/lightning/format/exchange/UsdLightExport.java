@@ -111,6 +111,15 @@ public final class UsdLightExport {
         Optional<UsdOriginal> original = Optional.ofNullable(paths.originals().get(light.name()));
         String type = UsdLightValues.typeOf(light, stagePrim.map(UsdPaths.Prim::type).orElse(""));
         noteLosses(light);
+        boolean isMesh = type.equals(UsdLightValues.MESH);
+        if (stagePrim.isPresent() && isMesh != stagePrim.get().type().equals(UsdLightValues.MESH)) {
+            notes.add("lights that became an object or were one, not written");
+            return;
+        }
+        if (isMesh && stagePrim.isEmpty()) {
+            addMeshLight(light);
+            return;
+        }
         if (stagePrim.isPresent() && original.isPresent()) {
             sparse.add(light, type, stagePrim.get(), original.get(), animated.shot(), states(light));
             return;
@@ -130,6 +139,19 @@ public final class UsdLightExport {
         }
         writer.setLinks(prim, "lightLink", light.illuminates());
         writer.setLinks(prim, "shadowLink", light.shadowedBy());
+    }
+
+    /** Makes the prim of a shape, which must be a mesh, a light. */
+    private void addMeshLight(Light light) {
+        Optional<String> path = Optional.ofNullable(paths.objects().get(light.area().shape()));
+        notes.add("lights of objects that the stage does not have", path.isEmpty() ? 1 : 0);
+        if (path.isPresent()) {
+            UsdLayer.Prim prim = layer.prim(path.get());
+            prim.metadata("prepend apiSchemas", "[\"MeshLightAPI\"]");
+            values(light, UsdLightValues.MESH).forEach((declaration, samples) -> writer.set(prim, declaration, samples));
+            writer.setLinks(prim, "lightLink", light.illuminates());
+            writer.setLinks(prim, "shadowLink", light.shadowedBy());
+        }
     }
 
     /** Returns a light at all frames; at one time only if nothing moves. */

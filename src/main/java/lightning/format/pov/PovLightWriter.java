@@ -139,7 +139,7 @@ record PovLightWriter(BoundingSphere bounds, List<String> warnings) {
         String shape = switch (light.type()) {
             case RECT, TUBE -> "";
             case DISC, DIRECTIONAL -> " circular";
-            case POINT, SPOT -> " circular orient";
+            case POINT, SPOT, OBJECT -> " circular orient";
         };
         // The outermost samples lie at the ends of the vectors, and jitter moves each by up to half their spacing.
         double inset = (gridSize - 1.0) / gridSize;

@@ -60,16 +60,20 @@ public final class AngularMask {
     private final @Nullable FilterMask filter;
     private final boolean isDirectional;
     private final boolean isTube;
+    private final boolean isObject;
+    private final boolean bothSides;
 
     private AngularMask(LightSource source) {
         position = source.position();
         fog = source.fog();
         isDirectional = source.type() == LightType.DIRECTIONAL;
         isTube = source.type() == LightType.TUBE;
+        isObject = source.type() == LightType.OBJECT;
+        bothSides = source.cosAngle() < 0;
         filter = FilterMask.of(source.light(), source.origin(), isDirectional);
         boolean isSurface = source.type().isSurface();
         boolean hasDoors = LightAttribute.DOORS.appliesTo(source.type());
-        axis = hasDoors || isTube ? source.axis() : DOWN;
+        axis = hasDoors || isTube || isObject ? source.axis() : DOWN;
         right = isSurface ? source.light().area().right(axis) : right(axis);
         up = right.cross(axis);
         doors = hasDoors ? source.light().doors() : BarnDoors.OPEN;
@@ -95,6 +99,7 @@ public final class AngularMask {
             case RECT, DISC -> isShaped(source.light()) || !source.light().beam().isOpen();
             case DIRECTIONAL -> false;
             case TUBE -> true;
+            case OBJECT -> source.light().isArea();
         };
     }
 
@@ -114,9 +119,33 @@ public final class AngularMask {
 
     /** Returns the factor at a point for a sample of the light at {@code sx}, {@code sy}, {@code sz}, 0…1. */
     public double factor(float px, float py, float pz, double sx, double sy, double sz) {
+        return transmitted(px, py, pz, sx, sy, sz) * (isDirectional ? 1
+                : isObject ? lambert(px - sx, py - sy, pz - sz, axis.x(), axis.y(), axis.z(), bothSides)
+                : angularFactor(px - sx, py - sy, pz - sz));
+    }
+
+    /** Returns the factor at a point for sample {@code i} of the light, 0…1. */
+    public double factor(float px, float py, float pz, AreaSamples samples, int i) {
+        SampleNormals normals = samples.normals();
+        double sx = samples.x[i];
+        double sy = samples.y[i];
+        double sz = samples.z[i];
+        return normals == null ? factor(px, py, pz, sx, sy, sz) : transmitted(px, py, pz, sx, sy, sz)
+                * lambert(px - sx, py - sy, pz - sz, normals.x()[i], normals.y()[i], normals.z()[i], normals.bothSides()[i]);
+    }
+
+    /** Returns the cosine of the angle of a vector of any length from a unit vector: its absolute value for both sides, or at least 0. */
+    private static double lambert(double x, double y, double z, double nx, double ny, double nz, boolean both) {
+        double length = Math.sqrt(x * x + y * y + z * z);
+        double cosine = length > 0 ? SampleNormals.height(x, y, z, nx, ny, nz) / length : 1;
+        return Math.min(both ? Math.abs(cosine) : Math.max(0, cosine), 1);
+    }
+
+    /** Returns the share of the light of a sample that filters and fog let through to a point. */
+    private double transmitted(float px, float py, float pz, double sx, double sy, double sz) {
         double transmitted = (fog == null ? 1 : transmittance(fog, px, py, pz, sx, sy, sz))
                 * (filter == null ? 1 : filter.factor(px, py, pz, sx, sy, sz));
-        return isDirectional ? transmitted : transmitted * angularFactor(px - sx, py - sy, pz - sz);
+        return transmitted;
     }
 
     /** Returns the share of the light that reaches a point through fog. */

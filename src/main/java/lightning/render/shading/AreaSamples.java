@@ -7,12 +7,14 @@ import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
 import lightning.render.trace.SamplePattern;
+import lightning.render.trace.primitive.TextureLookup;
 import lightning.scene.SamplingSettings;
 import lightning.scene.asset.SummedAreaTable;
 import lightning.scene.asset.Texture;
 import lightning.scene.light.AreaShape;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
+import lightning.scene.light.ObjectSurface;
 import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
 
@@ -29,6 +31,7 @@ import org.jspecify.annotations.Nullable;
  * <li>a disc by (√u, 2πv) in polar coordinates;
  * <li>the sphere of a point or spot light by height 1 − 2u along y and longitude 2πv (Archimedes);
  * <li>the side of a tube by height along its axis and angle 2πv around it;
+ * <li>the surface of an object by {@link ObjectSurface#point};
  * <li>a cap of directions by cosine 1 − u·(1 − cos spread) and longitude 2πv.
  * </ul>
  *
@@ -65,11 +68,14 @@ public final class AreaSamples {
     public final double[] z;
     /** Colors by the same index: red, green and blue; null if all are white. Must not be modified. */
     public final float @Nullable [][] color;
+    private final @Nullable SampleNormals normals;
     private final double extent;
     private final Vec3 min;
     private final Vec3 max;
 
-    private AreaSamples(Vec3 center, Vec3[] offsets, int count, int patterns, float @Nullable [][] colors) {
+    private AreaSamples(Vec3 center, Vec3[] offsets, int count, int patterns, float @Nullable [][] colors,
+            @Nullable SampleNormals normals) {
+        this.normals = normals;
         this.patterns = patterns;
         this.count = count;
         refinedCount = offsets.length / patterns;
@@ -98,17 +104,18 @@ public final class AreaSamples {
      * Creates the samples that rows of pixel centers use.
      *
      * @param light  a light for which {@link Light#isArea} holds
+     * @param origin origin of render space in the scene
      * @param source the light's center, or the unit vector towards a directional light
      * @param axis   the unit direction in which the light shines
      */
-    static AreaSamples ofCenters(Light light, Vec3 source, Vec3 axis) {
-        return of(light, source, axis, light.area().samples(), refined(light.area().samples()), 1, ROTATIONS);
+    static AreaSamples ofCenters(Light light, Vec3 origin, Vec3 source, Vec3 axis) {
+        return of(light, origin, source, axis, light.area().samples(), refined(light.area().samples()), 1, ROTATIONS);
     }
 
     /** Creates the samples that rows of finer samples use. */
-    static AreaSamples ofFineSamples(Light light, Vec3 source, Vec3 axis, SamplingSettings sampling) {
+    static AreaSamples ofFineSamples(Light light, Vec3 origin, Vec3 source, Vec3 axis, SamplingSettings sampling) {
         int n = sampling.lightSamples(light.area().samples());
-        return of(light, source, axis, n, n, SamplePattern.parts(sampling.grid()), SamplePattern.rotations(sampling.grid()));
+        return of(light, origin, source, axis, n, n, SamplePattern.parts(sampling.grid()), SamplePattern.rotations(sampling.grid()));
     }
 
     /**
@@ -116,7 +123,7 @@ public final class AreaSamples {
      * @param refined samples of a row in a penumbra
      * @param parts   number of parts of the whole sample pattern
      */
-    private static AreaSamples of(Light light, Vec3 source, Vec3 axis, int n, int refined, int parts, int rotations) {
+    private static AreaSamples of(Light light, Vec3 origin, Vec3 source, Vec3 axis, int n, int refined, int parts, int rotations) {
         AreaShape area = light.area();
         int patterns = parts * rotations;
         // A ball and a cone of directions look the same for every up vector.
@@ -124,19 +131,36 @@ public final class AreaSamples {
         Vec3 top = right.cross(axis);
         Vec3[] offsets = new Vec3[refined * patterns];
         SummedAreaTable image = light.faceImage().map(Texture::areas).orElse(null);
-        float[][] colors = image == null ? null : new float[3][offsets.length];
+        ObjectSurface surface = light.type() == LightType.OBJECT ? area.surface().orElseThrow() : null;
+        var images = new TextureLookup();
+        float[] rgb = new float[3];
+        SampleNormals normals = surface == null ? null : new SampleNormals(offsets.length);
+        float[][] colors = image == null && (surface == null || surface.glowMap().isEmpty()) ? null : new float[3][offsets.length];
         for (int pattern = 0; pattern < patterns; pattern++) {
             int t = pattern / parts;
             for (int i = 0; i < refined; i++) {
                 double s = parts * (i % n) + pattern % parts + 0.5 * (i / n % 2);
                 double u = fraction((s + 0.5) / (n * parts) + t * PLASTIC);
                 double v = fraction(s * GOLDEN + t * PLASTIC_SQUARED + 0.5 * (i / n / 2));
+                if (surface != null && normals != null) {
+                    ObjectSurface.Point point = surface.point(u, v);
+                    offsets[patterns * i + pattern] = point.position().minus(origin).minus(source);
+                    normals.set(patterns * i + pattern, point.normal(), point.bothSides());
+                    if (colors != null) {
+                        images.lookUpAt(surface.glowMap().orElseThrow(), point.u(), point.v(), rgb);
+                        for (int c = 0; c < 3; c++) {
+                            colors[c][patterns * i + pattern] = rgb[c];
+                        }
+                    }
+                    continue;
+                }
                 offsets[patterns * i + pattern] = switch (light.type()) {
                     case RECT -> right.times((u - 0.5) * area.width()).plus(top.times((v - 0.5) * area.height()));
                     case DISC -> onCircle(right, top, area.radius() * Math.sqrt(u), v);
                     case POINT, SPOT -> onCircle(new Vec3(1, 0, 0), new Vec3(0, 0, 1), area.radius() * 2 * Math.sqrt(u * (1 - u)), v)
                             .plus(new Vec3(0, area.radius() * (1 - 2 * u), 0));
                     case TUBE -> onCircle(right, top, area.radius(), v).plus(axis.times((u - 0.5) * area.height()));
+                    case OBJECT -> throw new IllegalArgumentException("an object has samples on its surface only");
                     case DIRECTIONAL -> {
                         double cos = 1 - u * (1 - Transform.cosDegrees(area.spread()));
                         Vec3 toward = source.times(cos).plus(onCircle(right, top, Math.sqrt(Math.max(0, 1 - cos * cos)), v));
@@ -156,7 +180,7 @@ public final class AreaSamples {
                 }
             }
         }
-        return new AreaSamples(source, offsets, n, patterns, colors);
+        return new AreaSamples(source, offsets, n, patterns, colors, normals);
     }
 
     private static Vec3 onCircle(Vec3 right, Vec3 top, double radius, double rotation) {
@@ -182,6 +206,11 @@ public final class AreaSamples {
                     : rows.pattern == null ? rotation(rows.px[i], rows.py[i], rows.pz[i]) : rows.pattern[i] & 0xFF;
             rays.patternLanes[i] = rays.pattern[i];
         }
+    }
+
+    /** Returns the directions to which the samples of an object shine; null for other lights. */
+    public @Nullable SampleNormals normals() {
+        return normals;
     }
 
     /** Returns the index of sample {@code s} in a pattern. */

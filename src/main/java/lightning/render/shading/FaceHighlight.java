@@ -52,7 +52,7 @@ public final class FaceHighlight {
     /** Returns whether a light has a face with an area; that of a tube is not known. */
     public static boolean hasFace(LightSource light) {
         AreaShape shape = light.light().area();
-        return light.isArea() && light.type() != LightType.TUBE
+        return light.isArea() && light.type() != LightType.TUBE && light.type() != LightType.OBJECT
                 && (light.type() != LightType.RECT || shape.width() > 0 && shape.height() > 0);
     }
 
@@ -82,7 +82,7 @@ public final class FaceHighlight {
                 setCircle(light.position().times(cos), right, top, Math.sqrt(Math.max(0, 1 - cos * cos)));
             }
             case POINT, SPOT -> ball = shape.radius();
-            case TUBE -> throw new IllegalArgumentException("the face of a tube is not known");
+            case TUBE, OBJECT -> throw new IllegalArgumentException("the face of a tube or an object is not known");
         }
     }
 

@@ -10,6 +10,7 @@ import lightning.render.fog.FogMedium;
 import lightning.render.trace.HitRows;
 import lightning.scene.Scene;
 import lightning.scene.light.AreaShape;
+import lightning.scene.light.IntensityUnit;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import org.jspecify.annotations.Nullable;
@@ -21,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  * @param origin   origin of render space in the scene
  * @param position the position; for a directional light the unit vector towards it
  * @param axis     the unit direction in which the light shines
- * @param cosAngle cosine of the cone's half-angle; a surface light has a half-space
+ * @param cosAngle cosine of the cone's half-angle; a surface light has a half-space, and so has a sample of an object unless it shines to both sides
  * @param dropoff  exponent of the falloff from the axis; of a surface one more than its focus (Lambert's cosine)
  * @param centerSamples samples of an area light that rows of pixel centers use; null for a point light, whose only sample is its
  *     position
@@ -38,12 +39,13 @@ public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, do
         Vec3 source = light.type().hasPosition() ? light.position().minus(scene.camera().origin()) : axis.negated();
         boolean surface = light.type().isSurface();
         FogMedium fog = FogMedium.of(scene);
-        return new LightSource(light, scene.camera().origin(), source, axis, surface ? 0 : Transform.cosDegrees(light.angle()),
-                surface ? 1 + light.dropoff() : light.dropoff(),
+        boolean object = light.type() == LightType.OBJECT;
+        return new LightSource(light, scene.camera().origin(), source, axis,
+                surface ? 0 : object ? -1 : Transform.cosDegrees(light.angle()), surface ? 1 + light.dropoff() : light.dropoff(),
                 fog != null && (light.type().hasPosition() || fog.hasBounds()) ? fog : null,
-                light.isArea() ? AreaSamples.ofCenters(light, source, axis) : null,
+                light.isArea() ? AreaSamples.ofCenters(light, scene.camera().origin(), source, axis) : null,
                 light.isArea() && scene.picture().sampling().isSupersampled()
-                        ? AreaSamples.ofFineSamples(light, source, axis, scene.picture().sampling()) : null);
+                        ? AreaSamples.ofFineSamples(light, scene.camera().origin(), source, axis, scene.picture().sampling()) : null);
     }
 
     /** Returns the same source in other fog. */
@@ -71,7 +73,7 @@ public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, do
             case DIRECTIONAL -> AngularMask.isActive(this);
             case POINT -> !light.hasNoAttenuation() || AngularMask.isActive(this);
             case SPOT -> !light.hasNoAttenuation() || dropoff != 0 || AngularMask.isActive(this);
-            case RECT, DISC, TUBE -> true;
+            case RECT, DISC, TUBE, OBJECT -> true;
         };
     }
 
@@ -107,6 +109,7 @@ public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, do
         double n = area.samples();
         return switch (type()) {
             case RECT -> strip(area.width(), area.height(), n);
+            case OBJECT -> IntensityUnit.luminousArea(light) / n;
             case TUBE -> strip(2 * area.radius(), area.height(), n);
             case DISC, POINT, SPOT -> Math.PI * area.radius() * area.radius() / n;
             case DIRECTIONAL -> 2 * Math.PI * (1 - Transform.cosDegrees(area.spread())) / n;
@@ -129,8 +132,17 @@ public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, do
         return fineSamples == null ? extent : Math.max(extent, fineSamples.extent());
     }
 
-    /** Returns a sample of an area light at a position as a light of its own. */
-    public LightSource at(Vec3 sample) {
-        return new LightSource(light, origin, sample, axis, cosAngle, dropoff, fog, null, null);
+    /** Returns a sample of an area light as a light of its own; one of an object shines along its axis. */
+    public LightSource at(AreaSamples samples, int pattern, int s) {
+        int index = samples.index(s, pattern);
+        SampleNormals normals = samples.normals();
+        return new LightSource(light, origin, samples.position(pattern, s), normals == null ? axis : normals.normal(index),
+                normals == null ? cosAngle : normals.bothSides()[index] ? -1 : 0, dropoff, fog, null, null);
+    }
+
+    /** Returns whether a point is behind this sample of an object, which shines to one side only. */
+    boolean isBehind(double px, double py, double pz) {
+        return type() == LightType.OBJECT && cosAngle == 0
+                && SampleNormals.height(px - position.x(), py - position.y(), pz - position.z(), axis.x(), axis.y(), axis.z()) < 0;
     }
 }

@@ -72,9 +72,9 @@ public final class LightingEquation {
         }
     }
 
-    /** Returns N·L; the row faces away unless this is above 0. */
+    /** Returns N·L; the row faces away unless this is above 0. A row behind a sample of an object faces away from it: 0. */
     public float cosine(float nx, float ny, float nz) {
-        return (float) (nx * lx + ny * ly + nz * lz);
+        return source.isBehind(px, py, pz) ? 0 : (float) (nx * lx + ny * ly + nz * lz);
     }
 
     /** Returns −L·direction, the cosine of the angle between the cone's axis and the row, −1…1. */
@@ -224,7 +224,7 @@ public final class LightingEquation {
     public float falloff() {
         return switch (source.type()) {
             case DIRECTIONAL -> (float) maskFactor();
-            case POINT, TUBE -> (float) (attenuation() * maskFactor());
+            case POINT, TUBE, OBJECT -> (float) (attenuation() * maskFactor());
             case SPOT, RECT, DISC -> {
                 double c = axisCosine();
                 yield (float) (attenuation() * PowerFunction.pow(c > 0 ? c : 0, source.dropoff()) * maskFactor());

@@ -81,7 +81,8 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
         /** What a name refers to. */
         public enum Referent {
             LIGHT,
-            LIGHT_GROUP
+            LIGHT_GROUP,
+            SHAPE
         }
 
         @Override

@@ -181,7 +181,7 @@ public final class RenderEffect {
 
     private static RenderEffect lights(LightType type) {
         String title = switch (type) {
-            case DIRECTIONAL, POINT, SPOT, DISC, TUBE -> type.name().toLowerCase(Locale.ROOT);
+            case DIRECTIONAL, POINT, SPOT, DISC, TUBE, OBJECT -> type.name().toLowerCase(Locale.ROOT);
             case RECT -> "rectangular";
         } + " lights";
         return new RenderEffect(type.name().toLowerCase(Locale.ROOT) + "-lights", title, uses -> uses.lights(l -> l.type() == type),

@@ -1,8 +1,11 @@
 package lightning.scene.light;
 
 import io.soabase.recordbuilder.core.RecordBuilder;
+import java.util.Optional;
 import lightning.base.math.Vec3;
+import lightning.base.text.Messages;
 import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.ValueKind;
 import lightning.scene.value.SceneLimits;
 
 /**
@@ -16,14 +19,18 @@ import lightning.scene.value.SceneLimits;
  * @param samples number of points or directions that are averaged
  * @param visibility whether the camera sees the light itself; a directional light is never seen
  * @param hardShadows true if the light shines from its center, with hard shadows and the mean color of its texture, in a view without soft shadows; not part of a document
+ * @param shape       name of the shape that shines; empty for none
+ * @param surface     surface of this shape where the scene has placed it, derived by {@link LightRig}; not part of a document
  */
 @RecordBuilder
 public record AreaShape(double radius, double spread, double width, double height, Vec3 up, int samples,
-        FaceVisibility visibility, boolean hardShadows) implements AreaShapeBuilder.With {
+        FaceVisibility visibility, boolean hardShadows, String shape, Optional<ObjectSurface> surface) implements AreaShapeBuilder.With {
     static final NumericKind<Double> EXTENTS = NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1);
     static final NumericKind<Vec3> UPS = NumericKind.direction();
     static final NumericKind<Double> SPREADS = NumericKind.degrees(0, SceneLimits.MAX_SPREAD, 0.5);
     static final NumericKind<Integer> SAMPLE_COUNTS = NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES);
+
+    static final ValueKind.NameKind SHAPES = new ValueKind.NameKind(ValueKind.NameKind.Referent.SHAPE, Messages.key("Object that shines"));
 
     /** Initial values of a light. */
     public static final AreaShape DEFAULT = new AreaShape(0, 0, 1, 1, Vec3.Y, 16);
@@ -36,11 +43,12 @@ public record AreaShape(double radius, double spread, double width, double heigh
         EXTENTS.check("height", height);
         UPS.check("up", up);
         SAMPLE_COUNTS.check("samples", samples);
+        SHAPES.check("shape", shape);
     }
 
     /** Creates the size of a light that the camera does not see. */
     public AreaShape(double radius, double spread, double width, double height, Vec3 up, int samples) {
-        this(radius, spread, width, height, up, samples, FaceVisibility.HIDDEN, false);
+        this(radius, spread, width, height, up, samples, FaceVisibility.HIDDEN, false, "", Optional.empty());
     }
 
     /**

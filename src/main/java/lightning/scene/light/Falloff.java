@@ -23,6 +23,7 @@ public enum Falloff {
             case RECT -> samples * Math.PI / (area.width() * area.height());
             case TUBE -> samples * Math.PI / (2 * area.radius() * area.height());
             case POINT, SPOT, DISC -> samples / (area.radius() * area.radius());
+            case OBJECT -> area.samples() * Math.PI / area.surface().map(ObjectSurface::area).orElse(0.0);
         };
         return this == CUSTOM ? 1 : Math.min(limit, MAX);
     }

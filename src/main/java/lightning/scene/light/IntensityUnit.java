@@ -7,7 +7,10 @@ package lightning.scene.light;
 public enum IntensityUnit {
     /** Value of white paper at falloff 1. */
     RELATIVE,
-    /** Luminous intensity along the axis, of a tube to its side; of a directional light, as {@link #LUX}. */
+    /**
+     * Luminous intensity along the axis, of a tube to its side, of an object as if its surface were flat; of a directional light, as
+     * {@link #LUX}.
+     */
     CANDELA,
     /** Luminous flux of the whole light; of a directional light, per square meter. */
     LUMEN,
@@ -57,6 +60,7 @@ public enum IntensityUnit {
             case POINT -> 4 * Math.PI;
             // The sine of the angle from its axis, over all directions.
             case TUBE -> Math.PI * Math.PI;
+            case OBJECT -> Math.PI * light.area().surface().map(s -> s.emittingArea() / s.area()).orElse(1.0);
             case RECT, DISC -> Math.max(light.beam().flux(1 + light.dropoff()), MIN_SOLID_ANGLE);
             case SPOT -> {
                 double n = light.dropoff() + 1;
@@ -66,7 +70,7 @@ public enum IntensityUnit {
         };
     }
 
-    /** Returns the area that is seen along the axis, of a tube from its side, in square scene units; of a directional light, its projected solid angle. */
+    /** Returns the area that is seen along the axis, of a tube from its side, of an object its whole surface, in square scene units; of a directional light, its projected solid angle. */
     public static double luminousArea(Light light) {
         AreaShape area = light.area();
         return switch (light.type()) {
@@ -74,6 +78,7 @@ public enum IntensityUnit {
             case RECT -> area.width() * area.height();
             case TUBE -> 2 * area.radius() * area.height();
             case POINT, SPOT, DISC -> Math.PI * square(area.radius());
+            case OBJECT -> area.surface().map(ObjectSurface::area).orElse(0.0);
         };
     }
 

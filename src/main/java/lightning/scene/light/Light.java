@@ -11,6 +11,7 @@ import lightning.scene.asset.Gobo;
 import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.LightTexture;
 import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
 import lightning.scene.value.Attenuation;
 import lightning.scene.value.BarnDoors;
 import lightning.scene.value.SceneLimits;
@@ -129,6 +130,11 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
         return type.isSurface() && isArea() ? texture.map(LightTexture::image) : Optional.empty();
     }
 
+    /** Returns the image that multiplies the light of parts of its surface. */
+    private Optional<Texture> shownImage() {
+        return type == LightType.OBJECT ? area.surface().flatMap(ObjectSurface::glowMap).map(TextureMap::image) : faceImage();
+    }
+
     /** Returns a rectangle or disc light without its texture, in the texture's mean color; another light as it is. */
     Light withMeanTexture() {
         if (texture.isEmpty() || !type.isSurface()) {
@@ -143,7 +149,7 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
 
     /** Returns the largest factor of a contribution by its falloff with distance and the image on its face, at least 1. */
     public double maxFactor() {
-        return Math.max(1, maxFalloff()) * Math.max(1, faceImage().map(image -> image.areas().max()).orElse(1f));
+        return Math.max(1, maxFalloff()) * Math.max(1, shownImage().map(image -> image.areas().max()).orElse(1f));
     }
 
     /** Returns the largest effective intensity: times the largest falloff and image value it is one that any light may have. */
@@ -163,30 +169,34 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
             case POINT, SPOT, DISC -> area.radius() > 0;
             case RECT -> area.width() > 0 || area.height() > 0;
             case TUBE -> area.radius() > 0 || area.height() > 0;
-        };
+            case OBJECT -> false;
+        } || type == LightType.OBJECT && area.surface().isPresent();
     }
 
-    /** Returns whether it has a link or a gain to single shapes: illuminates some of them, is shadowed by some, or has a gain on some. */
+    /** Returns whether it has a link or a gain to single shapes: illuminates some, is shadowed by some, has a gain on some, or is one. */
     public boolean isLinked() {
-        return !illuminates.isAll() || !shadowedBy.isAll() || !contribution.gains().isNone();
+        return !illuminates.isAll() || !shadowedBy.isAll() || !contribution.gains().isNone() || !area.shape().isEmpty();
     }
 
     /** Returns this light with a shape or a group renamed in its links and gains. */
     public Light renameLinks(String oldName, String newName) {
-        return mapLinks(links -> links.rename(oldName, newName), gains -> gains.rename(oldName, newName));
+        return mapLinks(links -> links.rename(oldName, newName), gains -> gains.rename(oldName, newName),
+                shape -> shape.equals(oldName) ? newName : shape);
     }
 
     /** Returns this light with links and gains only of existing shapes and groups. */
     public Light retainLinks(Predicate<String> exists) {
-        return mapLinks(links -> links.retain(exists), gains -> gains.retain(exists));
+        return mapLinks(links -> links.retain(exists), gains -> gains.retain(exists), shape -> exists.test(shape) ? shape : "");
     }
 
-    private Light mapLinks(UnaryOperator<ShapeLinks> links, UnaryOperator<ShapeGains> gains) {
+    private Light mapLinks(UnaryOperator<ShapeLinks> links, UnaryOperator<ShapeGains> gains, UnaryOperator<String> name) {
         ShapeLinks illuminated = links.apply(illuminates);
         ShapeLinks shadowing = links.apply(shadowedBy);
         ShapeGains gained = gains.apply(contribution.gains());
-        return illuminated == illuminates && shadowing == shadowedBy && gained == contribution.gains() ? this
-                : withIlluminates(illuminated).withShadowedBy(shadowing).withContribution(contribution.withGains(gained));
+        String shape = area.shape().isEmpty() ? "" : name.apply(area.shape());
+        return illuminated == illuminates && shadowing == shadowedBy && gained == contribution.gains() && shape.equals(area.shape()) ? this
+                : withIlluminates(illuminated).withShadowedBy(shadowing).withContribution(contribution.withGains(gained))
+                        .withArea(area.withShape(shape));
     }
 
     /** Returns {@link DistanceFalloff#falloff}. */

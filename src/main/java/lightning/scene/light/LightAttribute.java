@@ -2,6 +2,7 @@ package lightning.scene.light;
 
 import static lightning.scene.light.LightType.DIRECTIONAL;
 import static lightning.scene.light.LightType.DISC;
+import static lightning.scene.light.LightType.OBJECT;
 import static lightning.scene.light.LightType.POINT;
 import static lightning.scene.light.LightType.RECT;
 import static lightning.scene.light.LightType.SPOT;
@@ -94,12 +95,12 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             Light::falloff,
             Light::withFalloff, Section.ATTENUATION,
             Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF, TUBE,
-                    LightTerm.FALLOFF));
+                    LightTerm.FALLOFF, OBJECT, LightTerm.FALLOFF));
     public static final LightAttribute<Attenuation> ATTENUATION =
             of("attenuation", NumericKind.attenuation(), DistanceFalloff.DEFAULT.attenuation(),
                     "per scene unit to the power 0, 1, 2", Light::attenuation, Light::withAttenuation, Section.ATTENUATION,
                     Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF, TUBE,
-                            LightTerm.FALLOFF));
+                            LightTerm.FALLOFF, OBJECT, LightTerm.FALLOFF));
     public static final LightAttribute<Double> ANGLE = of("angle", "cone half-angle", Cone.ANGLES, Cone.DEFAULT.angle(),
             "degrees, half-angle", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.CONE_ANGLE));
     public static final LightAttribute<Double> DROPOFF = of("dropoff", "edge falloff", Cone.DROPOFFS, Cone.DEFAULT.dropoff(), "exponent",
@@ -148,6 +149,9 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     public static final LightAttribute<Optional<LightTexture>> TEXTURE =
             of("texture", new ValueKind.LightTextureKind(), Optional.empty(), "a PNG, JPEG, Radiance HDR or OpenEXR file",
                     Light::texture, Light::withTexture, Section.AREA, Map.of(RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
+    public static final LightAttribute<String> SHAPE = of("shape", "shining object", AreaShape.SHAPES, AreaShape.DEFAULT.shape(),
+            "name of a shape", l -> l.area().shape(),
+            (l, v) -> l.withArea(l.area().withShape(v).withSurface(Optional.empty())), Section.AREA, Map.of(OBJECT, LightTerm.SOURCE));
     public static final LightAttribute<Integer> SAMPLES =
             of("samples", AreaShape.SAMPLE_COUNTS,
                     AreaShape.DEFAULT.samples(), "soft shadow samples", l -> l.area().samples(),
@@ -283,7 +287,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     }
 
     private static Map<LightType, LightTerm> forAllTypes(LightTerm term) {
-        return Map.of(DIRECTIONAL, term, POINT, term, SPOT, term, RECT, term, DISC, term, TUBE, term);
+        return Map.of(DIRECTIONAL, term, POINT, term, SPOT, term, RECT, term, DISC, term, TUBE, term, OBJECT, term);
     }
 
     @Override

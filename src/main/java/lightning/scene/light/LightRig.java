@@ -2,9 +2,11 @@ package lightning.scene.light;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
+import lightning.base.math.Rgb;
 import lightning.base.text.Quote;
 import lightning.scene.node.NodeNames;
 import lightning.scene.value.SceneLimits;
@@ -26,16 +28,20 @@ public final class LightRig {
     private final List<Light> environmentLights;
     /** Meters per scene unit. */
     private final double meters;
+    /** Surfaces of the shapes that are lights, by the shapes' names. */
+    private final Map<String, ObjectSurface> surfaces;
     private final List<Light> effectiveLights;
     /** True if any light is solo and on, so that the others are dark. */
     private final boolean anySolo;
 
-    private LightRig(List<Light> lights, List<LightGroup> lightGroups, LightRigNames names, List<Light> sky, double meters) {
+    private LightRig(List<Light> lights, List<LightGroup> lightGroups, LightRigNames names, List<Light> sky, double meters,
+            Map<String, ObjectSurface> surfaces) {
         this.lights = lights;
         this.lightGroups = lightGroups;
         this.names = names;
         this.environmentLights = sky;
         this.meters = meters;
+        this.surfaces = surfaces;
         List<Light> resolved = lights.stream().allMatch(l -> effectiveLight(l) == l) ? lights
                 : lights.stream().map(this::effectiveLight).toList();
         effectiveLights = sky.isEmpty() ? resolved : Stream.concat(resolved.stream(), sky.stream()).toList();
@@ -58,7 +64,7 @@ public final class LightRig {
         List<LightGroup> groups = List.copyOf(lightGroups);
         SceneLimits.checkRange("the number of lights", lightList.size(), 0, SceneLimits.MAX_LIGHTS);
         SceneLimits.checkRange("the number of light groups", groups.size(), 0, SceneLimits.MAX_LIGHT_GROUPS);
-        return new LightRig(lightList, groups, new LightRigNames(lightList, groups), List.of(), METERS);
+        return new LightRig(lightList, groups, new LightRigNames(lightList, groups), List.of(), METERS, Map.of());
     }
 
     public List<Light> lights() {
@@ -77,7 +83,17 @@ public final class LightRig {
      */
     public LightRig withEnvironment(List<Light> environment, double unit) {
         return environment.equals(environmentLights) && unit == meters ? this
-                : new LightRig(lights, lightGroups, names, environment, unit);
+                : new LightRig(lights, lightGroups, names, environment, unit, surfaces);
+    }
+
+    /** Returns this rig with the surfaces of the shapes that are lights, by the shapes' names; a light of another shape is dark. */
+    public LightRig withSurfaces(Map<String, ObjectSurface> v) {
+        return v.equals(surfaces) ? this : new LightRig(lights, lightGroups, names, environmentLights, meters, v);
+    }
+
+    /** Returns the surface of a shape that is a light. */
+    public Optional<ObjectSurface> surface(String shape) {
+        return Optional.ofNullable(surfaces.get(shape));
     }
 
     /**
@@ -100,12 +116,33 @@ public final class LightRig {
      * @throws IllegalArgumentException if its group does not exist
      */
     public Light effectiveLight(Light light) {
-        Light resolved = Emission.resolve(light, meters);
+        Light resolved = Emission.resolve(light.type() == LightType.OBJECT ? onSurface(light) : light, meters);
         if (light.lightGroup().isEmpty()) {
             return resolved;
         }
         return lightGroup(light.lightGroup()).orElseThrow(() -> new IllegalArgumentException(
                 "light " + Quote.of(light.name()) + ": there is no light group " + Quote.of(light.lightGroup()))).applyTo(resolved);
+    }
+
+    /**
+     * Returns the value of the light's face in the picture: its luminance in nits for a photometric unit. An inverse-square light is as bright as
+     * white paper that it would light if it touched the paper and filled its view: π/A times color and intensity, where A is the area seen
+     * along the axis. Other relative lights have no luminance: their face has color times intensity, as white paper at falloff 1.
+     * A texture multiplies it.
+     */
+    public Rgb radiance(Light light) {
+        Light effective = effectiveLight(light);
+        boolean isPhysical = light.falloff() == Falloff.INVERSE_SQUARE || light.emission().unit() == IntensityUnit.NIT;
+        return isPhysical
+                ? effective.weight().times(Math.min(Math.PI / IntensityUnit.luminousArea(effective), SceneLimits.MAX_INTENSITY))
+                : effective.weight();
+    }
+
+    /** Returns the light of an object on the surface of its shape; dark if it has none. */
+    private Light onSurface(Light light) {
+        Optional<ObjectSurface> surface = surface(light.area().shape()).filter(s -> s.area() > 0);
+        Light placed = light.withArea(light.area().withSurface(surface));
+        return surface.isEmpty() ? placed.withIntensity(0) : placed.withPosition(surface.get().middle());
     }
 
     /** Returns a light that shines the same where a scene unit is one meter. */
@@ -162,7 +199,7 @@ public final class LightRig {
         }
         List<Light> updated = new ArrayList<>(lights);
         updated.set(index, light);
-        return new LightRig(List.copyOf(updated), lightGroups, names, environmentLights, meters);
+        return new LightRig(List.copyOf(updated), lightGroups, names, environmentLights, meters, surfaces);
     }
 
     /** Returns this rig with other lights and the same groups. */
@@ -178,7 +215,7 @@ public final class LightRig {
     public LightRig with(LightGroup group) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
         updated.set(groupIndex(group.name()), group);
-        return new LightRig(lights, List.copyOf(updated), names, environmentLights, meters);
+        return new LightRig(lights, List.copyOf(updated), names, environmentLights, meters, surfaces);
     }
 
     /** Returns this rig with one more light group, at the end. */
@@ -236,7 +273,7 @@ public final class LightRig {
                 updated.set(i, light);
             }
         }
-        return updated == null ? this : new LightRig(List.copyOf(updated), lightGroups, names, environmentLights, meters);
+        return updated == null ? this : new LightRig(List.copyOf(updated), lightGroups, names, environmentLights, meters, surfaces);
     }
 
     private List<Light> reassign(String group, String newGroup) {
@@ -254,7 +291,7 @@ public final class LightRig {
     @Override
     public boolean equals(Object o) {
         return this == o || o instanceof LightRig r && lights.equals(r.lights) && lightGroups.equals(r.lightGroups)
-                && environmentLights.equals(r.environmentLights) && meters == r.meters;
+                && environmentLights.equals(r.environmentLights) && meters == r.meters && surfaces.equals(r.surfaces);
     }
 
     @Override

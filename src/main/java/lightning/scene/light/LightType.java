@@ -1,6 +1,6 @@
 package lightning.scene.light;
 
-/** Types of light: the paper's three (§2.2) and two area lights. The type decides which attributes act. */
+/** Types of light: the paper's three (§2.2) and area lights. The type decides which attributes act. */
 public enum LightType {
     /** Infinitely distant light: intensity, color, direction. */
     DIRECTIONAL,
@@ -13,7 +13,9 @@ public enum LightType {
     /** Disc that shines to one side. */
     DISC,
     /** Cylinder that shines from its side, like a fluorescent lamp. Its direction is its axis. */
-    TUBE;
+    TUBE,
+    /** Surface of a shape of the scene, hidden or not, each point of which shines as bright to all sides. */
+    OBJECT;
 
     /** Returns whether the light has a position. */
     public boolean hasPosition() {
@@ -21,7 +23,7 @@ public enum LightType {
     }
 
     public boolean hasDirection() {
-        return this != POINT;
+        return this != POINT && this != OBJECT;
     }
 
     /** Returns whether it is a one-sided area light: its intensity is proportional to the cosine of the angle from its direction. */

@@ -5,6 +5,7 @@ import lightning.base.math.Rgb;
 import lightning.scene.Stage;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightRig;
+import lightning.scene.light.LightType;
 import lightning.scene.value.SceneLimits;
 
 /**
@@ -19,9 +20,10 @@ public record Bulb(String light, double exposure, Rgb glow) implements BulbBuild
     /** No bulb. */
     public static final Bulb NONE = new Bulb("", 0, Rgb.BLACK);
 
-    /** Returns this bulb with the glow of its light in a rig. */
+    /** Returns this bulb with the glow of its light in a rig: its color and intensity, or of a light of an object the radiance of its surface. */
     public Bulb litBy(LightRig rig) {
-        Rgb weight = rig.light(light).filter(rig::isActive).map(l -> rig.effectiveLight(l).weight()).orElse(Rgb.BLACK);
+        Rgb weight = rig.light(light).filter(rig::isActive)
+                .map(l -> l.type() == LightType.OBJECT ? rig.radiance(l) : rig.effectiveLight(l).weight()).orElse(Rgb.BLACK);
         double gain = StrictMath.pow(2, exposure);
         return new Bulb(light, exposure, limited(weight.times(gain)));
     }

@@ -82,7 +82,7 @@ class FogWorkTest {
     }
 
     @ParameterizedTest
-    @EnumSource(LightType.class)
+    @EnumSource(value = LightType.class, mode = EnumSource.Mode.EXCLUDE, names = "OBJECT")
     void movedLight_testsItsSamplesAgain(LightType type) {
         try (StudioRenderer studio = studio(type)) {
             UpdateResult update = studio.edit(light -> light.withPosition(light.position().plus(new Vec3(0.5, 0.2, 0)))

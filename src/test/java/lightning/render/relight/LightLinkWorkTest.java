@@ -42,7 +42,7 @@ class LightLinkWorkTest {
     }
 
     @ParameterizedTest
-    @EnumSource(LightType.class)
+    @EnumSource(value = LightType.class, mode = EnumSource.Mode.EXCLUDE, names = "OBJECT")
     void unlinkedAndRelinkedShape_castsNoShadowRays(LightType type) {
         try (StudioRenderer studio = StudioRenderer.of(type)) {
             UpdateResult out = illuminate(studio, ShapeLinks.except("ball"));

@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
+import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.render.engine.choice.Engines;
 import lightning.render.shading.layer.RowBits;
@@ -18,6 +20,8 @@ import lightning.scene.World;
 import lightning.scene.light.AreaShape;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
+import lightning.scene.light.ObjectSurface;
+import lightning.scene.node.Solid;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
@@ -153,7 +157,7 @@ class AreaTermsTest {
     }
 
     private LightingEquation equation(LightSource source, int i, int s) {
-        LightingEquation equation = new LightingEquation(source.at(source.centerSamples().position(ways.pattern[i], s)));
+        LightingEquation equation = new LightingEquation(source.at(source.centerSamples(), ways.pattern[i], s));
         equation.moveTo(rows.px[i], rows.py[i], rows.pz[i], rows.nx[i], rows.ny[i], rows.nz[i]);
         return equation;
     }
@@ -202,6 +206,10 @@ class AreaTermsTest {
     private static LightSource lamp(LightType type, Vec3 center, double size) {
         AreaShape area = type == LightType.DIRECTIONAL ? new AreaShape(0, Math.max(size, 0.01), 0, 0, Vec3.Y, SAMPLES)
                 : new AreaShape(size, 0, size, size, Vec3.Y, SAMPLES);
+        if (type == LightType.OBJECT) {
+            Transform place = Transform.translation(center).times(Transform.scaling(Vec3.ONE.times(size)));
+            area = area.withSurface(Optional.of(new ObjectSurface(Solid.PLANE, place, Optional.empty(), null)));
+        }
         Light light = Light.of("l", type).withPosition(center).withDirection(new Vec3(0.3, -1, 0.2)).withArea(area);
         Camera atOrigin = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);
         return LightSource.of(light, new Scene(PictureSettings.DEFAULT, atOrigin, World.DEFAULT, List.of(), List.of(), List.of(light)));

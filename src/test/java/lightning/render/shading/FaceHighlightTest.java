@@ -59,7 +59,7 @@ class FaceHighlightTest {
         float vz = (float) view.z();
         double sum = 0;
         for (int s = 0; s < SAMPLES; s++) {
-            var equation = new LightingEquation(source.at(source.centerSamples().position(pattern, s)));
+            var equation = new LightingEquation(source.at(source.centerSamples(), pattern, s));
             equation.moveTo(0, 0, 0, 0, 0, 1);
             if (equation.cosine(0, 0, 1) > 0 && equation.insideCone()) {
                 float falloff = equation.falloff();
@@ -92,12 +92,13 @@ class FaceHighlightTest {
                 if (along >= 0 || distance <= 0 || !isOn) {
                     return 0;
                 }
-                var equation = new LightingEquation(source.at(source.position().plus(from)));
+                var equation = new LightingEquation(new LightSource(source.light(), source.origin(), source.position().plus(from),
+                        source.axis(), source.cosAngle(), source.dropoff(), source.fog(), null, null));
                 equation.moveTo(0, 0, 0, 0, 0, 1);
                 return distance * distance / (area * -along) * equation.falloff();
             };
             case DIRECTIONAL -> cap(source.position(), Math.cos(Math.toRadians(shape.spread())));
-            case TUBE -> throw new AssertionError("has no known face");
+            case TUBE, OBJECT -> throw new AssertionError("has no known face");
             case POINT, SPOT -> {
                 double sin = shape.radius() / source.position().length();
                 yield cap(source.position().normalized(), Math.sqrt(1 - sin * sin));

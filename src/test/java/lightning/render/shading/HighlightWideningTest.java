@@ -99,7 +99,7 @@ class HighlightWideningTest {
         double sum = 0;
         for (int rotation = 0; rotation < AreaSamples.ROTATIONS; rotation++) {
             for (int s = 0; s < samples.samples(); s++) {
-                var equation = new LightingEquation(source.at(samples.position(rotation, s)));
+                var equation = new LightingEquation(source.at(samples, rotation, s));
                 equation.moveTo(0, 0, 0, 0, 0, 1);
                 double alpha = alpha(roughness);
                 sum += equation.cosine(0, 0, 1) <= 0 ? 0
@@ -118,7 +118,7 @@ class HighlightWideningTest {
             Vec3 down = new Vec3(0, 0, -1);
             for (int rotation = 0; rotation < pixel.length; rotation++) {
                 for (int s = 0; s < samples.samples(); s++) {
-                    LightSource sample = source.at(samples.position(rotation, s));
+                    LightSource sample = source.at(samples, rotation, s);
                     LightSource used = widened ? sample : source(Light.of("p", LightType.POINT).withPosition(sample.position()));
                     Vec3 away = n.minus(sample.position());
                     double squared = away.dot(away);

@@ -82,7 +82,7 @@ public record LightGizmo(Light light, List<Segment> lines) {
                 yield cone(light.position().plus(axis.times(DIRECTIONAL_LENGTH * pixel)), light.position(), axis,
                         DIRECTIONAL_RADIUS * pixel);
             }
-            case TUBE -> sphere(light.position(), 0.4 * RADIUS * pixel);
+            case TUBE, OBJECT -> sphere(light.position(), 0.4 * RADIUS * pixel);
             case RECT, DISC -> arrow(light.position(), light.direction().normalized(), SPOT_LENGTH * pixel);
         };
     }
@@ -92,7 +92,7 @@ public record LightGizmo(Light light, List<Segment> lines) {
         Vec3 axis = light.direction().normalized();
         double radius = light.area().radius();
         return switch (light.type()) {
-            case DIRECTIONAL -> List.of();
+            case DIRECTIONAL, OBJECT -> List.of();
             case POINT, SPOT -> radius > 0 ? sphere(light.position(), radius) : List.of();
             case DISC -> polygon(circle(light.position(), axis, radius));
             case TUBE ->

@@ -46,9 +46,15 @@ public final class ShapeMenu {
             editor.scene().stage().enclosingGroups(shape).forEach(group -> list.add(
                     items.value(Command.SELECT_SHAPE, Messages.tr("Select Group {0}", group.name()),
                             () -> editor.selection().selectNode(group.name()))));
+            list.add(items.value(Command.MAKE_LIGHT, Messages.tr("Make {0} a Light", shape), () -> makeLight(shape)));
             list.add(items.value(Command.HIDE_SHAPE, Messages.tr("Hide {0}", shape), () -> hide(shape)));
         });
         return list;
+    }
+
+    private void makeLight(String shape) {
+        editor.selection().selectNode(shape);
+        commands.run(Command.MAKE_LIGHT);
     }
 
     private void hide(String shape) {

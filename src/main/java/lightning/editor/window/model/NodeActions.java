@@ -2,6 +2,7 @@ package lightning.editor.window.model;
 
 import lightning.editor.document.Command;
 import lightning.editor.document.NodeEdits;
+import lightning.scene.ObjectLight;
 import lightning.scene.node.SceneNode;
 
 /** Actions of the commands for the selected shape or group. */
@@ -12,8 +13,17 @@ final class NodeActions {
         commands.setAction(Command.SHOW_SHAPE, () -> editor.selection().node()
                 .ifPresent(n -> editor.editOrReport(scene -> NodeEdits.setVisible(scene, n.name(), !n.visible()))));
         commands.setAction(Command.DUPLICATE_SHAPE, () -> editor.selection().node().ifPresent(n -> duplicate(editor, n)));
+        commands.setAction(Command.MAKE_LIGHT, () -> editor.selection().node().ifPresent(n -> makeLight(editor, n.name())));
         commands.setAction(Command.DELETE_SHAPE, () -> editor.selection().node()
                 .ifPresent(n -> editor.editOrReport(scene -> NodeEdits.delete(scene, n.name()))));
+    }
+
+    /** Makes a shape a light and selects it. */
+    static void makeLight(SceneEditor editor, String shape) {
+        String light = ObjectLight.lightName(editor.scene(), shape);
+        if (editor.editOrReport(scene -> NodeEdits.makeLight(scene, shape, light)).isEmpty()) {
+            editor.selection().selectLight(light);
+        }
     }
 
     /** Duplicates a shape or group and selects the copy. */

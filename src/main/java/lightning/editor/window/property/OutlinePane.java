@@ -59,7 +59,8 @@ final class OutlinePane extends VBox {
         list.setCellFactory(_ -> new OutlineCell(editor, materials, commands, this));
         CommandMenuItems items = CommandMenuItems.forMenu(commands, "of-shape-");
         list.setContextMenu(new ContextMenu(items.item(Command.RENAME_SHAPE), items.item(Command.DUPLICATE_SHAPE),
-                items.item(Command.DELETE_SHAPE), new SeparatorMenuItem(), items.item(Command.SHOW_SHAPE)));
+                items.item(Command.DELETE_SHAPE), new SeparatorMenuItem(), items.item(Command.SHOW_SHAPE),
+                items.item(Command.MAKE_LIGHT)));
         list.addEventHandler(KeyEvent.KEY_PRESSED, this::handleKey);
         list.getSelectionModel().selectedIndexProperty().addListener((_, _, now) -> select(now.intValue()));
         setVgrow(list, Priority.ALWAYS);

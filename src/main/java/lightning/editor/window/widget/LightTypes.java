@@ -35,6 +35,7 @@ public final class LightTypes {
             case RECT -> Messages.tr("Rectangle");
             case DISC -> Messages.tr("Disc");
             case TUBE -> Messages.tr("Tube");
+            case OBJECT -> Messages.tr("Object");
         };
     }
 
@@ -47,6 +48,7 @@ public final class LightTypes {
             case RECT -> Messages.tr("rectangle area light");
             case DISC -> Messages.tr("disc area light");
             case TUBE -> Messages.tr("tube light");
+            case OBJECT -> Messages.tr("object light");
         };
     }
 
@@ -58,6 +60,7 @@ public final class LightTypes {
             case RECT -> MaterialDesignC.CARD_OUTLINE;
             case DISC -> MaterialDesignC.CIRCLE_OUTLINE;
             case TUBE -> MaterialDesignL.LIGHTBULB_FLUORESCENT_TUBE_OUTLINE;
+            case OBJECT -> MaterialDesignC.CUBE_OUTLINE;
         };
     }
 

@@ -26,6 +26,7 @@ import lightning.format.jen.JenReader;
 import lightning.format.jen.JenWriter;
 import lightning.scene.AntialiasMode;
 import lightning.scene.IndirectSettings;
+import lightning.scene.ObjectLight;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
@@ -84,6 +85,19 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
     /** Returns this scene without indirect light. */
     public ImportedScene withoutIndirect() {
         return withPicture(unscaledScene.picture().withIndirect(Optional.empty()));
+    }
+
+    /** Returns this scene with other objects and materials; its lights keep their names. */
+    public ImportedScene withObjects(UnaryOperator<Scene> change) {
+        return new ImportedScene(change.apply(unscaledScene), unscaledShot, restored, rawGlows, units, comments, sceneFile, copies, notes,
+                subject, closingComments);
+    }
+
+    /** Returns this scene with a light for every object that glows. */
+    public ImportedScene withGlowingLights() {
+        return new ImportedScene(ObjectLight.makeAll(scene()), shot(), Set.of(), Set.of(), Optional.empty(), comments, sceneFile, copies,
+                notes, subject,
+                closingComments);
     }
 
     /** Returns this scene with other settings of its image. */

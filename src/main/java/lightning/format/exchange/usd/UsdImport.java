@@ -49,6 +49,7 @@ public final class UsdImport {
     private final int levels;
     private final Progress progress;
     private @Nullable UsdNodes nodes;
+    private final UsdMeshLights meshLights;
 
     private UsdImport(UsdStage stage, Path source, Path sceneFile, int levels, Progress progress) throws MeshException {
         this.progress = progress;
@@ -56,6 +57,7 @@ public final class UsdImport {
         this.levels = levels;
         root = stage.root();
         assembler = new SceneAssembler(source, sceneFile);
+        meshLights = new UsdMeshLights(assembler.notes);
         hasZUp = root.get("up").text().orElse("Y").equals("Z");
         upright = hasZUp ? Transform.rotation(new Vec3(-90, 0, 0)) : Transform.IDENTITY;
         double meters = Math.clamp(root.get("meters").number(0.01), SceneLimits.MIN_METERS, SceneLimits.MAX_METERS);
@@ -99,7 +101,7 @@ public final class UsdImport {
         for (Light light : built.scene().lights()) {
             Optional.ofNullable(originals.get(light.name())).ifPresent(o -> comments.add(UsdOriginal.comment(light, built.shot(), o)));
         }
-        return built.withClosingComments(comments);
+        return meshLights.shown(built).withClosingComments(comments);
     }
 
     private void importShot() throws MeshException {
@@ -138,7 +140,9 @@ public final class UsdImport {
             String name = assembler.names.unique(in.get("name").text().orElse(""), "light");
             Optional<Light> light = converter.convert(name, in);
             if (light.isPresent()) {
-                assembler.lights.add(linked(light.get(), in.get("links")));
+                Light placed = in.get("node").isPresent() ? meshLights.placed(light.get(), in, root.get("nodes"), requireNonNull(nodes))
+                        : light.get();
+                assembler.lights.add(linked(placed, in.get("links")));
                 UsdPaths.addLight(assembler, name, in);
                 originals.put(name, UsdOriginal.stage(in));
                 importFrames(light.get(), in, frameConverter);

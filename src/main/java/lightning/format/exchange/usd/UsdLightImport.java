@@ -56,6 +56,7 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
                 case "DiskLight" -> Optional.of(disk(light, in));
                 case "RectLight" -> Optional.of(rect(light, in));
                 case "CylinderLight" -> Optional.of(cylinder(light, in));
+                case "MeshLight" -> Optional.of(mesh(light, in));
                 default -> Optional.empty();
             };
             notes.add("lights of type " + type, shaped.isEmpty() ? 1 : 0);
@@ -122,6 +123,13 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
         } catch (IOException | UnusableFileException e) {
             return Optional.empty();
         }
+    }
+
+    /** Returns the light of a mesh, without the name of its shape. */
+    private Light mesh(Light light, JsonValue in) throws MeshException {
+        notes.add("cones and profiles of mesh lights", isShaped(in.get("shaping")) ? 1 : 0);
+        Light surface = light.withType(LightType.OBJECT);
+        return isNormalized(in) ? candela(surface, meters * meters) : nit(surface);
     }
 
     private Light cylinder(Light light, JsonValue in) throws MeshException {

@@ -22,6 +22,8 @@ import lightning.scene.value.ColorTemperature;
  */
 public record UsdLightValues(String type, Light light, double meters, boolean hasZUp, Vec3 scale) {
     public static final String MATRIX = "matrix4d xformOp:transform:lightning";
+    /** Name for the type of a mesh whose surface is a light. */
+    public static final String MESH = "MeshLight";
     static final String INTENSITY = "float inputs:intensity";
     static final String NORMALIZE = "bool inputs:normalize";
     static final String ANGLE = "float inputs:shaping:cone:angle";
@@ -52,6 +54,7 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
             case RECT -> "RectLight";
             case DISC -> "DiskLight";
             case TUBE -> "CylinderLight";
+            case OBJECT -> MESH;
         };
     }
 
@@ -76,9 +79,11 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
         result.put("float inputs:diffuse", UsdLayer.number(light.contribution().diffuse()));
         result.put("float inputs:specular", UsdLayer.number(light.contribution().specular()));
         result.put("bool inputs:shadow:enable", light.contribution().castsShadows() ? "1" : "0");
-        addSize(result);
         result.put(VISIBILITY, isOn ? VISIBLE : INVISIBLE);
-        result.put(MATRIX, matrix());
+        if (!type.equals(MESH)) {
+            addSize(result);
+            result.put(MATRIX, matrix());
+        }
         return result;
     }
 

@@ -62,6 +62,9 @@ public record LightDifference(boolean moved, ConeChange coneChange, boolean fall
                 is.ifPresent(changed::add);
             }
         }
+        if (!before.area().surface().equals(target.area().surface())) {
+            changed.add(LightTerm.SOURCE);
+        }
         return changed;
     }
 

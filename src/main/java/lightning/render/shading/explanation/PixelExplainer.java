@@ -419,6 +419,6 @@ public final class PixelExplainer {
 
     /** Returns a sample of an area light as a row of a pixel center uses it. */
     private static LightSource sample(LightSource area, SurfacePoint hit, int s) {
-        return area.at(requireNonNull(area.centerSamples()).position(AreaSamples.rotation(hit.px(), hit.py(), hit.pz()), s));
+        return area.at(requireNonNull(area.centerSamples()), AreaSamples.rotation(hit.px(), hit.py(), hit.pz()), s);
     }
 }

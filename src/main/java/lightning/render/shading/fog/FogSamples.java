@@ -28,7 +28,7 @@ final class FogSamples {
         AreaSamples area = source.centerSamples();
         points = area == null ? null : new LightSource[FogGrid.SAMPLES * FogGrid.PHASES];
         if (area != null && points != null) {
-            Arrays.setAll(points, i -> source.at(area.position(0, index(i, area.samples()))));
+            Arrays.setAll(points, i -> source.at(area, 0, index(i, area.samples())));
         }
     }
 

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightingEquation;
+import lightning.render.shading.SampleNormals;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
@@ -265,8 +266,22 @@ final class AreaLightKernel {
     /** Aims the terms of a set of rows at sample {@code s}; stores the cosines. */
     private void aim(HitRows rows, LightSource source, int s, int[] rowSet) {
         terms.aim(rows, source, s, shadowRays, rowSet, cosine, facing[s]);
+        excludeDarkSide(rows, source.samples(rows), facing[s], s);
         if (source.hasCone()) {
             terms.computeConeCosines(rows, source);
+        }
+    }
+
+    /** Removes the rows behind sample {@code s} of an object from a set. */
+    private void excludeDarkSide(HitRows rows, AreaSamples samples, int[] rowSet, int s) {
+        SampleNormals normals = samples.normals();
+        for (int b = 0; b < RowBits.words(rows.count) && normals != null; b++) {
+            for (int left = rowSet[b]; left != 0; left &= left - 1) {
+                int i = b * RowBits.WIDTH + Integer.numberOfTrailingZeros(left);
+                if (normals.isBehind(samples, samples.index(s, shadowRays.pattern[i]), rows.px[i], rows.py[i], rows.pz[i])) {
+                    rowSet[b] &= ~(left & -left);
+                }
+            }
         }
     }
 

@@ -157,7 +157,7 @@ final class AreaTermSums {
         for (int i = 0; i < rows.count; i++) {
             int at = samples.index(s, rays.pattern[i]);
             falloff[i] = (float) (factors[i]
-                    * mask.factor(rows.px[i], rows.py[i], rows.pz[i], samples.x[at], samples.y[at], samples.z[at]));
+                    * mask.factor(rows.px[i], rows.py[i], rows.pz[i], samples, at));
         }
     }
 

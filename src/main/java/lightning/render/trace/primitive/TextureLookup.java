@@ -38,6 +38,12 @@ public final class TextureLookup {
         }
     }
 
+    /** Writes the color of an image alone at texture coordinates to {@code rgb[0…2]}. */
+    public void lookUpAt(TextureMap map, double u, double v, float[] rgb) {
+        lookup.setCoordinates(map, u, v);
+        lookup.readColor(rgb);
+    }
+
     /** Writes the color of an image alone, as {@link #lookUp}. */
     public void lookUpMap(PrimitiveTable primitives, int s, int part, TextureMap map, double x, double y, double z, float[] rgb) {
         read(primitives, s, setPoint(primitives, s, part, x, y, z), map, x, y, z, rgb);

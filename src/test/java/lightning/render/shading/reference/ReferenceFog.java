@@ -154,7 +154,7 @@ final class ReferenceFog {
             float x = (float) (grid.eye().x() + t * d.x());
             float y = (float) (grid.eye().y() + t * d.y());
             float z = (float) (grid.eye().z() + t * d.z());
-            LightSource sample = source.isArea() ? source.at(source.centerSamples().position(0, areaSample(source, k, phase))) : source;
+            LightSource sample = source.isArea() ? source.at(source.centerSamples(), 0, areaSample(source, k, phase)) : source;
             LightingEquation equation = new LightingEquation(sample);
             equation.moveTo(x, y, z, (float) d.x(), (float) d.y(), (float) d.z());
             double entering = passed(path, d, k);

@@ -383,7 +383,7 @@ public final class ReferenceTracer {
         double highlightWeight = 0;
         int freeCount = 0;
         for (int s = 0; s < samples; s++) {
-            LightSource sample = source.at(area.position(used, s));
+            LightSource sample = source.at(area, used, s);
             // A visible sample counts even outside the cone, but not behind a surface. Further samples of a penumbra do not count.
             if (s < area.samples() && isBefore(sample, hit) && isVisible(sample, sampleTarget(sample), hit)) {
                 float[] one = Transmittance.ofShadowRay(geometry, sample, sampleTarget(sample), hit);
@@ -423,7 +423,7 @@ public final class ReferenceTracer {
         boolean isBlocked = false;
         boolean isInside = false;
         for (int s = 0; s < area.samples(); s++) {
-            LightSource sample = source.at(area.position(pattern, s));
+            LightSource sample = source.at(area, pattern, s);
             if (isBefore(sample, hit)) {
                 boolean visible = isVisible(sample, sampleTarget(sample), hit);
                 isSeen |= visible;
