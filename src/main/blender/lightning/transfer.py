@@ -233,6 +233,10 @@ def get_lights(context, source: Path, remove: bool = True, from_another: bool = 
     for settings in exported["lights"]:
         if settings["name"] in instances and settings["name"] not in known:
             continue
+        if settings["type"] == "object":
+            known.pop(settings["name"], None)
+            messages.append(f"{settings['name']}: left out, because it is the surface of an object; give that an emission in Blender")
+            continue
         obj = known.pop(settings["name"], None) or _new_light(scene, settings)
         if settings["bank"] and settings["bank"] not in context.view_layer.lightgroups:
             context.view_layer.lightgroups.add(name=settings["bank"])

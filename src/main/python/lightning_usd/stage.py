@@ -303,6 +303,6 @@ class Walk:
             result["rig"]["shared"] = True
         if prim.GetPath() in self.mesh_lights:
             result["node"] = self.mesh_lights[prim.GetPath()]
-            result["bound"] = self.materials.of(prim) >= 0
+            result["bound"] = bool(UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial()[0])
         result["links"] = linked_nodes(prim, self.nodes, self.out)
         return result

@@ -5,6 +5,7 @@ import java.util.function.Function;
 import lightning.base.text.Messages;
 import lightning.scene.VisibleState;
 import lightning.scene.light.LightAttribute;
+import lightning.scene.light.LightType;
 import lightning.scene.shot.TrackTarget;
 import lightning.scene.value.SceneLimits;
 
@@ -67,6 +68,11 @@ final class DisabledReasons {
         return reasonUnless(s.selectedLight().isPresent(), Messages.tr("no light is selected"));
     }
 
+    static Optional<String> noPlacedLight(EditorState s) {
+        return noLight(s).or(() -> reasonUnless(s.selectedLightType().filter(type -> type == LightType.OBJECT).isEmpty(),
+                Messages.tr("the light is where its object is")));
+    }
+
     static Optional<String> noShape(EditorState s) {
         return reasonUnless(s.selectedNode().isPresent(), Messages.tr("no object is selected"));
     }
@@ -106,7 +112,7 @@ final class DisabledReasons {
     }
 
     static Optional<String> nothingToAnimate(EditorState s) {
-        return lightReason(s, !s.hasPendingEdits(),
+        return noPlacedLight(s).isPresent() ? noPlacedLight(s) : lightReason(s, !s.hasPendingEdits(),
                 s.renderedScene().isEmpty() ? Messages.tr(NO_PICTURE)
                         : Messages.tr("the image is out of date; render first"));
     }

@@ -158,7 +158,7 @@ public final class UsdLightExport {
     private List<UsdLightChanges.State> states(Light light) {
         List<UsdLightChanges.State> states = new ArrayList<>();
         for (Scene state : frames.isEmpty() ? List.of(scene) : frames) {
-            Light own = state.light(light.name()).orElseThrow();
+            Light own = state.rig().withSurface(state.light(light.name()).orElseThrow());
             states.add(new UsdLightChanges.State(first + states.size() + paths.shift(), inGroup(own, state), state.isActive(own),
                     state.world().meters()));
         }

@@ -380,7 +380,7 @@ public final class PropertyEdit {
                 || type == BlockTypes.WORLD && property.equals(World.ENVIRONMENT.name())
                 || type == BlockTypes.LIGHT
                         && (property.equals(LightAttribute.LIGHT_GROUP.name()) || property.equals(LightAttribute.PROFILE.name())
-                                || property.equals(LightAttribute.GAINS.name()))
+                                || property.equals(LightAttribute.GAINS.name()) || property.equals(LightAttribute.SHAPE.name()))
                 || type == BlockTypes.MATERIAL && property.equals(MaterialAttribute.BULB.name())
                 || TextureProperty.of(type).stream().anyMatch(p -> p.name().equals(property));
     }

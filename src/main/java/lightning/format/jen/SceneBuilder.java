@@ -40,6 +40,7 @@ import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.node.Mesh;
 import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
 import lightning.scene.value.Photometry;
 import lightning.scene.value.Placement;
 import lightning.scene.value.SceneLimits;
@@ -152,6 +153,7 @@ final class SceneBuilder {
             checkLinks(block, LightAttribute.ILLUMINATES);
             checkLinks(block, LightAttribute.SHADOWED_BY);
             checkGains(block);
+            checkShape(block);
             buildRecord(block, BlockTypes.LIGHT, List.of()).ifPresent(lights::add);
         }
         checkCount(blocks, SceneLimits.MAX_LIGHTS, "lights");
@@ -238,6 +240,20 @@ final class SceneBuilder {
             problems.add(tokens.start(token), block.title() + ": " + attribute.name() + ": there is no shape or group " + Quote.of(name)
                     + NameSuggestion.hint(name, blocksByName.keySet().stream().filter(this::isNode).toList()));
         }
+    }
+
+    /** Adds a problem if the shape that shines does not exist, or is a group. */
+    private void checkShape(Block block) {
+        Block.Entry entry = block.entry(LightAttribute.SHAPE.name());
+        if (entry != null && entry.value() instanceof Value.Name(String name) && !isShape(name)) {
+            problems.add(tokens.start(entry.from()), block.title() + ": there is no shape " + Quote.of(name)
+                    + NameSuggestion.hint(name, blocksByName.keySet().stream().filter(this::isShape).toList()));
+        }
+    }
+
+    private boolean isShape(String name) {
+        Block block = blocksByName.get(name);
+        return block == null ? stage.node(name).orElse(null) instanceof Shape : isNode(name) && block.type != BlockTypes.GROUP;
     }
 
     private boolean isNode(String name) {

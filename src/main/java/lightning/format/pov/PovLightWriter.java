@@ -17,6 +17,10 @@ record PovLightWriter(BoundingSphere bounds, List<String> warnings) {
     private static final double DIRECTIONAL_DISTANCE = 100;
 
     String text(Scene scene, Light light) {
+        if (light.type() == LightType.OBJECT) {
+            warnings.add("light " + light.name() + ": it is left out, since POV-Ray has no lights that are objects; the object glows");
+            return "";
+        }
         if (!scene.isActive(light)) {
             return "// light " + light.name() + " is off\n";
         }
@@ -62,7 +66,7 @@ record PovLightWriter(BoundingSphere bounds, List<String> warnings) {
         statements.add(color(light, fade.gain()));
         switch (light.type()) {
             case DIRECTIONAL -> statements.add("parallel point_at " + PovFormat.vector(bounds.center()));
-            case POINT, TUBE -> {}
+            case POINT, TUBE, OBJECT -> {}
             case SPOT -> statements.addAll(spot(light));
             case RECT, DISC -> statements.addAll(surface(light));
         }

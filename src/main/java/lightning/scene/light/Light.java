@@ -173,9 +173,14 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
         } || type == LightType.OBJECT && area.surface().isPresent();
     }
 
-    /** Returns whether it has a link or a gain to single shapes: illuminates some, is shadowed by some, has a gain on some, or is one. */
+    /** Returns whether it has a link or a gain to single shapes: illuminates some of them, is shadowed by some, or has a gain on some. */
     public boolean isLinked() {
-        return !illuminates.isAll() || !shadowedBy.isAll() || !contribution.gains().isNone() || !area.shape().isEmpty();
+        return !illuminates.isAll() || !shadowedBy.isAll() || !contribution.gains().isNone();
+    }
+
+    /** Returns whether it has the name of any shape: it is linked, or the surface of one. */
+    boolean namesShapes() {
+        return isLinked() || !area.shape().isEmpty();
     }
 
     /** Returns this light with a shape or a group renamed in its links and gains. */

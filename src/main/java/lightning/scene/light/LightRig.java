@@ -138,10 +138,16 @@ public final class LightRig {
                 : effective.weight();
     }
 
+    /** Returns the light of an object with the surface of its shape, if there is one; another light as it is. */
+    public Light withSurface(Light light) {
+        return light.type() != LightType.OBJECT ? light
+                : light.withArea(light.area().withSurface(surface(light.area().shape()).filter(s -> s.area() > 0)));
+    }
+
     /** Returns the light of an object on the surface of its shape; dark if it has none. */
     private Light onSurface(Light light) {
-        Optional<ObjectSurface> surface = surface(light.area().shape()).filter(s -> s.area() > 0);
-        Light placed = light.withArea(light.area().withSurface(surface));
+        Light placed = withSurface(light);
+        Optional<ObjectSurface> surface = placed.area().surface();
         return surface.isEmpty() ? placed.withIntensity(0) : placed.withPosition(surface.get().middle());
     }
 
@@ -263,11 +269,11 @@ public final class LightRig {
         return of(reassign(group, ""), updated);
     }
 
-    /** Returns this rig with all its lights mapped that have links or gains. */
+    /** Returns this rig with all its lights mapped that have names of shapes: links, gains, or the shape that shines. */
     public LightRig mapLinked(UnaryOperator<Light> change) {
         List<Light> updated = null;
         for (int i = 0; i < lights.size(); i++) {
-            Light light = lights.get(i).isLinked() ? change.apply(lights.get(i)) : lights.get(i);
+            Light light = lights.get(i).namesShapes() ? change.apply(lights.get(i)) : lights.get(i);
             if (light != lights.get(i)) {
                 updated = updated == null ? new ArrayList<>(lights) : updated;
                 updated.set(i, light);

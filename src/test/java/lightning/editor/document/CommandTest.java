@@ -322,7 +322,7 @@ class CommandTest {
                 Command.DELETE_BANK, Command.NEW_SCENE, Command.PASTE_PROPERTY, Command.RESET_PROPERTY, Command.LOAD_RIG, Command.ADD_RIG,
                 Command.SAVE_RIG, Command.CHANGE_TYPE,
                 Command.SWITCH_ON, Command.SOLO, Command.AIM, Command.PLACE_HIGHLIGHT, Command.PLACE_DIFFUSE, Command.PLACE_RIM,
-                Command.PLACE_SHADOW, Command.PLACE_FLAG, Command.MAKE_ANIMATION, Command.KEYS_TO_WAY, Command.NEW_SHOT,
+                Command.PLACE_SHADOW, Command.PLACE_FLAG, Command.MAKE_LIGHT, Command.MAKE_ANIMATION, Command.KEYS_TO_WAY, Command.NEW_SHOT,
                 Command.DELETE_SHOT, Command.PLAY_SHOT,
                 Command.FIRST_FRAME, Command.PREVIOUS_FRAME, Command.NEXT_FRAME, Command.LAST_FRAME, Command.PREVIOUS_KEY, Command.NEXT_KEY,
                 Command.SET_KEY, Command.KEY_PROPERTY, Command.UNKEY_PROPERTY, Command.DELETE_KEYS, Command.LINEAR_KEYS,

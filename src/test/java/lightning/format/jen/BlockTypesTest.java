@@ -101,7 +101,7 @@ class BlockTypesTest {
                 case Value.Nested n -> throw new AssertionError(n);
                 case Value.Absent a ->
                         assertThat(Stream.concat(MaterialAttribute.MAPS.stream().map(MaterialAttribute::name),
-                                Stream.of("gobo", "profile", "texture", "environment", "bank", "bulb", "gains", "indirect",
+                                Stream.of("gobo", "profile", "texture", "environment", "bank", "bulb", "shape", "gains", "indirect",
                                         BlockTypes.FILE, BlockTypes.PART)))
                                 .contains(p.name());
             }

@@ -27,6 +27,7 @@ import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.light.LightType;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Material;
 import lightning.scene.node.SceneNode;
@@ -63,7 +64,8 @@ class PovSceneTest {
         int ofEnvironment = !scene.rig().isEnvironmentActive() ? 0
                 : scene.world().environment().orElseThrow().map().lights(scene.world().lightCount()).size();
         assertThat(text.lines().filter(line -> line.startsWith("light_source"))).hasSize(
-                (int) scene.lights().stream().filter(scene::isActive).count() + ofEnvironment);
+                (int) scene.lights().stream().filter(light -> scene.isActive(light) && light.type() != LightType.OBJECT).count()
+                        + ofEnvironment);
         boolean isTilted = scene.world().environment().isPresent() && !scene.world().dome().isUpright();
         assertThat(text.lines().filter(line -> line.startsWith("  matrix"))).hasSize(scene.placedShapes().size() + (isTilted ? 1 : 0));
     }

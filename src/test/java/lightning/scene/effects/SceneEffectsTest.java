@@ -253,7 +253,7 @@ class SceneEffectsTest {
                 RenderEffect.ENVIRONMENT, RenderEffect.FOG,
                 RenderEffect.INDIRECT,
                 RenderEffect.of("rect-lights"),
-                RenderEffect.of("disc-lights"), RenderEffect.of("tube-lights"),
+                RenderEffect.of("disc-lights"), RenderEffect.of("tube-lights"), RenderEffect.of("object-lights"),
                 RenderEffect.of("frustums"), RenderEffect.of("meshes"));
     }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Vec3;
 import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 
 /**
  * Wireframe of a light in the preview (paper §3.2), about equally large on the screen at every distance. Point lights are spheres. Spots
@@ -82,7 +83,9 @@ public record LightGizmo(Light light, List<Segment> lines) {
                 yield cone(light.position().plus(axis.times(DIRECTIONAL_LENGTH * pixel)), light.position(), axis,
                         DIRECTIONAL_RADIUS * pixel);
             }
-            case TUBE, OBJECT -> sphere(light.position(), 0.4 * RADIUS * pixel);
+            case TUBE -> sphere(light.position(), 0.4 * RADIUS * pixel);
+            // The shape shows where it is.
+            case OBJECT -> List.of();
             case RECT, DISC -> arrow(light.position(), light.direction().normalized(), SPOT_LENGTH * pixel);
         };
     }
@@ -193,6 +196,11 @@ public record LightGizmo(Light light, List<Segment> lines) {
             minDistance = Math.min(minDistance, stroke.distance(point));
         }
         return minDistance;
+    }
+
+    /** Returns the lights that have a gizmo: all but those of objects, which have no place of their own. */
+    public static List<Light> placed(List<Light> lights) {
+        return lights.stream().filter(light -> light.type() != LightType.OBJECT).toList();
     }
 
     /**

@@ -83,7 +83,7 @@ final class GizmoLayer extends Pane {
         View view = new View(camera, canvas, size);
         List<Light> shiningNow = new ArrayList<>();
         List<Light> darkNow = new ArrayList<>();
-        for (Light light : scene.lights()) {
+        for (Light light : LightGizmo.placed(scene.lights())) {
             if (!light.equals(selectedLight)) {
                 (scene.isActive(light) ? shiningNow : darkNow).add(light);
             }
@@ -105,7 +105,7 @@ final class GizmoLayer extends Pane {
                         marks);
         if (!newSelection.equals(drawnSelection)) {
             GraphicsContext g = clear(selected, canvas);
-            draw(g, selectedLight == null ? List.of() : List.of(selectedLight), GizmoPainter.SELECTED, view);
+            draw(g, selectedLight == null ? List.of() : LightGizmo.placed(List.of(selectedLight)), GizmoPainter.SELECTED, view);
             GizmoPainter.drawWireframe(g, GroupBounds.strokes(newSelection.filters(), camera, canvas), GizmoPainter.SELECTED);
             GizmoPainter.drawWireframe(g, marks.box(), GizmoPainter.SELECTED);
             marks.handles().ifPresent(gizmo -> GizmoPainter.drawHandles(g, gizmo, camera, canvas, HANDLE_EDGE));

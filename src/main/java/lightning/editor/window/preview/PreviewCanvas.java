@@ -166,7 +166,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
 
     /** Moves the camera back until it shows all lights. */
     void frameLights() {
-        camera.set(LightMarker.frameLights(editor.scene().lights(), camera.get(), mouse.canvas()));
+        camera.set(LightMarker.frameLights(LightGizmo.placed(editor.scene().lights()), camera.get(), mouse.canvas()));
     }
 
     /** Returns the screen position of a point of the canvas. */

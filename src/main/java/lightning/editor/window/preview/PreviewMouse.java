@@ -75,7 +75,7 @@ final class PreviewMouse {
         double size = settings.gizmoSizeProperty().get().factor();
         PreviewCamera view = camera.get();
         var point = new Viewport.Pixel(x, y);
-        List<Light> candidates = new ArrayList<>(editor.scene().lights());
+        List<Light> candidates = new ArrayList<>(LightGizmo.placed(editor.scene().lights()));
         List<Light> hits = new ArrayList<>();
         Optional<Light> hit = LightGizmo.pick(candidates, view, canvas, size, point, TOLERANCE);
         while (hit.isPresent()) {

@@ -46,6 +46,7 @@ final class SkyControls extends VBox {
                 .sliders();
         rows = new VBox();
         rows.getChildren().addAll(numbers);
+        rows.getChildren().add(new SunPlacePane(editor));
         rows.getChildren().addAll(SectionLayout.caption(Messages.tr("Ground Color")), ground, nits);
         List.of(this, rows).forEach(part -> part.getStyleClass().add("section-rows"));
         getChildren().addAll(on, rows);

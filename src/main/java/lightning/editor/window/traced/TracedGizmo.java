@@ -28,6 +28,7 @@ import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PictureView;
 import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 import lightning.scene.value.Placement;
 import org.jspecify.annotations.Nullable;
 
@@ -101,6 +102,7 @@ final class TracedGizmo extends Pane {
 
     private Optional<LightGizmo> light() {
         return isEnabled() ? Optional.ofNullable(editor.selection().light())
+                .filter(l -> l.type() != LightType.OBJECT)
                 .map(l -> LightGizmo.of(l, view(), viewport(), settings.gizmoSizeProperty().get().factor())) : Optional.empty();
     }
 

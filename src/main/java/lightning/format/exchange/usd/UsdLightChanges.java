@@ -202,7 +202,7 @@ public final class UsdLightChanges {
             // Its size in the stage still says how much light a point gives.
             result.put("float inputs:radius", UsdLayer.number(original.radius()));
         }
-        if (isInRig()) {
+        if (isInRig() && !prim.equals(UsdLightValues.MESH)) {
             result.put(UsdLightValues.MATRIX, matrix(light));
         }
         return result;

@@ -105,4 +105,29 @@ class WorldPaneTest extends EditorFixture {
         TextField exposure = robot.from(robot.lookup("#world-exposure").<Node>query()).lookup((Node n) -> n instanceof TextField).query();
         waitFor("the field follows", () -> exposure.getText().equals("2"));
     }
+
+    private void setSun(String time) {
+        robot.interact(() -> {
+            robot.lookup("#sky-date").<javafx.scene.control.DatePicker>query().setValue(java.time.LocalDate.of(2003, 10, 17));
+            for (var entry : java.util.Map
+                    .of("sky-latitude", "39.742476", "sky-longitude", "-105.1786", "sky-offset", "-7", "sky-time", time).entrySet()) {
+                robot.lookup("#" + entry.getKey()).<TextField>query().setText(entry.getValue());
+            }
+            robot.lookup("#sky-set-sun").<javafx.scene.control.Button>query().fire();
+        });
+    }
+
+    /** The example of SunPositionTest. */
+    @Test
+    void sun_isSetByDateAndPlace() {
+        robot.interact(() -> robot.lookup("#world-sky").<javafx.scene.control.CheckBox>query().fire());
+        robot.interact(() -> robot.lookup("#sky-place").<javafx.scene.control.TitledPane>query().setExpanded(true));
+        waitFor("the fields are shown", () -> robot.lookup("#sky-set-sun").tryQuery().isPresent());
+        setSun("12:30");
+        assertThat(scene().world().sky().elevation()).isBetween(39.8, 40.0);
+        assertThat(scene().world().sky().azimuth()).isBetween(194.0, 194.5);
+        setSun("1:00");
+        assertThat(model().editor().message().textProperty().get()).contains("below the horizon");
+        assertThat(scene().world().sky().elevation()).as("a dark night is refused").isBetween(39.8, 40.0);
+    }
 }
