@@ -6,14 +6,17 @@ import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
 
 /**
- * Grid of camera rays along which fog is sampled: one through every fourth corner of the pixels, and one more around the picture.
+ * Grid of camera rays along which fog is sampled: one through the corner of every pixel of a small picture, of every fourth pixel of one of
+ * 960 × 540 pixels or more, and one more around the picture.
  *
  * <p>Rays of a block of 2×2 are sampled at four different places in turn, like the interleaved pixels of Keller and Heidrich (Interleaved
  * sampling, 2001). A filter over neighbors adds them up.
  */
 public final class FogGrid {
-    /** Pixels between neighboring rays, along x and y. */
-    public static final int STEP = 4;
+    /** Largest number of pixels between neighboring rays, along x and y: that of pictures from 960 × 540 on. */
+    private static final int MAX_STEP = 4;
+    /** Number of rays of a picture of this size; a smaller one has as many at most. */
+    private static final double RAYS = 960 / MAX_STEP * (540 / MAX_STEP);
     /** Samples along a ray for each light. */
     public static final int SAMPLES = 32;
     /** Different places of samples. */
@@ -23,6 +26,7 @@ public final class FogGrid {
     private final CameraRays camera;
     private final Vec3 eye;
     private final double scale;
+    private final int step;
     private final int columns;
     private final int lines;
 
@@ -30,8 +34,14 @@ public final class FogGrid {
         this.camera = new CameraRays(camera, picture);
         eye = camera.from().minus(camera.origin());
         scale = camera.to().minus(camera.from()).length();
-        columns = (picture.width() + STEP - 1) / STEP + 3;
-        lines = (picture.height() + STEP - 1) / STEP + 3;
+        step = Math.clamp((int) Math.ceil(Math.sqrt((double) picture.width() * picture.height() / RAYS)), 1, MAX_STEP);
+        columns = (picture.width() + step - 1) / step + 3;
+        lines = (picture.height() + step - 1) / step + 3;
+    }
+
+    /** Returns the number of pixels between neighboring rays, along x and y: 1…4. */
+    public int step() {
+        return step;
     }
 
     /** Returns the number of rays in a line. */
@@ -69,13 +79,13 @@ public final class FogGrid {
     }
 
     /** Returns where image coordinate x or y is in the grid, in rays. */
-    public static double position(double pixels) {
-        return pixels / STEP + 1;
+    public double position(double pixels) {
+        return pixels / step + 1;
     }
 
     /** Writes the unit direction of a ray to index {@code i}. */
     public void writeDirection(int ray, double[] dx, double[] dy, double[] dz, int i) {
-        camera.writeDirection(STEP * (ray % columns - 1), STEP * (ray / columns - 1), dx, dy, dz, i);
+        camera.writeDirection(step * (ray % columns - 1), step * (ray / columns - 1), dx, dy, dz, i);
     }
 
     /** Writes the unit direction of the ray through image coordinates x, y to index {@code i}. */

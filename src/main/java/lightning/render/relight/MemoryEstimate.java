@@ -4,9 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToLongFunction;
 import lightning.render.cache.PixelCache;
+import lightning.render.fog.FogGrid;
+import lightning.render.fog.FogMedium;
 import lightning.render.gather.RowWeights;
 import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.fog.FogLight;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.SampleCells;
 import lightning.render.trace.TexelColumns;
@@ -67,9 +70,17 @@ public final class MemoryEstimate {
         };
         // Samples store their colors if errors are bounded.
         long colored = !options.method().isExact() ? samples : sampling.antialias() == AntialiasMode.EVERY ? 0 : 1;
-        return IndirectEstimate.upperBound(scene, levels, texelBytes, lights, glows) + pixels(picture)
+        return IndirectEstimate.upperBound(scene, levels, texelBytes, lights, glows) + fogBytes(scene) + pixels(picture)
                 * (samples * (row + mirrored) + colored * BYTES_PER_COLOR + edgeColorBytes(sampling)
                         + (sampling.isSupersampled() ? 3 * BYTES_PER_COLOR : 0));
+    }
+
+    /** Returns the maximum bytes of fog: of each light samples along the rays of the grid, and a column for the pixels. */
+    private static long fogBytes(Scene scene) {
+        long lights = scene.rig().effectiveLights().size();
+        return FogMedium.of(scene) == null ? 0
+                : new FogGrid(scene.camera(), scene.picture()).count() * (Float.BYTES + lights * FogLight.BYTES_PER_RAY)
+                        + pixels(scene.picture()) * Float.BYTES * (1 + lights);
     }
 
     /** Returns the bytes of a cached picture: columns, colors and film. */

@@ -37,6 +37,7 @@ import lightning.scene.material.SurfaceMaps;
 import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
+import lightning.scene.value.Fog;
 import lightning.scene.value.Placement;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -73,6 +74,15 @@ class MemoryEstimateTest {
                 assertThat(usedBytes(scene, options)).isLessThanOrEqualTo(MemoryEstimate.upperBound(scene, options));
             }
         }
+    }
+
+    @Test
+    void upperBoundInFog_isNeverExceeded() throws Exception {
+        Scene balls = ballsScene(96, 64, AntialiasMode.OFF, 3);
+        Scene foggy = balls.withWorld(balls.world().withFog(Fog.NONE.withDensity(0.1)));
+        assertThat(usedBytes(foggy, OPTIONS)).isLessThanOrEqualTo(MemoryEstimate.upperBound(foggy, OPTIONS));
+        assertThat(MemoryEstimate.upperBound(foggy, OPTIONS) - MemoryEstimate.upperBound(balls, OPTIONS)).as("a float of a light")
+                .isGreaterThan(4L * 96 * 64);
     }
 
     @ParameterizedTest

@@ -9,6 +9,9 @@ import lightning.scene.light.Light;
  * toward the camera, for a weight of 1 and white fog. Compared by identity.
  */
 public final class FogLight {
+    /** Bytes of a ray of the grid: its samples, which of them see the light, and whether any has light. */
+    public static final int BYTES_PER_RAY = Float.BYTES * FogGrid.SAMPLES + Integer.BYTES + 1;
+
     private final Light light;
     private final FogMedium medium;
     private final double anisotropy;

@@ -82,11 +82,11 @@ final class FogSums {
     }
 
     private int column(double x) {
-        return Math.clamp((int) FogGrid.position(x), 1, grid.columns() - 3);
+        return Math.clamp((int) grid.position(x), 1, grid.columns() - 3);
     }
 
     private int line(double y) {
-        return Math.clamp((int) FogGrid.position(y), 1, grid.lines() - 3);
+        return Math.clamp((int) grid.position(y), 1, grid.lines() - 3);
     }
 
     /**
@@ -97,8 +97,8 @@ final class FogSums {
     float before(double x, double y, double place) {
         int c = column(x);
         int r = line(y);
-        float u = (float) Math.clamp(FogGrid.position(x) - c, 0, 1);
-        float v = (float) Math.clamp(FogGrid.position(y) - r, 0, 1);
+        float u = (float) Math.clamp(grid.position(x) - c, 0, 1);
+        float v = (float) Math.clamp(grid.position(y) - r, 0, 1);
         // Half a step after its place, a sample counts by a half.
         double counted = place >= 1 ? PLACES : Math.max(0, place * PLACES - 0.5);
         int k = Math.min((int) counted, PLACES - 1);

@@ -95,8 +95,8 @@ final class ReferenceFog {
 
     /** Returns the light before a place, between the four rays around a point of the image. */
     private float before(int light, double x, double y, double place) {
-        double column = x / FogGrid.STEP + 1;
-        double line = y / FogGrid.STEP + 1;
+        double column = x / grid.step() + 1;
+        double line = y / grid.step() + 1;
         int c = Math.min(Math.max((int) column, 1), grid.columns() - 3);
         int r = Math.min(Math.max((int) line, 1), grid.lines() - 3);
         float u = (float) Math.min(Math.max(column - c, 0), 1);
@@ -143,7 +143,7 @@ final class ReferenceFog {
     private float[] traceParts(int light, int column, int line) {
         LightSource source = lights[light].source();
         int ray = line * grid.columns() + column;
-        Vec3 d = direction(FogGrid.STEP * (column - 1), FogGrid.STEP * (line - 1));
+        Vec3 d = direction(grid.step() * (column - 1), grid.step() * (line - 1));
         FogPath path = path(source, d);
         int phase = grid.phase(ray);
         SurfacePoint hit = visibility.surface(new Ray(grid.eye(), d));
