@@ -70,6 +70,7 @@ public final class EditorWindow implements AutoCloseable {
         lists = new ListTabs(model);
         layout.setPanes(bars, preview, lists, side, new StatusBar(model.editor(), model.picture(), model.commands()));
         lists.worldShownProperty().subscribe(layout::showLists);
+        model.previewSettings().fogHandlesProperty().bind(lists.worldShownProperty());
         layout.bindTo(model.layout());
         layout.addDocks(model.layout(), docks);
         new PanelFocus(this::window, List.of(preview.canvas(), lists, side, docks.left(), docks.below()))

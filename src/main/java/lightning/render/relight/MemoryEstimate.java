@@ -4,12 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToLongFunction;
 import lightning.render.cache.PixelCache;
-import lightning.render.fog.FogGrid;
-import lightning.render.fog.FogMedium;
 import lightning.render.gather.RowWeights;
 import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.fog.FogLight;
+import lightning.render.shading.fog.PictureFog;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.SampleCells;
 import lightning.render.trace.TexelColumns;
@@ -75,12 +73,10 @@ public final class MemoryEstimate {
                         + (sampling.isSupersampled() ? 3 * BYTES_PER_COLOR : 0));
     }
 
-    /** Returns the maximum bytes of fog: of each light samples along the rays of the grid, and a column for the pixels. */
+    /** Returns the maximum bytes of fog: samples along rays, and for the pixels a column of each light and one of what passes. */
     private static long fogBytes(Scene scene) {
-        long lights = scene.rig().effectiveLights().size();
-        return FogMedium.of(scene) == null ? 0
-                : new FogGrid(scene.camera(), scene.picture()).count() * (Float.BYTES + lights * FogLight.BYTES_PER_RAY)
-                        + pixels(scene.picture()) * Float.BYTES * (1 + lights);
+        long samples = PictureFog.maxBytes(scene);
+        return samples == 0 ? 0 : samples + pixels(scene.picture()) * Float.BYTES * (1 + scene.rig().effectiveLights().size());
     }
 
     /** Returns the bytes of a cached picture: columns, colors and film. */

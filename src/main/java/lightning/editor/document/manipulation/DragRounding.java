@@ -39,7 +39,7 @@ public final class DragRounding {
 
     /** Rounds the placement of a node that was dragged by its handles. */
     public static Placement round(NodeGizmo gizmo, Placement dragged, PreviewCamera view, Viewport canvas) {
-        Placement start = gizmo.node().placement();
+        Placement start = gizmo.part().placement();
         double parentScale = gizmo.toParent().transformVector(view.right()).length();
         Vec3 position = round(dragged.position(), start.position(),
                 powerOfTen(positionStep(gizmo.origin(), view, canvas) * parentScale));

@@ -13,16 +13,16 @@ import lightning.scene.node.SceneNode;
 import lightning.scene.value.Placement;
 
 /**
- * Transform handles at the origin of the selected shape or group in the preview. It has an arrow and a ring per axis of its parent space, a
+ * Transform handles at the origin of a part of the scene in a picture: the selected shape or group, a flag, a filter or the box of the fog. It has an arrow and a ring per axis of its parent space, a
  * square for scale, and the origin. The handles are about equally large on the screen at every distance.
  *
- * @param node     node when the handles were created
+ * @param part     part when the handles were created
  * @param origin   its origin in scene space
  * @param axes     unit directions of the parent's x, y and z in scene space
  * @param toParent maps directions from scene space to parent space
  * @param handles  handles, without those seen edge-on
  */
-public record NodeGizmo(SceneNode node, Vec3 origin, List<Vec3> axes, Transform toParent, List<Handle> handles) {
+public record NodeGizmo(PlacedPart part, Vec3 origin, List<Vec3> axes, Transform toParent, List<Handle> handles) {
     /** Start of an arrow, in pixels from the origin. */
     private static final double ARROW_START = 14;
     private static final double ARROW = 84;
@@ -53,16 +53,26 @@ public record NodeGizmo(SceneNode node, Vec3 origin, List<Vec3> axes, Transform 
      */
     public record Handle(Action action, int axis, List<LightGizmo.Segment> lines) {}
 
+    /** Returns the handles of parts that are in front of the camera. */
+    public static List<NodeGizmo> of(Scene scene, List<PlacedPart> parts, PreviewCamera view, Viewport canvas) {
+        return parts.stream().flatMap(part -> of(scene, part, view, canvas).stream()).toList();
+    }
+
     /** Returns the handles of a node; empty if it is behind the camera. */
     public static Optional<NodeGizmo> of(Scene scene, SceneNode node, PreviewCamera view, Viewport canvas) {
+        return of(scene, new PlacedPart.OfNode(node), view, canvas);
+    }
+
+    private static Optional<NodeGizmo> of(Scene scene, PlacedPart part, PreviewCamera view, Viewport canvas) {
         Transform outer = Transform.IDENTITY;
         Transform toParent = Transform.IDENTITY;
         Stage stage = scene.stage();
-        for (NodeGroup group : stage.enclosingGroups(node.name())) {
+        List<NodeGroup> groups = part instanceof PlacedPart.OfNode(SceneNode node) ? stage.enclosingGroups(node.name()) : List.of();
+        for (NodeGroup group : groups) {
             outer = outer.times(group.placement().transform());
             toParent = group.placement().directionsToLocal().times(toParent);
         }
-        Vec3 origin = outer.transformPoint(node.placement().position());
+        Vec3 origin = outer.transformPoint(part.placement().position());
         if (view.depth(origin) < NEAR_SHARE * view.distance()) {
             return Optional.empty();
         }
@@ -76,14 +86,14 @@ public record NodeGizmo(SceneNode node, Vec3 origin, List<Vec3> axes, Transform 
             if (cosine < Math.cos(EDGE_ON)) {
                 handles.add(new Handle(Action.MOVE, i, arrow(origin, axes.get(i), view, pixel)));
             }
-            if (cosine > Math.sin(EDGE_ON)) {
+            if (part.canRotate() && cosine > Math.sin(EDGE_ON)) {
                 handles.add(new Handle(Action.ROTATE, i, ring(origin, axes.get(i), RING * pixel)));
             }
         }
         Vec3 corner = origin.plus(view.right().plus(view.up()).times(SIZE * pixel * Math.sqrt(0.5)));
         handles.add(new Handle(Action.SCALE, 0, square(corner, view, SQUARE * pixel)));
         handles.add(new Handle(Action.MOVE_IN_VIEW, 0, square(origin, view, SQUARE * pixel)));
-        return Optional.of(new NodeGizmo(node, origin, axes, toParent, handles));
+        return Optional.of(new NodeGizmo(part, origin, axes, toParent, handles));
     }
 
     static Vec3 unit(int axis) {
@@ -134,6 +144,26 @@ public record NodeGizmo(SceneNode node, Vec3 origin, List<Vec3> axes, Transform 
                 .map(l -> new LightGizmo.Stroke(canvas.project(view, l.from()), canvas.project(view, l.to()))).toList();
     }
 
+    /** Gizmo and its handle at a position. */
+    public record Grip(NodeGizmo gizmo, Handle handle) {}
+
+    /** Returns the handle nearest to a position, at most {@code tolerance} pixels away, of any of several gizmos. */
+    public static Optional<Grip> pick(List<NodeGizmo> gizmos, PreviewCamera view, Viewport canvas, Viewport.Pixel point, double tolerance) {
+        Grip best = null;
+        for (NodeGizmo gizmo : gizmos) {
+            Optional<Handle> handle = gizmo.pick(view, canvas, point, tolerance);
+            if (handle.isPresent()
+                    && (best == null || distance(handle.get(), view, canvas, point) < distance(best.handle, view, canvas, point))) {
+                best = new Grip(gizmo, handle.get());
+            }
+        }
+        return Optional.ofNullable(best);
+    }
+
+    private static double distance(Handle handle, PreviewCamera view, Viewport canvas, Viewport.Pixel point) {
+        return strokes(handle, view, canvas).stream().mapToDouble(stroke -> stroke.distance(point)).min().orElse(Double.POSITIVE_INFINITY);
+    }
+
     /** Returns the handle nearest to a position, at most {@code tolerance} pixels away; later handles are on top. */
     public Optional<Handle> pick(PreviewCamera view, Viewport canvas, Viewport.Pixel point, double tolerance) {
         Handle best = null;
@@ -164,7 +194,7 @@ public record NodeGizmo(SceneNode node, Vec3 origin, List<Vec3> axes, Transform 
      * @param isSnapping whether it moves, rotates and scales in round steps: see {@link Snapping}
      */
     public Placement drag(Handle handle, PreviewCamera view, Viewport canvas, Viewport.Pixel from, Viewport.Pixel to, boolean isSnapping) {
-        Placement p = node.placement();
+        Placement p = part.placement();
         return switch (handle.action()) {
             case MOVE -> {
                 Vec3 axis = axes.get(handle.axis());
@@ -193,8 +223,8 @@ public record NodeGizmo(SceneNode node, Vec3 origin, List<Vec3> axes, Transform 
     }
 
     private Placement moved(Vec3 offset) {
-        return new Placement(node.placement().position().plus(toParent.transformVector(offset)), node.placement().rotation(),
-                node.placement().scale());
+        Placement p = part.placement();
+        return new Placement(p.position().plus(toParent.transformVector(offset)), p.rotation(), p.scale());
     }
 
     /** Returns the coordinate along an axis through the origin that is nearest to the view ray of a position. */

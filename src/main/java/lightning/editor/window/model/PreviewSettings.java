@@ -15,6 +15,7 @@ public final class PreviewSettings {
     private final BooleanProperty glowingTextures = new SimpleBooleanProperty();
     private final BooleanProperty shadows = new SimpleBooleanProperty(true);
     private final BooleanProperty gizmosHidden = new SimpleBooleanProperty();
+    private final BooleanProperty fogHandles = new SimpleBooleanProperty();
     private final ObjectProperty<GizmoSize> gizmoSize = new SimpleObjectProperty<>(GizmoSize.NORMAL);
     private final ObjectProperty<CameraNavigation> navigation = new SimpleObjectProperty<>(CameraNavigation.LIGHTNING);
     private final ObjectProperty<PreviewCamera> camera = new SimpleObjectProperty<>();
@@ -42,6 +43,11 @@ public final class PreviewSettings {
     /** True if the lights' wireframes and markers are hidden and cannot be picked. */
     public BooleanProperty gizmosHiddenProperty() {
         return gizmosHidden;
+    }
+
+    /** Whether the box of the fog has handles: while the settings of the world are shown. Not stored. */
+    public BooleanProperty fogHandlesProperty() {
+        return fogHandles;
     }
 
     public ObjectProperty<GizmoSize> gizmoSizeProperty() {

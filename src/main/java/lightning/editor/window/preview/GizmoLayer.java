@@ -2,7 +2,6 @@ package lightning.editor.window.preview;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.layout.Pane;
@@ -53,10 +52,10 @@ final class GizmoLayer extends Pane {
      * Marks of a selected shape or group.
      *
      * @param box wireframe around a group
-     * @param handles handles of a shape or group, drawn on top
+     * @param handles handles of a shape or group, or of what belongs to the light or the world, drawn on top
      */
-    record Marks(List<LightGizmo.Stroke> box, Optional<NodeGizmo> handles) {
-        static final Marks NONE = new Marks(List.of(), Optional.empty());
+    record Marks(List<LightGizmo.Stroke> box, List<NodeGizmo> handles) {
+        static final Marks NONE = new Marks(List.of(), List.of());
     }
 
     /**
@@ -108,7 +107,7 @@ final class GizmoLayer extends Pane {
             draw(g, selectedLight == null ? List.of() : LightGizmo.placed(List.of(selectedLight)), GizmoPainter.SELECTED, view);
             GizmoPainter.drawWireframe(g, GroupBounds.strokes(newSelection.filters(), camera, canvas), GizmoPainter.SELECTED);
             GizmoPainter.drawWireframe(g, marks.box(), GizmoPainter.SELECTED);
-            marks.handles().ifPresent(gizmo -> GizmoPainter.drawHandles(g, gizmo, camera, canvas, HANDLE_EDGE));
+            marks.handles().forEach(gizmo -> GizmoPainter.drawHandles(g, gizmo, camera, canvas, HANDLE_EDGE));
             drawnSelection = newSelection;
         }
     }

@@ -91,6 +91,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         settings.shadowsProperty().subscribe(_ -> requestLayout());
         settings.glowingTexturesProperty().subscribe(_ -> requestLayout());
         settings.gizmosHiddenProperty().subscribe(_ -> requestLayout());
+        settings.fogHandlesProperty().subscribe(_ -> requestLayout());
         settings.gizmoSizeProperty().subscribe(_ -> requestLayout());
         size.subscribe(_ -> requestLayout());
         camera.subscribe(_ -> {

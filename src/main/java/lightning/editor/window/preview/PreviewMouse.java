@@ -6,13 +6,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javafx.beans.property.ObjectProperty;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LightEdits;
-import lightning.editor.document.NodeEdits;
 import lightning.editor.document.manipulation.CameraDrag;
 import lightning.editor.document.manipulation.DragRounding;
 import lightning.editor.document.manipulation.LightDrag;
 import lightning.editor.document.manipulation.LightGizmo;
 import lightning.editor.document.manipulation.NodeGizmo;
+import lightning.editor.document.manipulation.PlacedPart;
 import lightning.editor.document.manipulation.PreviewCamera;
 import lightning.editor.document.manipulation.Snapping;
 import lightning.editor.document.manipulation.Viewport;
@@ -90,21 +91,22 @@ final class PreviewMouse {
     }
 
     /**
-     * Returns the handles of the selected shape or group. Empty if none is selected, the handles are hidden, or the selection is behind the
-     * camera.
+     * Returns the handles of the selected shape or group, or of what belongs to the selected light, and of the box of the fog. Empty if the handles are
+     * hidden; without what is behind the camera.
      */
-    Optional<NodeGizmo> handles() {
-        return settings.gizmosHiddenProperty().get() ? Optional.empty()
-                : selection.node().flatMap(n -> NodeGizmo.of(editor.scene(), n, camera.get(), canvas));
+    List<NodeGizmo> handles() {
+        return settings.gizmosHiddenProperty().get() ? List.of()
+                : NodeGizmo.of(editor.scene(), PlacedPart.of(editor.scene(), selection.node().orElse(null), selection.light(),
+                        settings.fogHandlesProperty().get()), camera.get(), canvas);
     }
 
     /** Returns whether a drag from this point would move a light or a handle. */
     boolean canGrab(double x, double y) {
-        return !lightsAt(x, y).isEmpty() || handles().flatMap(g -> pick(g, x, y)).isPresent();
+        return !lightsAt(x, y).isEmpty() || pick(x, y).isPresent();
     }
 
-    private Optional<NodeGizmo.Handle> pick(NodeGizmo nodeGizmo, double x, double y) {
-        return nodeGizmo.pick(camera.get(), canvas, new Viewport.Pixel(x, y), TOLERANCE);
+    private Optional<NodeGizmo.Grip> pick(double x, double y) {
+        return NodeGizmo.pick(handles(), camera.get(), canvas, new Viewport.Pixel(x, y), TOLERANCE);
     }
 
     /**
@@ -115,8 +117,9 @@ final class PreviewMouse {
     void press(double x, double y, LightDrag dragKind) {
         pressX = x;
         pressY = y;
-        gizmo = handles().orElse(null);
-        handle = gizmo == null || dragKind != LightDrag.ROTATE ? null : pick(gizmo, x, y).orElse(null);
+        Optional<NodeGizmo.Grip> grip = dragKind == LightDrag.ROTATE ? pick(x, y) : Optional.empty();
+        gizmo = grip.map(NodeGizmo.Grip::gizmo).orElse(null);
+        handle = grip.map(NodeGizmo.Grip::handle).orElse(null);
         if (handle != null) {
             gesture = new Object();
             return;
@@ -162,8 +165,8 @@ final class PreviewMouse {
             NodeGizmo.Handle draggedHandle = handle;
             Placement placed = DragRounding.round(requireNonNull(draggedGizmo),
                     requireNonNull(draggedGizmo).drag(draggedHandle, view, canvas, from, to), view, canvas);
-            if (editor.editOrReport(scene -> NodeEdits.setPlacement(scene, draggedGizmo.node().name(), _ -> placed), gesture).isEmpty()) {
-                editor.message().show(Snapping.describe(draggedGizmo.node().placement(), placed));
+            if (editor.editOrReport(scene -> EditOutcome.of(() -> draggedGizmo.part().place(scene, placed)), gesture).isEmpty()) {
+                editor.message().show(Snapping.describe(draggedGizmo.part().placement(), placed));
             }
         } else if (startLight != null) {
             PreviewCamera view = camera.get();

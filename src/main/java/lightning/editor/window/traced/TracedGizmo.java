@@ -13,12 +13,13 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Pane;
 import javafx.scene.shape.Rectangle;
 import lightning.base.text.Messages;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LightEdits;
-import lightning.editor.document.NodeEdits;
 import lightning.editor.document.manipulation.DragRounding;
 import lightning.editor.document.manipulation.LightDrag;
 import lightning.editor.document.manipulation.LightGizmo;
 import lightning.editor.document.manipulation.NodeGizmo;
+import lightning.editor.document.manipulation.PlacedPart;
 import lightning.editor.document.manipulation.PreviewCamera;
 import lightning.editor.document.manipulation.Snapping;
 import lightning.editor.document.manipulation.Viewport;
@@ -81,6 +82,7 @@ final class TracedGizmo extends Pane {
         editor.sceneProperty().subscribe(_ -> draw());
         editor.editorStateProperty().subscribe(_ -> draw());
         settings.gizmosHiddenProperty().subscribe(_ -> draw());
+        settings.fogHandlesProperty().subscribe(_ -> draw());
         settings.gizmoSizeProperty().subscribe(_ -> draw());
         picture.pictureBoundsProperty().subscribe(_ -> draw());
         picture.hoverProperty().subscribe(_ -> draw());
@@ -106,8 +108,12 @@ final class TracedGizmo extends Pane {
                 .map(l -> LightGizmo.of(l, view(), viewport(), settings.gizmoSizeProperty().get().factor())) : Optional.empty();
     }
 
-    private Optional<NodeGizmo> handles() {
-        return isEnabled() ? editor.selection().node().flatMap(n -> NodeGizmo.of(editor.scene(), n, view(), viewport())) : Optional.empty();
+    private List<NodeGizmo> handles() {
+        return !isEnabled() ? List.of()
+                : NodeGizmo.of(editor.scene(),
+                        PlacedPart.of(editor.scene(), editor.selection().node().orElse(null), editor.selection().light(),
+                                settings.fogHandlesProperty().get()),
+                        view(), viewport());
     }
 
     /** Returns the mouse position on the canvas of the whole picture. */
@@ -119,8 +125,9 @@ final class TracedGizmo extends Pane {
     /** Starts a drag of the handle under the mouse. Returns false if there is none. */
     boolean press(MouseEvent e) {
         Viewport.Pixel point = toCanvas(e);
-        Optional<NodeGizmo> gizmo = e.getButton() == MouseButton.PRIMARY ? handles() : Optional.empty();
-        Optional<DragTarget> target = gizmo.flatMap(g -> g.pick(view(), viewport(), point, TOLERANCE).map(h -> new HandleTarget(g, h)));
+        Optional<DragTarget> target = e.getButton() != MouseButton.PRIMARY ? Optional.empty()
+                : NodeGizmo.pick(handles(), view(), viewport(), point, TOLERANCE)
+                        .map(grip -> new HandleTarget(grip.gizmo(), grip.handle()));
         if (target.isEmpty()) {
             target = light().filter(g -> g.distance(view(), viewport(), point) <= TOLERANCE)
                     .map(_ -> new LightTarget(requireNonNull(editor.selection().light()), GizmoMouseBinding.lightDrag(e)));
@@ -139,8 +146,8 @@ final class TracedGizmo extends Pane {
                 Viewport.Pixel from = drag.start();
                 Placement placed =
                         DragRounding.round(gizmo, gizmo.drag(handle, view, viewport, from, point, e.isShiftDown()), view, viewport);
-                if (editor.editOrReport(scene -> NodeEdits.setPlacement(scene, gizmo.node().name(), _ -> placed), drag).isEmpty()) {
-                    editor.message().show(Snapping.describe(gizmo.node().placement(), placed));
+                if (editor.editOrReport(scene -> EditOutcome.of(() -> gizmo.part().place(scene, placed)), drag).isEmpty()) {
+                    editor.message().show(Snapping.describe(gizmo.part().placement(), placed));
                 }
             }
             case LightTarget(Light lightAtStart, LightDrag dragKind) -> {
@@ -172,7 +179,7 @@ final class TracedGizmo extends Pane {
     void cancelDrag() {
         switch (requireNonNull(drag).target()) {
             case HandleTarget(NodeGizmo gizmo, NodeGizmo.Handle _) -> editor
-                    .edit(scene -> NodeEdits.setPlacement(scene, gizmo.node().name(), _ -> gizmo.node().placement()), drag);
+                    .edit(scene -> EditOutcome.of(() -> gizmo.part().place(scene, gizmo.part().placement())), drag);
             case LightTarget(Light lightAtStart, LightDrag _) ->
                     editor.edit(scene -> LightEdits.edit(scene, lightAtStart.name(), _ -> lightAtStart), drag);
         }
@@ -196,7 +203,7 @@ final class TracedGizmo extends Pane {
             placer.ringMark(viewport()).ifPresent(mark -> drawRing(g, mark));
         }
         light().ifPresent(gizmo -> GizmoPainter.drawWireframe(g, gizmo.strokes(view(), viewport()), GizmoPainter.SELECTED));
-        handles().ifPresent(gizmo -> GizmoPainter.drawHandles(g, gizmo, view(), viewport(), GizmoPainter.OUTLINE_WIDTH));
+        handles().forEach(gizmo -> GizmoPainter.drawHandles(g, gizmo, view(), viewport(), GizmoPainter.OUTLINE_WIDTH));
         g.restore();
     }
 

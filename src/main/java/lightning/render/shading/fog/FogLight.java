@@ -10,7 +10,7 @@ import lightning.scene.light.Light;
  */
 public final class FogLight {
     /** Bytes of a ray of the grid: its samples, which of them see the light, and whether any has light. */
-    public static final int BYTES_PER_RAY = Float.BYTES * FogGrid.SAMPLES + Integer.BYTES + 1;
+    static final int BYTES_PER_RAY = Float.BYTES * FogGrid.SAMPLES + Integer.BYTES + 1;
 
     private final Light light;
     private final FogMedium medium;

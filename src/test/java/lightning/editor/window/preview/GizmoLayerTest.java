@@ -3,7 +3,6 @@ package lightning.editor.window.preview;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.editor.document.manipulation.LightGizmo;
@@ -67,7 +66,7 @@ class GizmoLayerTest {
         drawn(SCENE, KEY, CAMERA);
         int before = layer.gizmosDrawn();
         var box = List.of(new LightGizmo.Stroke(new Viewport.Pixel(1, 1), new Viewport.Pixel(2, 2)));
-        layer.draw(SCENE, KEY, new GizmoLayer.Marks(box, Optional.empty()), CAMERA, CANVAS, 1);
+        layer.draw(SCENE, KEY, new GizmoLayer.Marks(box, List.of()), CAMERA, CANVAS, 1);
         assertThat(layer.gizmosDrawn() - before).isEqualTo(1);
     }
 
