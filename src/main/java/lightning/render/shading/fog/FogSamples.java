@@ -37,6 +37,11 @@ final class FogSamples {
         return (int) ((turn - Math.floor(turn)) * samples);
     }
 
+    /** Returns the samples that may be in the cone of the light. */
+    ConeRange coneRange() {
+        return new ConeRange(source, grid.eye(), fromEye);
+    }
+
     /** Returns whether all samples look at the same point. */
     boolean isPoint() {
         return points == null;

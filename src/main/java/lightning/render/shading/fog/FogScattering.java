@@ -1,5 +1,6 @@
 package lightning.render.shading.fog;
 
+import java.util.Arrays;
 import lightning.base.math.Vec3;
 import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogMedium;
@@ -33,11 +34,14 @@ final class FogScattering {
     private final double anisotropy;
     private final FogSamples samples;
     private final FogPath path = new FogPath();
+    private final ConeRange cone;
     /** By sample and phase; only the first for a light without an area. */
     private final @Nullable LightingEquation[] equations = new LightingEquation[FogGrid.SAMPLES * FogGrid.PHASES];
     /** Part whose transmittance at the start is known. */
     private int known;
     private double passed;
+    /** Distance of that start. */
+    private double start;
     private final double[] dx = new double[1];
     private final double[] dy = new double[1];
     private final double[] dz = new double[1];
@@ -47,6 +51,7 @@ final class FogScattering {
         this.medium = medium;
         this.anisotropy = anisotropy;
         samples = new FogSamples(grid, source);
+        cone = samples.coneRange();
     }
 
     private LightingEquation equation(int sample, int phase) {
@@ -72,7 +77,9 @@ final class FogScattering {
         int phase = grid.phase(ray);
         double surface = path.place(depth);
         known = -1;
-        for (int k = 0; k < FogGrid.SAMPLES; k++) {
+        cone.find(path, dx[0], dy[0], dz[0]);
+        Arrays.fill(to, at, at + FogGrid.SAMPLES, 0);
+        for (int k = cone.from; k < cone.to; k++) {
             boolean counts = (visible >>> k & 1) != 0 && !isHidden(grid.place(k, phase) - surface);
             to[at + k] = counts ? (float) scattered(k, phase) : 0;
         }
@@ -87,11 +94,6 @@ final class FogScattering {
      */
     static boolean isHidden(double behind) {
         return behind > 0 && behind < HIDDEN;
-    }
-
-    /** Returns what passes from the start of a part to the eye. */
-    private double transmittance(int part) {
-        return transmittanceAt(path.distance((double) part / FogGrid.SAMPLES));
     }
 
     private double transmittanceAt(double distance) {
@@ -110,14 +112,17 @@ final class FogScattering {
         if (!equation.insideCone()) {
             return 0;
         }
-        double before = known == sample ? passed : transmittance(sample);
-        passed = transmittance(sample + 1);
+        double from = known == sample ? start : path.distance((double) sample / FogGrid.SAMPLES);
+        double before = known == sample ? passed : transmittanceAt(from);
+        start = path.distance((sample + 1.0) / FogGrid.SAMPLES);
+        passed = transmittanceAt(start);
         known = sample + 1;
-        return before == 0 ? 0 : lost(sample, place, t, before - passed)
+        return before == 0 ? 0 : lost(sample, place, t, start - from, before - passed)
                 * (equation.falloff() * phase(equation.towardLight(dx[0], dy[0], dz[0])));
     }
 
-    private double lost(int sample, double place, double t, double ofPart) {
+    /** @param length length of the part @param ofPart what it takes */
+    private double lost(int sample, double place, double t, double length, double ofPart) {
         if (!path.isPoint()) {
             return ofPart;
         }
@@ -128,7 +133,6 @@ final class FogScattering {
             double z = grid.eye().z() + t * dz[0];
             return medium.densityAt(x, y, z) * transmittanceAt(t) * stands;
         }
-        double length = path.distance((sample + 1.0) / FogGrid.SAMPLES) - path.distance((double) sample / FogGrid.SAMPLES);
         return length > 0 ? ofPart / length * stands : 0;
     }
 
