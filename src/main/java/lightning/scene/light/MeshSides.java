@@ -7,7 +7,7 @@ import lightning.base.math.Vec3;
 import lightning.scene.node.Mesh;
 
 /**
- * What a light needs to know of a mesh before it is placed.
+ * Order and sides of the triangles of a mesh whose surface is a light, independent of its place.
  *
  * @param order triangles along a curve that fills space (Morton, A computer oriented geodetic data base, 1966), so that samples which are
  *     spread over the order are spread over the surface

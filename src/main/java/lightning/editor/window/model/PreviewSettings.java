@@ -45,7 +45,7 @@ public final class PreviewSettings {
         return gizmosHidden;
     }
 
-    /** Whether the box of the fog has handles: while the settings of the world are shown. Not stored. */
+    /** True while the settings of the world are shown, so that the box of the fog has handles. Not stored. */
     public BooleanProperty fogHandlesProperty() {
         return fogHandles;
     }

@@ -21,7 +21,7 @@ import lightning.scene.node.Shape;
  */
 final class UsdMeshLights {
     private final ConversionNotes notes;
-    /** Whether the mesh of a light is seen, by the light's name. */
+    /** By the name of a light: true if its mesh is seen. */
     private final Map<String, Boolean> seen = new LinkedHashMap<>();
 
     UsdMeshLights(ConversionNotes notes) {

@@ -77,7 +77,7 @@ final class ConeRange {
         double low = Math.min((-b - root) / a, (-b + root) / a);
         double high = Math.max((-b - root) / a, (-b + root) / a);
         if (a < 0) {
-            // Between the roots, in front of the lamp or behind it.
+            // Between the roots, on one side of the lamp.
             set(path, nearest + low, qu + 0.5 * (low + high) * du < 0 ? Double.NEGATIVE_INFINITY : nearest + high);
         } else if (du > 0) {
             set(path, nearest + high, Double.POSITIVE_INFINITY);
