@@ -84,7 +84,8 @@ record ErrorBench(BenchSettings settings) {
     /** Returns the scene with the largest number of samples for each area light: several hundred for each pixel of the reference. */
     private static Scene withManyLightSamples(Scene scene) {
         return scene.withLights(scene.lights().stream()
-                .map(light -> light.isArea() ? light.withArea(light.area().withSamples(SceneLimits.MAX_LIGHT_SAMPLES)) : light).toList());
+                .map(light -> light.hasSamples() ? light.withArea(light.area().withSamples(SceneLimits.MAX_LIGHT_SAMPLES)) : light)
+                .toList());
     }
 
     /** Returns POV-Ray's curve: the trace times that it reports, without parsing. */

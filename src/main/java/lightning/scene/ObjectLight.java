@@ -2,7 +2,6 @@ package lightning.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.text.Quote;
 import lightning.scene.light.AreaShape;
@@ -104,10 +103,5 @@ public final class ObjectLight {
             name = stem + " " + n;
         }
         return name;
-    }
-
-    /** Returns the light that is the surface of a shape. */
-    public static Optional<Light> of(Scene scene, String shape) {
-        return scene.lights().stream().filter(l -> l.type() == LightType.OBJECT && l.area().shape().equals(shape)).findFirst();
     }
 }

@@ -50,7 +50,7 @@ public record OverflowCheck(Light light, Material material, double limit, double
     private static double maxWeight(Light light, LightRig rig) {
         return Stream.of(light, light.withLightGroup(""))
                 .flatMap(l -> Stream.of(l, l.withContribution(Contribution.DEFAULT)))
-                .mapToDouble(l -> rig.effectiveLight(l).maxWeight() * l.maxFactor()).max().orElse(0);
+                .mapToDouble(l -> rig.effectiveLight(l).maxWeight() * rig.withSurface(l).maxFactor()).max().orElse(0);
     }
 
     /** @throws IllegalArgumentException if the lights are too bright; the message says which */

@@ -30,4 +30,18 @@ class SceneWarningsTest {
     void ambienceWithoutAmbientColors_isNoWarning() throws Exception {
         assertThat(warnings("material glowing { ambient 0.1 0 0 }\nsphere ball {}\npicture { indirect {} }")).isEmpty();
     }
+
+    @Test
+    void lightWithoutObject_isDark() throws Exception {
+        assertThat(warnings("light lamp object {}")).containsExactly("light lamp is dark: it has no object that shines");
+    }
+
+    /** The glow of a surface lights others only indirectly, and its light does so directly. */
+    @Test
+    void glowingObjectThatIsALight_countsTwiceWithIndirectLight() throws Exception {
+        String scene = "material neon { glow 3 3 3 } sphere sign { material neon } light lamp object { shape sign }";
+        assertThat(warnings(scene)).isEmpty();
+        assertThat(warnings("picture { indirect { } } world { ambience 0 } " + scene)).singleElement().asString().contains("sign", "neon",
+                "twice");
+    }
 }

@@ -79,6 +79,8 @@ public enum Command {
             DisabledReasons.unlessAnimating(DisabledReasons::noShape)),
     MAKE_LIGHT(Messages.key("Make It a Light"), Messages.key("Make the selected object a light, as bright as its glow"),
             "mdi2l-lightbulb-on-outline", "", DisabledReasons.unlessAnimating(DisabledReasons::noShape)),
+    LIGHTS_OF_GLOW(Messages.key("Make Glowing Objects Lights"), Messages.key("Make every object that glows a light, as bright as its glow"),
+            "mdi2l-lightbulb-group-outline", "", DisabledReasons.unlessAnimating(DisabledReasons::nothingGlows)),
     RENAME_SHAPE(Messages.key("Rename Object"), Messages.key("Rename the selected object or group"), "mdi2r-rename-box", "",
             DisabledReasons.unlessAnimating(DisabledReasons::noShape)),
     CHOOSE_PROFILE(Messages.key("Choose IES Profile"), Messages.key("Apply an IES profile from the scene's folder to the light"),

@@ -73,6 +73,11 @@ final class DisabledReasons {
                 Messages.tr("the light is where its object is")));
     }
 
+    static Optional<String> nothingGlows(EditorState s) {
+        return reasonUnless(s.scene().materials().stream().anyMatch(m -> !m.glow().isBlack() && m.bulb().light().isEmpty()),
+                Messages.tr("no material glows"));
+    }
+
     static Optional<String> noShape(EditorState s) {
         return reasonUnless(s.selectedNode().isPresent(), Messages.tr("no object is selected"));
     }

@@ -66,7 +66,7 @@ final class EditorMenu extends MenuBar {
         rig.setGraphic(new FontIcon("mdi2f-file-outline"));
         light.getItems().add(rig);
         Menu shape = menu(Messages.tr("Object"), Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, SEPARATOR,
-                Command.SHOW_SHAPE, Command.MAKE_LIGHT);
+                Command.SHOW_SHAPE, Command.MAKE_LIGHT, Command.LIGHTS_OF_GLOW);
         Menu shot =
                 menu(Messages.tr("Shot"), Command.TIMELINE, Command.FILM_STRIP, SEPARATOR, Command.NEW_SHOT, Command.DELETE_SHOT, SEPARATOR,
                         Command.PLAY_SHOT,

@@ -96,14 +96,19 @@ public final class UsdLightExport {
             UsdLayer.Prim prim = layer.prim(original.get().path());
             return original.get().type().equals(type) ? prim : prim.define(type);
         }
-        layer.prim(NEW_LIGHTS).define("Scope");
-        layer.metadata("defaultPrim", UsdLayer.quoted(NEW_LIGHTS.substring(1)));
+        defineScope();
         String identifier = name.replaceAll("[^A-Za-z0-9_]", "_").replaceFirst("^(?=[0-9])", "_");
         String path = NEW_LIGHTS + "/" + identifier;
         for (int i = 2; layer.contains(path); i++) {
             path = NEW_LIGHTS + "/" + identifier + "_" + i;
         }
         return layer.prim(path).define(type);
+    }
+
+    /** Defines the prim of new lights, the default one, which a layer without another needs to be valid. */
+    private void defineScope() {
+        layer.prim(NEW_LIGHTS).define("Scope");
+        layer.metadata("defaultPrim", UsdLayer.quoted(NEW_LIGHTS.substring(1)));
     }
 
     private void addLight(Light light) throws IOException {
@@ -144,8 +149,10 @@ public final class UsdLightExport {
     /** Makes the prim of a shape, which must be a mesh, a light. */
     private void addMeshLight(Light light) {
         Optional<String> path = Optional.ofNullable(paths.objects().get(light.area().shape()));
-        notes.add("lights of objects that the stage does not have", path.isEmpty() ? 1 : 0);
-        if (path.isPresent()) {
+        if (path.isEmpty()) {
+            notes.add("lights of objects that the stage does not have");
+            defineScope();
+        } else {
             UsdLayer.Prim prim = layer.prim(path.get());
             prim.metadata("prepend apiSchemas", "[\"MeshLightAPI\"]");
             values(light, UsdLightValues.MESH).forEach((declaration, samples) -> writer.set(prim, declaration, samples));

@@ -88,7 +88,7 @@ public sealed interface SweptSetting {
         }
 
         private Light withSamples(Light light) {
-            return light.isArea() ? light.withArea(light.area().withSamples(samples)) : light;
+            return light.hasSamples() ? light.withArea(light.area().withSamples(samples)) : light;
         }
 
         @Override

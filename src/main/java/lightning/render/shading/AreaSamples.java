@@ -73,7 +73,7 @@ public final class AreaSamples {
     private final Vec3 min;
     private final Vec3 max;
 
-    private AreaSamples(Vec3 center, Vec3[] offsets, int count, int patterns, float @Nullable [][] colors,
+    private AreaSamples(Vec3 center, Vec3[] offsets, Vec3 @Nullable [] points, int count, int patterns, float @Nullable [][] colors,
             @Nullable SampleNormals normals) {
         this.normals = normals;
         this.patterns = patterns;
@@ -86,7 +86,7 @@ public final class AreaSamples {
         Vec3 minPoint = new Vec3(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
         Vec3 maxPoint = minPoint.negated();
         for (int i = 0; i < offsets.length; i++) {
-            Vec3 at = center.plus(offsets[i]);
+            Vec3 at = points == null ? center.plus(offsets[i]) : points[i];
             x[i] = at.x();
             y[i] = at.y();
             z[i] = at.z();
@@ -135,6 +135,7 @@ public final class AreaSamples {
         var images = new TextureLookup();
         float[] rgb = new float[3];
         SampleNormals normals = surface == null ? null : new SampleNormals(offsets.length);
+        Vec3[] points = new Vec3[offsets.length];
         float[][] colors = image == null && (surface == null || surface.glowMap().isEmpty()) ? null : new float[3][offsets.length];
         for (int pattern = 0; pattern < patterns; pattern++) {
             int t = pattern / parts;
@@ -143,8 +144,9 @@ public final class AreaSamples {
                 double u = fraction((s + 0.5) / (n * parts) + t * PLASTIC);
                 double v = fraction(s * GOLDEN + t * PLASTIC_SQUARED + 0.5 * (i / n / 2));
                 if (surface != null && normals != null) {
-                    ObjectSurface.Point point = surface.point(u, v);
-                    offsets[patterns * i + pattern] = point.position().minus(origin).minus(source);
+                    ObjectSurface.Point point = surface.point(u, v, origin);
+                    points[patterns * i + pattern] = point.position();
+                    offsets[patterns * i + pattern] = point.position().minus(source);
                     normals.set(patterns * i + pattern, point.normal(), point.bothSides());
                     if (colors != null) {
                         images.lookUpAt(surface.glowMap().orElseThrow(), point.u(), point.v(), rgb);
@@ -180,7 +182,7 @@ public final class AreaSamples {
                 }
             }
         }
-        return new AreaSamples(source, offsets, n, patterns, colors, normals);
+        return new AreaSamples(source, offsets, surface == null ? null : points, n, patterns, colors, normals);
     }
 
     private static Vec3 onCircle(Vec3 right, Vec3 top, double radius, double rotation) {

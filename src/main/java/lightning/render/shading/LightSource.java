@@ -36,16 +36,18 @@ public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, do
     /** Returns a light's source in the camera's render space. */
     public static LightSource of(Light light, Scene scene) {
         Vec3 axis = light.direction().normalized();
-        Vec3 source = light.type().hasPosition() ? light.position().minus(scene.camera().origin()) : axis.negated();
+        Vec3 origin = scene.camera().origin();
+        Vec3 source = !light.type().hasPosition() ? axis.negated()
+                : light.area().surface().map(surface -> surface.middle(origin)).orElseGet(() -> light.position().minus(origin));
         boolean surface = light.type().isSurface();
         FogMedium fog = FogMedium.of(scene);
         boolean object = light.type() == LightType.OBJECT;
-        return new LightSource(light, scene.camera().origin(), source, axis,
+        return new LightSource(light, origin, source, axis,
                 surface ? 0 : object ? -1 : Transform.cosDegrees(light.angle()), surface ? 1 + light.dropoff() : light.dropoff(),
                 fog != null && (light.type().hasPosition() || fog.hasBounds()) ? fog : null,
-                light.isArea() ? AreaSamples.ofCenters(light, scene.camera().origin(), source, axis) : null,
+                light.isArea() ? AreaSamples.ofCenters(light, origin, source, axis) : null,
                 light.isArea() && scene.picture().sampling().isSupersampled()
-                        ? AreaSamples.ofFineSamples(light, scene.camera().origin(), source, axis, scene.picture().sampling()) : null);
+                        ? AreaSamples.ofFineSamples(light, origin, source, axis, scene.picture().sampling()) : null);
     }
 
     /** Returns the same source in other fog. */

@@ -130,8 +130,8 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
         return type.isSurface() && isArea() ? texture.map(LightTexture::image) : Optional.empty();
     }
 
-    /** Returns the image that multiplies the light of parts of its surface. */
-    private Optional<Texture> shownImage() {
+    /** Returns the image that multiplies the light of its samples: that on its face, or the glow map of an object. */
+    public Optional<Texture> sampleImage() {
         return type == LightType.OBJECT ? area.surface().flatMap(ObjectSurface::glowMap).map(TextureMap::image) : faceImage();
     }
 
@@ -149,7 +149,7 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
 
     /** Returns the largest factor of a contribution by its falloff with distance and the image on its face, at least 1. */
     public double maxFactor() {
-        return Math.max(1, maxFalloff()) * Math.max(1, shownImage().map(image -> image.areas().max()).orElse(1f));
+        return Math.max(1, maxFalloff()) * Math.max(1, sampleImage().map(image -> image.areas().max()).orElse(1f));
     }
 
     /** Returns the largest effective intensity: times the largest falloff and image value it is one that any light may have. */
@@ -171,6 +171,11 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
             case TUBE -> area.radius() > 0 || area.height() > 0;
             case OBJECT -> false;
         } || type == LightType.OBJECT && area.surface().isPresent();
+    }
+
+    /** Returns whether it has samples once it is placed in a scene: it is an area light, or the light of an object. */
+    public boolean hasSamples() {
+        return isArea() || type == LightType.OBJECT;
     }
 
     /** Returns whether it has a link or a gain to single shapes: illuminates some of them, is shadowed by some, or has a gain on some. */

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
 import lightning.base.text.Quote;
 import lightning.scene.node.NodeNames;
 import lightning.scene.value.SceneLimits;
@@ -148,7 +149,7 @@ public final class LightRig {
     private Light onSurface(Light light) {
         Light placed = withSurface(light);
         Optional<ObjectSurface> surface = placed.area().surface();
-        return surface.isEmpty() ? placed.withIntensity(0) : placed.withPosition(surface.get().middle());
+        return surface.isEmpty() ? placed.withIntensity(0) : placed.withPosition(surface.get().middle(Vec3.ZERO));
     }
 
     /** Returns a light that shines the same where a scene unit is one meter. */

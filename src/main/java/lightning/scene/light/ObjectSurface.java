@@ -28,12 +28,13 @@ public final class ObjectSurface {
     /** Sums of the areas of strips up to and including each. */
     private final double[] area;
     private final double emittingArea;
+    /** Middle relative to the origin of the solid. */
     private final Vec3 center;
 
     /**
      * Point of the surface.
      *
-     * @param position in the scene
+     * @param position relative to the origin that it was asked for
      * @param normal   unit vector, to the outer side of a closed surface
      * @param u        texture coordinate
      * @param v        texture coordinate, upwards
@@ -49,7 +50,7 @@ public final class ObjectSurface {
         /** Returns the area of its sides that shine, square scene units. */
         double emittingArea();
 
-        /** Returns a point by its share of the area across the strip and along it. */
+        /** Returns a point by its share of the area across the strip and along it, relative to the origin of the solid. */
         Point point(double across, double along);
     }
 
@@ -62,9 +63,10 @@ public final class ObjectSurface {
         this.solid = solid;
         this.toScene = toScene;
         this.glowMap = glowMap;
+        Transform turned = toScene.linearPart();
         strips = switch (solid) {
-            case Solid.Canonical canonical -> CanonicalSurface.strips(canonical, toScene);
-            case Solid.TriangleMesh mesh -> List.of(new MeshSurface(mesh.mesh(), toScene, sides(mesh, known)));
+            case Solid.Canonical canonical -> CanonicalSurface.strips(canonical, turned);
+            case Solid.TriangleMesh mesh -> List.of(new MeshSurface(mesh.mesh(), turned, sides(mesh, known)));
         };
         area = new double[strips.size()];
         double sum = 0;
@@ -88,7 +90,7 @@ public final class ObjectSurface {
         Vec3 sum = Vec3.ZERO;
         List<Vec3> points = new ArrayList<>();
         for (int i = 0; area() > 0 && i < steps * steps; i++) {
-            points.add(point((i / steps + 0.5) / steps, (i % steps + 0.5) / steps).position());
+            points.add(pointOfStrip((i / steps + 0.5) / steps, (i % steps + 0.5) / steps).position());
         }
         for (Vec3 point : points) {
             sum = sum.plus(point.times(1.0 / points.size()));
@@ -107,9 +109,16 @@ public final class ObjectSurface {
         return emittingArea;
     }
 
-    /** Returns a point in its middle, in the scene. */
-    public Vec3 middle() {
-        return center;
+    /**
+     * Returns a point in its middle, relative to an origin. The origin is subtracted from the place of the solid first, so that nothing is lost far
+     * from the origin of the scene.
+     */
+    public Vec3 middle(Vec3 origin) {
+        return center.plus(place(origin));
+    }
+
+    private Vec3 place(Vec3 origin) {
+        return new Vec3(toScene.t0(), toScene.t1(), toScene.t2()).minus(origin);
     }
 
     public Optional<TextureMap> glowMap() {
@@ -117,12 +126,17 @@ public final class ObjectSurface {
     }
 
     /**
-     * Returns a point of a surface with an area.
+     * Returns a point of a surface with an area, relative to an origin as {@link #middle}.
      *
      * @param a 0 … below 1
      * @param b 0 … below 1
      */
-    public Point point(double a, double b) {
+    public Point point(double a, double b, Vec3 origin) {
+        Point point = pointOfStrip(a, b);
+        return new Point(point.position().plus(place(origin)), point.normal(), point.u(), point.v(), point.bothSides());
+    }
+
+    private Point pointOfStrip(double a, double b) {
         double at = a * area[area.length - 1];
         int strip = indexOf(area, at);
         double before = strip == 0 ? 0 : area[strip - 1];

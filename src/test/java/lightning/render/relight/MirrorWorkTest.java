@@ -55,7 +55,7 @@ class MirrorWorkTest {
     }
 
     @ParameterizedTest
-    @EnumSource(LightType.class)
+    @EnumSource(value = LightType.class, mode = EnumSource.Mode.EXCLUDE, names = "OBJECT")
     void deeperRecursion_tracesOnlyNewLevel(LightType type) {
         try (StudioRenderer studio = StudioRenderer.of(type)) {
             UpdateResult update = studio.depth(3);

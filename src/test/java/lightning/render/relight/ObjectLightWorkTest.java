@@ -105,5 +105,7 @@ class ObjectLightWorkTest {
         var map = new TextureMap("a.png", 1, 1, new Texture(1, 2, new float[] {1, 0, 0, 0, 0, 1}));
         studio.render(studio.scene().withStage(studio.scene().stage().withMaterials(studio.scene().materials().stream()
                 .map(m -> m.name().equals("glow") ? m.withGlowMap(Optional.of(map)) : m).toList())));
+        assertNoRay(light -> light.withIntensity(0.5));
+        assertNoRay(light -> light.withFalloff(Falloff.INVERSE_SQUARE));
     }
 }

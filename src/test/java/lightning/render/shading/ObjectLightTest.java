@@ -116,7 +116,7 @@ class ObjectLightTest {
         assertThat(surface.area()).isCloseTo(4 * (2 + 4 + 4), withPercentage(1e-9));
         assertThat(surface.emittingArea()).isCloseTo(surface.area(), withPercentage(1e-9));
         for (int i = 0; i < 100; i++) {
-            ObjectSurface.Point point = surface.point(i / 100.0, i * 0.618 % 1);
+            ObjectSurface.Point point = surface.point(i / 100.0, i * 0.618 % 1, Vec3.ZERO);
             assertThat(point.bothSides()).isFalse();
             assertThat(point.normal().dot(point.position())).isPositive();
         }
@@ -191,7 +191,7 @@ class ObjectLightTest {
             int upper = 0;
             int steps = 200;
             for (int i = 0; i < steps * steps; i++) {
-                upper += surface.point((i / steps + 0.5) / steps, (i % steps + 0.5) / steps).position().x() > 0 ? 1 : 0;
+                upper += surface.point((i / steps + 0.5) / steps, (i % steps + 0.5) / steps, Vec3.ZERO).position().x() > 0 ? 1 : 0;
             }
             assertThat(upper).as(solid.typeName()).isCloseTo(steps * steps / 2, withPercentage(2));
         }

@@ -1,6 +1,7 @@
 package lightning.editor.window.model;
 
 import lightning.editor.document.Command;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.document.NodeEdits;
 import lightning.scene.ObjectLight;
 import lightning.scene.node.SceneNode;
@@ -14,6 +15,7 @@ final class NodeActions {
                 .ifPresent(n -> editor.editOrReport(scene -> NodeEdits.setVisible(scene, n.name(), !n.visible()))));
         commands.setAction(Command.DUPLICATE_SHAPE, () -> editor.selection().node().ifPresent(n -> duplicate(editor, n)));
         commands.setAction(Command.MAKE_LIGHT, () -> editor.selection().node().ifPresent(n -> makeLight(editor, n.name())));
+        commands.setAction(Command.LIGHTS_OF_GLOW, () -> editor.editOrReport(scene -> EditOutcome.of(() -> ObjectLight.makeAll(scene))));
         commands.setAction(Command.DELETE_SHAPE, () -> editor.selection().node()
                 .ifPresent(n -> editor.editOrReport(scene -> NodeEdits.delete(scene, n.name()))));
     }

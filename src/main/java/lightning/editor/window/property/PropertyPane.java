@@ -31,6 +31,7 @@ import lightning.scene.light.IntensityUnit;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightAttribute.Section;
+import lightning.scene.light.LightType;
 import org.jspecify.annotations.Nullable;
 
 /** Property editor of the selected light (paper §3.2, Figure 5). */
@@ -73,11 +74,11 @@ public final class PropertyPane extends VBox {
             });
         }
 
-        /** A directional light keeps its position, where its gizmo is drawn. */
+        /** A directional light keeps its position, where its gizmo is drawn; that of an object has none. */
         private static boolean actsOn(Light light, LightAttribute<?> attribute) {
-            return attribute == LightAttribute.POSITION
+            return attribute == LightAttribute.POSITION && light.type() != LightType.OBJECT
                     || attribute.inactiveReason(light).isEmpty()
-                            && (attribute != LightAttribute.SAMPLES && attribute != LightAttribute.VISIBLE || light.isArea());
+                            && (attribute != LightAttribute.SAMPLES && attribute != LightAttribute.VISIBLE || light.hasSamples());
         }
     }
 

@@ -70,7 +70,7 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
         Rgb color = isTinted ? usdColor() : light.color();
         result.put("color3f inputs:color",
                 "(" + Stream.of(color.r(), color.g(), color.b()).map(UsdLayer::number).collect(Collectors.joining(", ")) + ")");
-        boolean hasLuminance = light.emission().unit() == IntensityUnit.NIT && (light.isArea() || light.type() == LightType.OBJECT);
+        boolean hasLuminance = light.emission().unit() == IntensityUnit.NIT && light.hasSamples();
         result.put(INTENSITY, UsdLayer.number(hasLuminance ? light.intensity() : power()));
         result.put("float inputs:exposure", UsdLayer.number(light.emission().exposure()));
         result.put(NORMALIZE, hasLuminance ? "0" : "1");

@@ -223,7 +223,7 @@ public final class LightRows implements LightLayer {
         if (!metallic) {
             columns.remove(Column.GRAZING);
         }
-        if (light.faceImage().isEmpty()) {
+        if (light.sampleImage().isEmpty()) {
             columns.removeAll(Column.FACE_COLUMNS);
             columns.removeAll(Column.HIGHLIGHT_COLUMNS);
         }
