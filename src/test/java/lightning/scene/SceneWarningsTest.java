@@ -34,6 +34,7 @@ class SceneWarningsTest {
     @Test
     void lightWithoutObject_isDark() throws Exception {
         assertThat(warnings("light lamp object {}")).containsExactly("light lamp is dark: it has no object that shines");
+        assertThat(warnings("group g {} light lamp object { shape g }")).hasSize(1);
     }
 
     /** The glow of a surface lights others only indirectly, and its light does so directly. */

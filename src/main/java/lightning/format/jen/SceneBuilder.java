@@ -40,7 +40,6 @@ import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.node.Mesh;
 import lightning.scene.node.SceneNode;
-import lightning.scene.node.Shape;
 import lightning.scene.value.Photometry;
 import lightning.scene.value.Placement;
 import lightning.scene.value.SceneLimits;
@@ -242,18 +241,12 @@ final class SceneBuilder {
         }
     }
 
-    /** Adds a problem if the shape that shines does not exist, or is a group. */
+    /** Adds a problem if the shape that shines does not exist. A group is allowed, as for links; it is dark. */
     private void checkShape(Block block) {
         Block.Entry entry = block.entry(LightAttribute.SHAPE.name());
-        if (entry != null && entry.value() instanceof Value.Name(String name) && !isShape(name)) {
-            problems.add(tokens.start(entry.from()), block.title() + ": there is no shape " + Quote.of(name)
-                    + NameSuggestion.hint(name, blocksByName.keySet().stream().filter(this::isShape).toList()));
+        if (entry != null && entry.value() instanceof Value.Name(String name)) {
+            checkNode(block, LightAttribute.SHAPE, name, entry.from());
         }
-    }
-
-    private boolean isShape(String name) {
-        Block block = blocksByName.get(name);
-        return block == null ? stage.node(name).orElse(null) instanceof Shape : isNode(name) && block.type != BlockTypes.GROUP;
     }
 
     private boolean isNode(String name) {
