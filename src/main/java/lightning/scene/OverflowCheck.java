@@ -33,12 +33,13 @@ public record OverflowCheck(Light light, Material material, double limit, double
             return Optional.empty();
         }
         Material material = stage.sharpestMaterial().get();
+        LightRig placed = rig.withSurfaces(stage.surfaces(rig));
         double limit = SceneLimits.MAX_TOTAL_LIGHT / material.maxTerm();
         double sum = 0;
         double brightest = 0;
         Light light = null;
-        for (Light candidate : rig.lights()) {
-            double weight = maxWeight(candidate, rig);
+        for (Light candidate : placed.lights()) {
+            double weight = maxWeight(candidate, placed);
             sum += weight;
             light = weight > brightest ? candidate : light;
             brightest = Math.max(brightest, weight);

@@ -59,7 +59,7 @@ sealed interface LightChange {
     record SetArea(AreaShape to) implements LightChange {
         @Override
         public Light on(Light light, Scene scene) {
-            return light.withArea(to);
+            return light.withArea(to).retainLinks(scene.stage()::hasNode);
         }
     }
 

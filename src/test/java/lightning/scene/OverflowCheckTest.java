@@ -54,6 +54,14 @@ class OverflowCheckTest {
                         + "to at most 1.66e28 for metallic material 'gold', whose highlights are this sharp, was 1e33");
     }
 
+    /** Its largest falloff depends on the surface, which the scene places. */
+    @Test
+    void lightOfObject_isReportedInItsPlace() {
+        assertThatThrownBy(() -> read("light \"lamp\" object { shape ball intensity 1e30 color 1000 1 1 }\n"
+                + BRIGHT.replace("1e30", "1") + GOLD)).isInstanceOf(JenException.class).hasMessageContaining("sun.jen:2:")
+                .hasMessageContaining("light 'lamp': color times intensity");
+    }
+
     @Test
     void tooBrightEdit_isRejected() throws JenException {
         Scene rough = read(BRIGHT + GOLD.replace("roughness 0", "roughness 0.3"));

@@ -37,16 +37,22 @@ public final class LightRig {
 
     private LightRig(List<Light> lights, List<LightGroup> lightGroups, LightRigNames names, List<Light> sky, double meters,
             Map<String, ObjectSurface> surfaces) {
-        this.lights = lights;
+        this.lights = withoutSurfaces(lights);
         this.lightGroups = lightGroups;
         this.names = names;
         this.environmentLights = sky;
         this.meters = meters;
         this.surfaces = surfaces;
-        List<Light> resolved = lights.stream().allMatch(l -> effectiveLight(l) == l) ? lights
-                : lights.stream().map(this::effectiveLight).toList();
+        List<Light> resolved = this.lights.stream().allMatch(l -> effectiveLight(l) == l) ? this.lights
+                : this.lights.stream().map(this::effectiveLight).toList();
         effectiveLights = sky.isEmpty() ? resolved : Stream.concat(resolved.stream(), sky.stream()).toList();
         anySolo = effectiveLights.stream().anyMatch(l -> l.solo() && l.on());
+    }
+
+    /** Returns lights as documents have them: the surface of an object belongs to the scene. */
+    private static List<Light> withoutSurfaces(List<Light> lights) {
+        return lights.stream().allMatch(l -> l.area().surface().isEmpty()) ? lights
+                : lights.stream().map(l -> l.withArea(l.area().withSurface(Optional.empty()))).toList();
     }
 
     /** Creates a rig without light groups; see {@link #of(List, List)}. */

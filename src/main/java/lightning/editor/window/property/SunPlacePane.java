@@ -28,11 +28,12 @@ final class SunPlacePane extends TitledPane {
     private static final int COLUMNS = 6;
 
     private final SceneEditor editor;
-    private final TextField latitude = field("sky-latitude", "51.48", Messages.tr("Degrees, north positive"));
-    private final TextField longitude = field("sky-longitude", "0", Messages.tr("Degrees, east positive"));
+    private final TextField latitude = field("sky-latitude", Messages.tr("Latitude"), "51.48", Messages.tr("Degrees, north positive"));
+    private final TextField longitude = field("sky-longitude", Messages.tr("Longitude"), "0", Messages.tr("Degrees, east positive"));
     private final DatePicker date = new DatePicker(LocalDate.now(ZoneOffset.UTC));
-    private final TextField time = field("sky-time", "12:00", Messages.tr("Hours and minutes, such as 17:30"));
-    private final TextField offset = field("sky-offset", "0", Messages.tr("Hours that the clock is ahead of UTC, with summer time"));
+    private final TextField time = field("sky-time", Messages.tr("Time"), "12:00", Messages.tr("Hours and minutes, such as 17:30"));
+    private final TextField offset =
+            field("sky-offset", Messages.tr("UTC +"), "0", Messages.tr("Hours that the clock is ahead of UTC, with summer time"));
 
     SunPlacePane(SceneEditor editor) {
         this.editor = editor;
@@ -41,6 +42,7 @@ final class SunPlacePane extends TitledPane {
         setExpanded(false);
         setAnimated(false);
         date.setId("sky-date");
+        date.setAccessibleText(Messages.tr("Date"));
         date.setEditable(true);
         date.setMaxWidth(Double.MAX_VALUE);
         var set = new Button(Messages.tr("Set Sun"));
@@ -65,9 +67,10 @@ final class SunPlacePane extends TitledPane {
         return label;
     }
 
-    private static TextField field(String id, String text, String help) {
+    private static TextField field(String id, String name, String text, String help) {
         var field = new TextField(text);
         field.setId(id);
+        field.setAccessibleText(name);
         field.setPrefColumnCount(COLUMNS);
         field.setTooltip(new Tooltip(help));
         return field;
