@@ -80,7 +80,8 @@ final class RandomJenText {
         for (Property<?> p : type.properties()) {
             boolean file = p.name().equals(BlockTypes.FILE) && type.keyword().equals("mesh");
             boolean missing = p.form() == Property.Form.QUOTED || p.unit().contains(", needs a ") || p.name().equals(BlockTypes.PART)
-                    || p.name().equals("bank") && groupNames.isEmpty() || p.name().equals("gains") && nodes.isEmpty();
+                    || p.name().equals("bank") && groupNames.isEmpty()
+                    || (p.name().equals("gains") || p.name().equals("shape")) && nodes.isEmpty();
             if (file ? !mistake() : missing ? mistake() : random.nextInt(3) == 0) {
                 word(p.name());
                 value(p);
@@ -102,7 +103,11 @@ final class RandomJenText {
             }
             case WORD -> word(p.choices().get(random.nextInt(p.choices().size())));
             case LINKS -> links();
-            case NAME -> word(NameSyntax.format(p.name().equals("bank") ? groupName() : material()));
+            case NAME -> word(NameSyntax.format(switch (p.name()) {
+                case "bank" -> groupName();
+                case "shape" -> nodes.isEmpty() ? "none of them" : nodes.get(random.nextInt(nodes.size()));
+                default -> material();
+            }));
             case BLOCK -> {
                 word("{");
                 properties(BlockTypes.nested(p));
