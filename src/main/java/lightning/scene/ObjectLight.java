@@ -2,6 +2,7 @@ package lightning.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
 import lightning.base.math.Rgb;
 import lightning.base.text.Quote;
 import lightning.scene.light.AreaShape;
@@ -67,7 +68,8 @@ public final class ObjectLight {
     public static Scene withBulb(Scene scene, Shape shape, String light) {
         boolean isOwn = scene.material(shape.material()).isPresent() && users(scene.nodes(), shape.material()) == 1;
         Material material = scene.materialsByName().getOrDefault(shape.material(), Material.DEFAULT);
-        Material bulb = material.withName(isOwn ? material.name() : freeName(scene, material.name() + " " + light))
+        Material bulb = material
+                .withName(isOwn ? material.name() : unused(stem(material.name() + " " + light), scene.materialsByName()::containsKey))
                 .withGlow(Rgb.BLACK).withBulb(Bulb.NONE.withLight(light));
         List<Material> materials = new ArrayList<>(scene.materials());
         if (isOwn) {
@@ -81,10 +83,17 @@ public final class ObjectLight {
 
     /** Returns an unused name for the light of a shape. */
     public static String lightName(Scene scene, String shape) {
-        String stem = shape.substring(0, shape.offsetByCodePoints(0, Math.min(shape.codePointCount(0, shape.length()), MAX_STEM)));
-        String name = stem + " light";
-        for (int n = 2; scene.isNameUsed(name); n++) {
-            name = stem + " light " + n;
+        return unused(stem(shape) + " light", scene::isNameUsed);
+    }
+
+    private static String stem(String name) {
+        return name.substring(0, name.offsetByCodePoints(0, Math.min(name.codePointCount(0, name.length()), MAX_STEM)));
+    }
+
+    private static String unused(String wanted, Predicate<String> isUsed) {
+        String name = wanted;
+        for (int n = 2; isUsed.test(name); n++) {
+            name = wanted + " " + n;
         }
         return name;
     }
@@ -94,14 +103,5 @@ public final class ObjectLight {
             case NodeGroup group -> users(group.children(), material);
             case Shape shape -> shape.material().equals(material) ? 1 : 0;
         }).sum();
-    }
-
-    private static String freeName(Scene scene, String wanted) {
-        String stem = wanted.substring(0, wanted.offsetByCodePoints(0, Math.min(wanted.codePointCount(0, wanted.length()), MAX_STEM)));
-        String name = stem;
-        for (int n = 2; scene.materialsByName().containsKey(name); n++) {
-            name = stem + " " + n;
-        }
-        return name;
     }
 }

@@ -29,17 +29,21 @@ public record OverflowCheck(Light light, Material material, double limit, double
 
     /** Returns the violation of a stage and its lights, if any. Environment lights never cause one. */
     public static Optional<OverflowCheck> of(Stage stage, LightRig rig) {
+        return ofPlaced(stage, rig.withSurfaces(stage.surfaces(rig)));
+    }
+
+    /** @param rig lights with the surfaces of the stage */
+    private static Optional<OverflowCheck> ofPlaced(Stage stage, LightRig rig) {
         if (stage.sharpestMaterial().isEmpty()) {
             return Optional.empty();
         }
         Material material = stage.sharpestMaterial().get();
-        LightRig placed = rig.withSurfaces(stage.surfaces(rig));
         double limit = SceneLimits.MAX_TOTAL_LIGHT / material.maxTerm();
         double sum = 0;
         double brightest = 0;
         Light light = null;
-        for (Light candidate : placed.lights()) {
-            double weight = maxWeight(candidate, placed);
+        for (Light candidate : rig.lights()) {
+            double weight = maxWeight(candidate, rig);
             sum += weight;
             light = weight > brightest ? candidate : light;
             brightest = Math.max(brightest, weight);
@@ -54,9 +58,12 @@ public record OverflowCheck(Light light, Material material, double limit, double
                 .mapToDouble(l -> rig.effectiveLight(l).maxWeight() * rig.withSurface(l).maxFactor()).max().orElse(0);
     }
 
-    /** @throws IllegalArgumentException if the lights are too bright; the message says which */
+    /**
+     * @param rig lights with the surfaces of the stage
+     * @throws IllegalArgumentException if the lights are too bright; the message says which
+     */
     static void check(Stage stage, LightRig rig) {
-        of(stage, rig).ifPresent(overflow -> {
+        ofPlaced(stage, rig).ifPresent(overflow -> {
             throw new IllegalArgumentException(overflow.message());
         });
     }

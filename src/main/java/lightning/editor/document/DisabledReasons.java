@@ -117,9 +117,9 @@ final class DisabledReasons {
     }
 
     static Optional<String> nothingToAnimate(EditorState s) {
-        return noPlacedLight(s).isPresent() ? noPlacedLight(s) : lightReason(s, !s.hasPendingEdits(),
+        return noPlacedLight(s).or(() -> lightReason(s, !s.hasPendingEdits(),
                 s.renderedScene().isEmpty() ? Messages.tr(NO_PICTURE)
-                        : Messages.tr("the image is out of date; render first"));
+                        : Messages.tr("the image is out of date; render first")));
     }
 
     static Optional<String> hasShot(EditorState s) {

@@ -33,8 +33,8 @@ final class CanonicalSurface {
         double[] of(Vec3 point);
     }
 
-    /** Ring of a patch: the first parameter between two values. @param sums sums of the areas of cells along it */
-    private record Ring(Patch patch, Transform toScene, double from, double to, boolean bothSides, Vec3 inside, double[] sums)
+    /** Ring of a patch: the first parameter between two values. @param cells areas of cells along it */
+    private record Ring(Patch patch, Transform toScene, double from, double to, boolean bothSides, Vec3 inside, AreaSums cells)
             implements ObjectSurface.Strip {
         static Ring of(Patch patch, Transform toScene, double from, double to, boolean bothSides, Vec3 inside) {
             double[] area = new double[CELLS];
@@ -47,12 +47,12 @@ final class CanonicalSurface {
                 sum += 0.5 * (third.minus(first).cross(fourth.minus(second)).length());
                 area[i] = sum;
             }
-            return new Ring(patch, toScene, from, to, bothSides, inside, area);
+            return new Ring(patch, toScene, from, to, bothSides, inside, new AreaSums(area));
         }
 
         @Override
         public double area() {
-            return sums[CELLS - 1];
+            return cells.total();
         }
 
         @Override
@@ -62,11 +62,9 @@ final class CanonicalSurface {
 
         @Override
         public ObjectSurface.Point point(double across, double along) {
-            double at = along * area();
-            int cell = ObjectSurface.indexOf(sums, at);
-            double before = cell == 0 ? 0 : sums[cell - 1];
+            AreaSums.Place cell = cells.at(along);
             double a = from + across * (to - from);
-            double b = (cell + Math.clamp((at - before) / (sums[cell] - before), 0, 1)) / CELLS;
+            double b = (cell.index() + cell.share()) / CELLS;
             Vec3 position = toScene.transformPoint(patch.point(a, b));
             Vec3 normal = normal(a, b).normalized();
             boolean inwards = normal.dot(position.minus(toScene.transformPoint(inside))) < 0;

@@ -215,9 +215,9 @@ public final class LightRig {
         return new LightRig(List.copyOf(updated), lightGroups, names, environmentLights, meters, surfaces);
     }
 
-    /** Returns this rig with other lights and the same groups. */
+    /** Returns this rig with other lights, the same groups and the known surfaces of shapes. */
     public LightRig withLights(List<Light> v) {
-        return of(v, lightGroups);
+        return of(v, lightGroups).withSurfaces(surfaces);
     }
 
     /**

@@ -9,14 +9,14 @@ import lightning.scene.node.Mesh;
  *
  * @param sides   order of the triangles, and the sides to which they shine
  * @param mirrors whether the map to the scene turns left to right
- * @param sums    sums of the areas of triangles up to and including each, in that order
+ * @param areas   areas of the triangles in that order
  * @param emittingArea area of all sides that shine
  */
-record MeshSurface(Mesh mesh, Transform toScene, MeshSides sides, boolean mirrors, double[] sums, double emittingArea)
+record MeshSurface(Mesh mesh, Transform toScene, MeshSides sides, boolean mirrors, AreaSums areas, double emittingArea)
         implements ObjectSurface.Strip {
 
     MeshSurface(Mesh mesh, Transform toScene, MeshSides sides) {
-        this(mesh, toScene, sides, isMirror(toScene), sums(mesh, toScene, sides), emittingArea(mesh, toScene, sides));
+        this(mesh, toScene, sides, isMirror(toScene), areas(mesh, toScene, sides), emittingArea(mesh, toScene, sides));
     }
 
     private static boolean isMirror(Transform t) {
@@ -26,14 +26,14 @@ record MeshSurface(Mesh mesh, Transform toScene, MeshSides sides, boolean mirror
         return x.cross(y).dot(z) < 0;
     }
 
-    private static double[] sums(Mesh mesh, Transform toScene, MeshSides sides) {
+    private static AreaSums areas(Mesh mesh, Transform toScene, MeshSides sides) {
         double[] sums = new double[mesh.triangleCount()];
         double sum = 0;
         for (int i = 0; i < sums.length; i++) {
             sum += area(mesh, toScene, sides.order()[i]);
             sums[i] = sum;
         }
-        return sums;
+        return new AreaSums(sums);
     }
 
     private static double emittingArea(Mesh mesh, Transform toScene, MeshSides sides) {
@@ -61,17 +61,15 @@ record MeshSurface(Mesh mesh, Transform toScene, MeshSides sides, boolean mirror
 
     @Override
     public double area() {
-        return sums.length == 0 ? 0 : sums[sums.length - 1];
+        return areas.total();
     }
 
     @Override
     public ObjectSurface.Point point(double across, double along) {
-        double at = across * area();
-        int index = ObjectSurface.indexOf(sums, at);
-        double before = index == 0 ? 0 : sums[index - 1];
-        int triangle = sides.order()[index];
+        AreaSums.Place place = areas.at(across);
+        int triangle = sides.order()[place.index()];
         // Uniform in a triangle: Turk, Generating random points in triangles, 1990.
-        double root = Math.sqrt(Math.clamp((at - before) / (sums[index] - before), 0, 1));
+        double root = Math.sqrt(place.share());
         double[] weight = {1 - root, root * (1 - along), root * along};
         Vec3 local = Vec3.ZERO;
         double u = 0;

@@ -1,7 +1,5 @@
 package lightning.scene.light;
 
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Transform;
@@ -25,8 +23,8 @@ public final class ObjectSurface {
     private final Transform toScene;
     private final Optional<TextureMap> glowMap;
     private final List<Strip> strips;
-    /** Sums of the areas of strips up to and including each. */
-    private final double[] area;
+    /** Areas of the strips. */
+    private final AreaSums areas;
     private final double emittingArea;
     /** Middle relative to the origin of the solid. */
     private final Vec3 center;
@@ -68,14 +66,15 @@ public final class ObjectSurface {
             case Solid.Canonical canonical -> CanonicalSurface.strips(canonical, turned);
             case Solid.TriangleMesh mesh -> List.of(new MeshSurface(mesh.mesh(), turned, sides(mesh, known)));
         };
-        area = new double[strips.size()];
+        double[] sums = new double[strips.size()];
         double sum = 0;
         double emitting = 0;
-        for (int i = 0; i < area.length; i++) {
+        for (int i = 0; i < sums.length; i++) {
             sum += strips.get(i).area();
             emitting += strips.get(i).emittingArea();
-            area[i] = sum;
+            sums[i] = sum;
         }
+        areas = new AreaSums(sums);
         emittingArea = emitting;
         center = center();
     }
@@ -87,20 +86,17 @@ public final class ObjectSurface {
 
     private Vec3 center() {
         int steps = 16;
+        int count = area() > 0 ? steps * steps : 0;
         Vec3 sum = Vec3.ZERO;
-        List<Vec3> points = new ArrayList<>();
-        for (int i = 0; area() > 0 && i < steps * steps; i++) {
-            points.add(pointOfStrip((i / steps + 0.5) / steps, (i % steps + 0.5) / steps).position());
-        }
-        for (Vec3 point : points) {
-            sum = sum.plus(point.times(1.0 / points.size()));
+        for (int i = 0; i < count; i++) {
+            sum = sum.plus(pointOfStrip((i / steps + 0.5) / steps, (i % steps + 0.5) / steps).position().times(1.0 / count));
         }
         return sum;
     }
 
     /** Returns the area, square scene units; 0 if nothing can shine. */
     public double area() {
-        double sum = area.length == 0 ? 0 : area[area.length - 1];
+        double sum = areas.total();
         return sum > 0 && sum < Double.POSITIVE_INFINITY ? sum : 0;
     }
 
@@ -137,24 +133,8 @@ public final class ObjectSurface {
     }
 
     private Point pointOfStrip(double a, double b) {
-        double at = a * area[area.length - 1];
-        int strip = indexOf(area, at);
-        double before = strip == 0 ? 0 : area[strip - 1];
-        return strips.get(strip).point(Math.clamp((at - before) / (area[strip] - before), 0, Math.nextDown(1.0)), b);
-    }
-
-    /** Returns the first index whose ascending sum is above a value; the last with a share of its own if there is none. */
-    static int indexOf(double[] sums, double value) {
-        int found = Arrays.binarySearch(sums, value);
-        int index = found >= 0 ? found + 1 : -found - 1;
-        while (index < sums.length && sums[index] == value) {
-            index++;
-        }
-        index = Math.min(index, sums.length - 1);
-        while (index > 0 && sums[index] == sums[index - 1]) {
-            index--;
-        }
-        return index;
+        AreaSums.Place strip = areas.at(a);
+        return strips.get(strip.index()).point(Math.min(strip.share(), Math.nextDown(1.0)), b);
     }
 
     /** Returns whether it is the surface of this solid at a place. */

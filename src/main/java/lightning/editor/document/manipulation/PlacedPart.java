@@ -23,6 +23,11 @@ public sealed interface PlacedPart {
      */
     Scene place(Scene scene, Placement v);
 
+    /** Returns whether a placement has another size. */
+    default boolean isScaled(Placement v) {
+        return !v.scale().equals(placement().scale());
+    }
+
     /** Returns whether it can be turned. */
     default boolean canRotate() {
         return true;
@@ -86,11 +91,10 @@ public sealed interface PlacedPart {
 
         @Override
         public Scene place(Scene scene, Placement v) {
-            boolean isScaled = !v.scale().equals(placement().scale());
             Light now = scene.light(light.name()).orElse(light);
             return scene.withLight(now.withFlag(now.flag().withPosition(v.position()).withRotation(v.rotation())
-                    .withWidth(isScaled ? v.scale().x() : light.flag().width())
-                    .withHeight(isScaled ? v.scale().y() : light.flag().height())));
+                    .withWidth(isScaled(v) ? v.scale().x() : light.flag().width())
+                    .withHeight(isScaled(v) ? v.scale().y() : light.flag().height())));
         }
     }
 
@@ -103,10 +107,9 @@ public sealed interface PlacedPart {
 
         @Override
         public Scene place(Scene scene, Placement v) {
-            boolean isScaled = !v.scale().equals(placement().scale());
             Light now = scene.light(light.name()).orElse(light);
             return scene.withLight(now.withFilter(now.filter().withPosition(v.position()).withRotation(v.rotation())
-                    .withSize(isScaled ? v.scale() : light.filter().size())));
+                    .withSize(isScaled(v) ? v.scale() : light.filter().size())));
         }
     }
 
@@ -119,9 +122,8 @@ public sealed interface PlacedPart {
 
         @Override
         public Scene place(Scene scene, Placement v) {
-            boolean isScaled = !v.scale().equals(placement().scale());
             return scene.withWorld(scene.world().withFog(scene.world().fog().withCenter(v.position())
-                    .withSize(isScaled ? v.scale() : fog.size())));
+                    .withSize(isScaled(v) ? v.scale() : fog.size())));
         }
 
         @Override

@@ -4,7 +4,6 @@ import java.time.LocalDate;
 import java.time.LocalTime;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeParseException;
-import java.util.Locale;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -14,6 +13,7 @@ import javafx.scene.control.TextField;
 import javafx.scene.control.TitledPane;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.GridPane;
+import lightning.base.text.DecimalNumber;
 import lightning.base.text.Messages;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.window.model.SceneEditor;
@@ -114,10 +114,7 @@ final class SunPlacePane extends TitledPane {
     }
 
     private static double number(TextField field, String name) {
-        try {
-            return Double.parseDouble(field.getText().strip().replace(',', '.').toLowerCase(Locale.ROOT));
-        } catch (NumberFormatException e) {
-            throw new IllegalArgumentException(Messages.tr("{0} must be a number, was {1}", name, field.getText()), e);
-        }
+        return DecimalNumber.parse(field.getText().strip().replace(',', '.')).orElseThrow(
+                () -> new IllegalArgumentException(Messages.tr("{0} must be a number, was {1}", name, field.getText())));
     }
 }
