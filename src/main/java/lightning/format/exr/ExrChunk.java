@@ -42,9 +42,19 @@ public final class ExrChunk {
         type.put(buffer, y * lineBytes + channelOffsets[channel] + x * type.bytes(), v);
     }
 
-    float get(int channel, int x, int y) {
+    /**
+     * Reads the values of a line.
+     *
+     * @param y  line within the chunk
+     * @param to receives one value for each pixel of the line
+     */
+    void readLine(int channel, int y, float[] to) {
         ExrType type = block.channels().get(channel).type();
-        return type.get(buffer, y * lineBytes + channelOffsets[channel] + x * type.bytes());
+        int first = y * lineBytes + channelOffsets[channel];
+        int bytes = type.bytes();
+        for (int x = 0; x < block.width(); x++) {
+            to[x] = type.get(buffer, first + x * bytes);
+        }
     }
 
     /**

@@ -97,6 +97,7 @@ public final class ExrReader implements AutoCloseable {
         ByteBuffer table = readBytes(part.tableOffset(), Math.toIntExact(Long.BYTES * chunks));
         var seen = new BitSet();
         float[] values = new float[channels.length];
+        float[][] lines = new float[channels.length][width];
         while (table.hasRemaining()) {
             long offset = table.getLong();
             ByteBuffer start = readBytes(offset, part.chunkHeaderBytes());
@@ -111,14 +112,20 @@ public final class ExrReader implements AutoCloseable {
                     Math.min(height, exrHeader.height() - top));
             var pixels = new ExrChunk(block, readChunk(offset + start.capacity(), start.getInt(), block, top));
             for (int y = 0; y < block.height(); y++) {
+                int line = part.window().top() + top + y;
+                if (line < 0 || line >= part.window().height()) {
+                    continue;
+                }
+                for (int i = 0; i < channels.length; i++) {
+                    pixels.readLine(channels[i], y, lines[i]);
+                }
                 for (int x = 0; x < block.width(); x++) {
                     int column = part.window().left() + left + x;
-                    int line = part.window().top() + top + y;
-                    if (column < 0 || column >= part.window().width() || line < 0 || line >= part.window().height()) {
+                    if (column < 0 || column >= part.window().width()) {
                         continue;
                     }
                     for (int i = 0; i < channels.length; i++) {
-                        values[i] = pixels.get(channels[i], x, y);
+                        values[i] = lines[i][x];
                     }
                     sink.accept(column, line, values);
                 }

@@ -61,7 +61,7 @@ public final class HdrReader {
             throw new MeshException(file, "", "an environment must have at most " + maxBytes + " bytes, has " + size);
         }
         var reader = new HdrReader(file, RegularFile.readBytes(file, "a Radiance HDR file", maxBytes), maxPixels);
-        reader.read((x, y, rgb) -> {});
+        reader.checkScanlines();
         return reader;
     }
 
@@ -101,6 +101,25 @@ public final class HdrReader {
         return isTurned() ? lineLength() : lines();
     }
 
+    /** Decodes all scan lines once. */
+    private void checkScanlines() throws MeshException {
+        int start = next;
+        byte[] pixel = new byte[4 * lineLength()];
+        for (int scan = 0; scan < lines(); scan++) {
+            readScanline(lineLength(), scan, pixel);
+        }
+        next = start;
+    }
+
+    /** Returns the value of a step of each exponent. */
+    private double[] scales() {
+        double[] scales = new double[256];
+        for (int e = 1; e < scales.length; e++) {
+            scales[e] = Math.scalb(1.0, e - 136) / exposure;
+        }
+        return scales;
+    }
+
     /** Receives pixels. */
     @FunctionalInterface
     public interface PixelConsumer {
@@ -124,14 +143,14 @@ public final class HdrReader {
         boolean isTurned = isTurned();
         boolean isUpward = size.group(isTurned ? 4 : 1).equals("+");
         boolean isLeftward = size.group(isTurned ? 1 : 4).equals("-");
+        double[] scales = scales();
         int start = next;
         for (int scan = 0; scan < lines(); scan++) {
             readScanline(length, scan, pixel);
             for (int i = 0; i < length; i++) {
                 int column = isTurned ? scan : i;
                 int row = isTurned ? i : scan;
-                int e = pixel[3 * length + i] & 0xFF;
-                double scale = e == 0 ? 0 : Math.scalb(1.0, e - 136) / exposure;
+                double scale = scales[pixel[3 * length + i] & 0xFF];
                 for (int c = 0; c < 3; c++) {
                     rgb[c] = (float) Math.min((pixel[c * length + i] & 0xFF) * scale, SceneLimits.MAX_EMISSION);
                 }

@@ -46,7 +46,7 @@ final class LayerCompositor {
         darkWorld = scene.world().withAmbience(0);
         lights = WeightedLight.ofScene(scene);
         indirect = cache.indirect() == null ? null : cache.indirect().light().light();
-        composer = new TileComposer(cache.geometry().materials(), engine.sums(), ViewEffects.ALL);
+        composer = new TileComposer(scene, cache.geometry().materials(), engine.sums(), ViewEffects.ALL);
         composer.setShowsGlow(false);
     }
 

@@ -120,8 +120,8 @@ final class TileTracer {
             materials = geometry.materials();
             visibility = new TileVisibility(geometry, scene, tracer);
             kernel = new LightKernel(geometry, tracer, engine.terms(), ViewEffects.ALL);
-            composer = new TileComposer(materials, engine.sums(), ViewEffects.ALL);
-            edgeComposer = new TileComposer(materials, engine.sums(), ViewEffects.ALL);
+            composer = new TileComposer(scene, materials, engine.sums(), ViewEffects.ALL);
+            edgeComposer = new TileComposer(scene, materials, engine.sums(), ViewEffects.ALL);
         }
     }
 

@@ -19,13 +19,19 @@ import org.jspecify.annotations.Nullable;
  * recomputed with the bits of the original rays.
  */
 public final class BackgroundShader {
+    private final double pixelAngle;
     private final double[] direction = new double[3];
     private final double[] color = new double[3];
 
+    /** @param scene scene whose camera and size tell how wide pixels are, so how fine the environment is seen */
+    public BackgroundShader(Scene scene) {
+        pixelAngle = new CameraRays(scene.camera(), scene.picture()).right.length();
+    }
+
     /** Returns the color in a unit direction, {@code float[3]}. */
-    public static float[] color(World world, Vec3 direction) {
+    public static float[] color(Scene scene, Vec3 direction) {
         float[][] to = new float[3][1];
-        new BackgroundShader().shade(world, map(world), direction.x(), direction.y(), direction.z(), to, 0);
+        new BackgroundShader(scene).shade(scene.world(), map(scene.world()), direction.x(), direction.y(), direction.z(), to, 0);
         return new float[] {to[0][0], to[1][0], to[2][0]};
     }
 
@@ -41,7 +47,7 @@ public final class BackgroundShader {
             to[2][i] = (float) world.background().b();
             return;
         }
-        map.radiance(x, y, z, world.dome(), color);
+        map.radiance(x, y, z, world.dome(), map.detailLevel(pixelAngle), color);
         for (int c = 0; c < 3; c++) {
             to[c][i] = (float) Math.min(color[c] * world.intensity(), SceneLimits.MAX_EMISSION);
         }

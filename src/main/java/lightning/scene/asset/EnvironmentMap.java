@@ -25,6 +25,8 @@ public final class EnvironmentMap {
     private final Map<Integer, List<EnvironmentLight>> lights = new ConcurrentHashMap<>();
     private final Map<Integer, List<EnvironmentLight>> brightLights = new ConcurrentHashMap<>();
     private final @Nullable EnvironmentSun sun;
+    /** All pixels of a larger image, of which this map has the means; null if it has all of them. */
+    private final @Nullable EnvironmentDetail detail;
     /** Cosine of the sun's radius; 1 without a sun. */
     private final double sunCosine;
     private @Nullable Double limit;
@@ -36,7 +38,7 @@ public final class EnvironmentMap {
      *     not copied
      */
     public EnvironmentMap(int width, int height, float[] rgb) {
-        this(width, height, rgb, null);
+        this(width, height, rgb, null, null);
     }
 
     /**
@@ -44,7 +46,21 @@ public final class EnvironmentMap {
      *
      * @param rgb as without a sun, and without its light
      */
-    public EnvironmentMap(int width, int height, float[] rgb, @Nullable EnvironmentSun sun) {
+    public EnvironmentMap(int width, int height, float[] rgb, EnvironmentSun sun) {
+        this(width, height, rgb, sun, null);
+    }
+
+    /**
+     * Creates the map of a large image.
+     *
+     * @param rgb    as of a small image: its means
+     * @param detail all of its pixels, which are visible
+     */
+    public EnvironmentMap(int width, int height, float[] rgb, EnvironmentDetail detail) {
+        this(width, height, rgb, null, detail);
+    }
+
+    private EnvironmentMap(int width, int height, float[] rgb, @Nullable EnvironmentSun sun, @Nullable EnvironmentDetail detail) {
         if (width < 1 || height < 1 || rgb.length != 3 * width * height) {
             throw new IllegalArgumentException("a sky of " + width + "×" + height + " with " + rgb.length + " values");
         }
@@ -52,6 +68,7 @@ public final class EnvironmentMap {
         this.height = height;
         this.rgb = rgb;
         this.sun = sun;
+        this.detail = detail;
         sunCosine = sun == null ? 1 : Transform.cosDegrees(sun.radius());
     }
 
@@ -110,14 +127,25 @@ public final class EnvironmentMap {
                 : brightLights.computeIfAbsent(maxLights, n -> new MedianCut(this, limit()).lights(n, COMPACT));
     }
 
+    /** Returns the level of detail for pixels of a width in radians; −1 for this map. */
+    public int detailLevel(double pixelAngle) {
+        return detail == null ? -1 : detail.level(pixelAngle);
+    }
+
+    /** Computes the radiance from a direction at the map's own resolution. */
+    public void radiance(double x, double y, double z, DomeRotation dome, double[] result) {
+        radiance(x, y, z, dome, -1, result);
+    }
+
     /**
      * Computes the radiance from a direction, bilinear between pixel centers; wraps at the sides and clamps at the top and bottom.
      *
      * @param dome   rotation of the map
+     * @param level  a level of {@link #detailLevel}
      * @param result receives linear RGB, {@code double[3]}
      */
-    public void radiance(double x, double y, double z, DomeRotation dome, double[] result) {
-        radiance(x, y, z, dome, Double.POSITIVE_INFINITY, result);
+    public void radiance(double x, double y, double z, DomeRotation dome, int level, double[] result) {
+        radiance(x, y, z, dome, level, Double.POSITIVE_INFINITY, result);
         if (sun != null && dome.toWorld().transformVector(sun.direction()).dot(new Vec3(x, y, z)) > sunCosine) {
             Rgb disc = sun.radiance();
             result[0] += disc.r();
@@ -128,22 +156,22 @@ public final class EnvironmentMap {
 
     /** Computes the same without what belongs to {@link #brightLights}. */
     public void smoothRadiance(double x, double y, double z, DomeRotation dome, double[] result) {
-        radiance(x, y, z, dome, limit(), result);
+        radiance(x, y, z, dome, -1, limit(), result);
     }
 
-    private void radiance(double x, double y, double z, DomeRotation dome, double upTo, double[] result) {
+    private void radiance(double x, double y, double z, DomeRotation dome, int level, double upTo, double[] result) {
         if (dome.isUpright()) {
-            radiance(u(x, z) + dome.rotation() / 360, v(y), upTo, result);
+            radiance(u(x, z) + dome.rotation() / 360, v(y), level, upTo, result);
             return;
         }
         Transform m = dome.toWorld();
         radiance(u(m.m00() * x + m.m10() * y + m.m20() * z, m.m02() * x + m.m12() * y + m.m22() * z),
-                v(m.m01() * x + m.m11() * y + m.m21() * z), upTo, result);
+                v(m.m01() * x + m.m11() * y + m.m21() * z), level, upTo, result);
     }
 
     /** @param u place in the map, 0 … 1 from the left and wrapped, with {@code v} from the top */
     void smoothRadiance(double u, double v, double[] result) {
-        radiance(u, v, limit(), result);
+        radiance(u, v, -1, limit(), result);
     }
 
     // StrictMath gives the same bits on every machine; Math does not guarantee it.
@@ -155,7 +183,10 @@ public final class EnvironmentMap {
         return StrictMath.acos(Math.clamp(y, -1, 1)) / Math.PI;
     }
 
-    private void radiance(double u, double v, double upTo, double[] result) {
+    private void radiance(double u, double v, int level, double upTo, double[] result) {
+        EnvironmentDetail fine = level < 0 ? null : detail;
+        int width = fine == null ? this.width : fine.width(level);
+        int height = fine == null ? this.height : fine.height(level);
         double column = (u - Math.floor(u)) * width - 0.5;
         double row = Math.clamp(v * height - 0.5, 0, height - 1.0);
         double left = Math.floor(column);
@@ -167,8 +198,8 @@ public final class EnvironmentMap {
         double t = row - y0;
         if (upTo == Double.POSITIVE_INFINITY) {
             for (int c = 0; c < 3; c++) {
-                double above = channel(x0, y0, c) * (1 - s) + channel(x1, y0, c) * s;
-                double below = channel(x0, y1, c) * (1 - s) + channel(x1, y1, c) * s;
+                double above = channel(fine, level, x0, y0, c) * (1 - s) + channel(fine, level, x1, y0, c) * s;
+                double below = channel(fine, level, x0, y1, c) * (1 - s) + channel(fine, level, x1, y1, c) * s;
                 result[c] = above * (1 - t) + below * t;
             }
             return;
@@ -183,6 +214,10 @@ public final class EnvironmentMap {
         }
     }
 
+    private double channel(@Nullable EnvironmentDetail fine, int level, int x, int y, int c) {
+        return fine == null ? channel(x, y, c) : fine.channel(level, x, y, c);
+    }
+
     /** Returns its smooth light on a grid. */
     public synchronized SmoothGrid smoothGrid() {
         SmoothGrid known = smoothGrid.get();
@@ -195,7 +230,8 @@ public final class EnvironmentMap {
 
     @Override
     public boolean equals(Object o) {
-        return this == o || o instanceof EnvironmentMap s && width == s.width && Arrays.equals(rgb, s.rgb) && Objects.equals(sun, s.sun);
+        return this == o || o instanceof EnvironmentMap s && width == s.width && Arrays.equals(rgb, s.rgb) && Objects.equals(sun, s.sun)
+                && Objects.equals(detail, s.detail);
     }
 
     @Override

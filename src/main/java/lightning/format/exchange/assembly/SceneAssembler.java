@@ -3,6 +3,7 @@ package lightning.format.exchange.assembly;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -122,9 +123,17 @@ public final class SceneAssembler {
      * @param requested name for a file of another folder
      */
     public String addFile(Path file, String requested) throws IOException {
-        Path folder = ParentFolder.of(source.toAbsolutePath().normalize());
-        return file.toAbsolutePath().normalize().startsWith(folder) ? addFile(file)
+        return isInFolder(file) ? addFile(file)
                 : addFile(requested, RegularFile.readBytes(file, "a file that the scene uses", MAX_FILE_BYTES));
+    }
+
+    /** Returns whether {@link #addFile(Path, String)} accepts a file: one of the source's folder, or one that is not large. */
+    public boolean canAdd(Path file) throws IOException {
+        return isInFolder(file) || Files.size(file) <= MAX_FILE_BYTES;
+    }
+
+    private boolean isInFolder(Path file) {
+        return file.toAbsolutePath().normalize().startsWith(ParentFolder.of(source.toAbsolutePath().normalize()));
     }
 
     /** Adds a file from memory; returns its name. */

@@ -11,6 +11,7 @@ import lightning.base.math.Vec3;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.gltf.JsonValue;
 import lightning.format.image.ImageFile;
+import lightning.format.jen.asset.EnvironmentReader;
 import lightning.format.jen.asset.LinearTextureReader;
 import lightning.format.jen.asset.TextureDecoder;
 import lightning.format.jen.asset.UnusableFileException;
@@ -64,7 +65,15 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
 
     private Environment image(Path place, JsonValue texture, Rgb factor) throws IOException, MeshException {
         String name = texture.get("name").text().orElse("dome");
-        boolean isUsable = LinearTextureReader.isLinear(name);
+        if (LinearTextureReader.isLinear(name) && factor.equals(Rgb.WHITE) && assembler.canAdd(place)) {
+            try {
+                EnvironmentMap map = EnvironmentReader.read(place, _ -> assembler.notes.add("dome lights with values that are not finite"));
+                return new Environment(assembler.addFile(place, name), map);
+            } catch (IOException | MeshException e) {
+                assembler.notes.add("dome lights whose image is missing or unreadable");
+                return plain(factor);
+            }
+        }
         Film film;
         try {
             film = SceneAssembler.isPngOrJpeg(place) ? decoded(place) : ImageFile.read(place);
@@ -77,9 +86,6 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
             size++;
         }
         assembler.notes.add("images of dome lights of more than 8 million pixels, reduced", size == 1 ? 0 : 1);
-        if (isUsable && size == 1 && factor.equals(Rgb.WHITE)) {
-            return new Environment(assembler.addFile(place, name), map(film, 1, Rgb.WHITE));
-        }
         assembler.notes.add("images of dome lights, written as Radiance HDR");
         return written(name.replaceFirst("\\.[^.]*$", "") + ".dome.hdr", map(film, size, factor));
     }

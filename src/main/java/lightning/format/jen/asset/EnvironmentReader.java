@@ -3,10 +3,9 @@ package lightning.format.jen.asset;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import lightning.base.work.HeapBudget;
 import lightning.format.exr.ExrColorReader;
 import lightning.format.exr.ExrReader;
 import lightning.format.hdr.HdrReader;
@@ -14,49 +13,44 @@ import lightning.format.mesh.MeshException;
 import lightning.scene.asset.EnvironmentMap;
 
 /** Reader for environment maps: Radiance HDR and OpenEXR images in linear light. */
-final class EnvironmentReader {
-    /** Maximum size of a file in bytes: 256 MiB, enough for 8192×4096 pixels. */
-    static final int MAX_BYTES = 256 << 20;
-    /** Maximum number of pixels of a file: 128 Mi. A map has fewer, see {@link EnvironmentMeans}. */
+public final class EnvironmentReader {
+    /** Maximum size of a Radiance file in bytes: 640 MiB, more than 16384×8192 pixels of 4 bytes. */
+    static final int MAX_HDR_BYTES = 640 << 20;
+    /** Maximum size of an OpenEXR file in bytes: 2 GiB, 16384×8192 pixels of 16 bytes. */
+    static final long MAX_EXR_BYTES = 2L << 30;
+    /** Maximum number of pixels of a file: 128 Mi, 16384×8192. */
     static final long MAX_PIXELS = 128 << 20;
 
     private EnvironmentReader() {}
 
     /**
-     * Reads a map. A large image is reduced.
+     * Reads a map.
      *
-     * @param notes receives a clause if it is reduced, or has values that are not finite
+     * @param notes receives a clause if it has values that are not finite
      * @throws MeshException if it is no image in one of the formats, too large, or damaged; the message contains the position
      * @throws IOException if it cannot be read
      */
-    static EnvironmentMap read(Path file, Consumer<String> notes) throws IOException, MeshException {
+    public static EnvironmentMap read(Path file, Consumer<String> notes) throws IOException, MeshException {
         EnvironmentMeans means = file.toString().toLowerCase(Locale.ROOT).endsWith(".exr") ? readExr(file) : readHdr(file);
         EnvironmentMap map = means.map();
-        List<String> changes = new ArrayList<>();
-        if (means.isReduced()) {
-            changes.add(
-                    "the environment has more than " + HdrReader.MAX_PIXELS + " pixels; reduced to " + map.width() + "×" + map.height());
-        }
         if (means.infiniteCount() > 0) {
-            changes.add("values of the environment that are not finite: " + means.infiniteCount()
+            notes.accept("values of the environment that are not finite: " + means.infiniteCount()
                     + "; those that are no numbers count as 0, others as the largest one possible");
-        }
-        if (!changes.isEmpty()) {
-            notes.accept(String.join("; ", changes));
         }
         return map;
     }
 
     private static EnvironmentMeans readHdr(Path file) throws IOException, MeshException {
-        HdrReader reader = HdrReader.open(file, MAX_BYTES, MAX_PIXELS);
+        HdrReader reader = HdrReader.open(file, MAX_HDR_BYTES, MAX_PIXELS);
+        checkMemory(file, reader.width(), reader.height());
         var means = new EnvironmentMeans(reader.width(), reader.height());
         reader.read(means::add);
         return means;
     }
 
     private static EnvironmentMeans readExr(Path file) throws IOException, MeshException {
-        if (Files.size(file) > MAX_BYTES) {
-            throw new MeshException(file, "", "an environment must have at most " + MAX_BYTES + " bytes, has " + Files.size(file));
+        if (Files.size(file) > MAX_EXR_BYTES) {
+            throw new MeshException(file, "", "an environment must have at most " + MAX_EXR_BYTES + " bytes, has " + Files.size(file));
         }
         try (ExrReader reader = new ExrReader(file)) {
             long pixels = (long) reader.header().width() * reader.header().height();
@@ -65,11 +59,22 @@ final class EnvironmentReader {
                         "an image must have from 1 to " + MAX_PIXELS + " pixels, has " + reader.header().width() + "×"
                                 + reader.header().height());
             }
+            checkMemory(file, reader.header().width(), reader.header().height());
             var means = new EnvironmentMeans(reader.header().width(), reader.header().height());
             ExrColorReader.read(reader, means::add);
             return means;
         } catch (IOException e) {
             throw new MeshException(file, "", String.valueOf(e.getMessage()));
+        }
+    }
+
+    /** Rejects a map that would take more than half of the memory for pictures. */
+    private static void checkMemory(Path file, int width, int height) throws MeshException {
+        long bytes = EnvironmentMeans.bytes(width, height);
+        long limit = HeapBudget.availableBytes() / 2;
+        if (bytes > limit) {
+            throw new MeshException(file, "", "an environment of " + width + "×" + height + " pixels takes " + (bytes >> 20)
+                    + " MiB of memory, more than half of what is available; use a smaller image, or more memory");
         }
     }
 }

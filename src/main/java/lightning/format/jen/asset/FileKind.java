@@ -30,7 +30,7 @@ public enum FileKind {
         }
     },
     /** Environment map of a scene. */
-    ENVIRONMENT("environment", "a Radiance HDR or OpenEXR file", Messages.key("HDR, EXR"), EnvironmentReader.MAX_BYTES, "hdr", "exr") {
+    ENVIRONMENT("environment", "a Radiance HDR or OpenEXR file", Messages.key("HDR, EXR"), EnvironmentReader.MAX_EXR_BYTES, "hdr", "exr") {
         @Override
         void read(String name, Path file) throws IOException, MeshException {
             EnvironmentReader.read(file, note -> {});

@@ -71,7 +71,7 @@ final class LevelWorker {
         this.tracer = tracer;
         lightKernel = kernel;
         updater = job.options().method().updater(lightKernel, shown.lights().length);
-        composer = new TileComposer(shown.geometry().materials(), engine.sums(), job.options().view());
+        composer = new TileComposer(shown.scene(), shown.geometry().materials(), engine.sums(), job.options().view());
     }
 
     /** Returns whether few enough rays are retraced for keeping the hits of the others to pay off. */

@@ -38,18 +38,20 @@ public final class TileRecomposer {
     private int nextLevel;
 
     public TileRecomposer(PixelCache cache, Engine engine, ViewEffects view) {
-        this(cache.geometry().materials(), cache.mirroredGeometry().materials(), cache.scene().picture().depth(), engine, view);
+        this(cache.scene(), cache.geometry().materials(), cache.mirroredGeometry().materials(), cache.scene().picture().depth(), engine,
+                view);
     }
 
     /**
+     * @param scene     scene whose camera and size tell how fine the environment is seen
      * @param materials materials of the first level
      * @param mirrored  materials of the other levels
      * @param depth     maximum recursion depth
      */
-    TileRecomposer(MaterialTable materials, MaterialTable mirrored, int depth, Engine engine, ViewEffects view) {
+    TileRecomposer(Scene scene, MaterialTable materials, MaterialTable mirrored, int depth, Engine engine, ViewEffects view) {
         this.depth = depth;
-        eye = new TileComposer(materials, engine.sums(), view);
-        mirror = new TileComposer(mirrored, engine.sums(), view);
+        eye = new TileComposer(scene, materials, engine.sums(), view);
+        mirror = new TileComposer(scene, mirrored, engine.sums(), view);
         this.mirrored = mirrored;
     }
 

@@ -128,7 +128,8 @@ final class TileWorker {
 
     private TileRecomposer edgeComposer() {
         if (edgeComposer == null) {
-            edgeComposer = new TileRecomposer(job.target().geometry().materials(), job.mirrorTarget().geometry().materials(), job.depth(),
+            edgeComposer = new TileRecomposer(job.target().scene(), job.target().geometry().materials(),
+                    job.mirrorTarget().geometry().materials(), job.depth(),
                     engine, job.options().view());
             edgeComposer.setIndirect(edgeIndirect(job.target()), edgeIndirect(job.mirrorTarget()));
         }

@@ -21,12 +21,14 @@ import org.jspecify.annotations.Nullable;
 /** Composes colors from the deepest level of a tile up to its pixels. Holds scratch columns: use one instance per thread. */
 public final class TileComposer {
     private final LevelComposer composer;
-    private final BackgroundShader backgroundShader = new BackgroundShader();
+    private final BackgroundShader backgroundShader;
     private final MaterialTable materials;
     /** Indexed by the depth of a level. */
     private BounceImages[] scratch = new BounceImages[2];
 
-    public TileComposer(MaterialTable materials, SumKernel sums, ViewEffects view) {
+    /** @param scene scene whose camera and size tell how fine the environment is seen */
+    public TileComposer(Scene scene, MaterialTable materials, SumKernel sums, ViewEffects view) {
+        backgroundShader = new BackgroundShader(scene);
         this.materials = materials;
         composer = new LevelComposer(materials, sums, view);
     }

@@ -131,7 +131,7 @@ public final class PixelExplainer {
         int shape = geometry.nearest(ray);
         if (shape < 0) {
             return new PointReport(null, passedCutouts(ray, Double.POSITIVE_INFINITY), null,
-                    BackgroundShader.color(scene.world(), ray.direction()), ZERO, ZERO, null, null,
+                    BackgroundShader.color(scene, ray.direction()), ZERO, ZERO, null, null,
                     List.of(), null, null, null);
         }
         SurfacePoint hit = geometry.surface(shape, ray);

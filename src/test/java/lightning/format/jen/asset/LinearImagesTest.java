@@ -19,6 +19,7 @@ import lightning.format.jen.JenReader;
 import lightning.render.image.Film;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.asset.Texture;
+import lightning.scene.value.DomeRotation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -107,7 +108,7 @@ class LinearImagesTest {
     }
 
     @Test
-    void largeEnvironment_isReducedToMeans() throws Exception {
+    void largeEnvironment_lightsByMeans_andShowsAllPixels() throws Exception {
         Files.write(folder.resolve("sky.hdr"), wideHdr(1001));
         JenDocument document = read("world { environment \"sky.hdr\" }");
         EnvironmentMap map = document.scene().world().environment().orElseThrow().map();
@@ -116,8 +117,16 @@ class LinearImagesTest {
         assertThat(map.channel(0, 0, 0)).isEqualTo(2, within(1e-6f));
         assertThat(map.channel(2249, 500, 0)).as("last row, of one row of the image").isEqualTo(2, within(1e-6f));
         assertThat(map.channel(2250, 500, 0)).isZero();
-        assertThat(document.notes()).singleElement().asString()
-                .endsWith("world: the environment has more than 8388608 pixels; reduced to 4500×501");
+        assertThat(document.notes()).isEmpty();
+        // The last column of the bright half: halfway to the dark pixel next to it, two pixels of the means would be mixed.
+        double[] rgb = new double[3];
+        map.radiance(-1e-6, 0, -1, DomeRotation.NONE, map.detailLevel(1e-4), rgb);
+        assertThat(rgb[0]).as("between two pixels").isEqualTo(1, within(0.01));
+        double quarter = 2 * Math.PI / 9000 * 0.75;
+        map.radiance(-Math.sin(quarter), 0, -Math.cos(quarter), DomeRotation.NONE, map.detailLevel(1e-4), rgb);
+        assertThat(rgb[0]).as("in the last bright pixel").isEqualTo(2, within(1e-6));
+        map.radiance(-Math.sin(quarter), 0, -Math.cos(quarter), DomeRotation.NONE, map.detailLevel(0.1), rgb);
+        assertThat(rgb[0]).as("in a mean, in a picture of wide pixels").isEqualTo(1.75, within(1e-6));
     }
 
     @Test

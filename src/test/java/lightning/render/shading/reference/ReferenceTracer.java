@@ -233,7 +233,7 @@ public final class ReferenceTracer {
     private float[] color(Ray ray, int depth, int pattern) {
         int primitive = geometry.nearestBruteForce(ray);
         if (primitive < 0) {
-            return BackgroundShader.color(scene.world(), ray.direction());
+            return BackgroundShader.color(scene, ray.direction());
         }
         SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
         int material = hit.material();
