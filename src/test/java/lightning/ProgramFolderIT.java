@@ -68,6 +68,18 @@ class ProgramFolderIT {
         assertThat(PROGRAM.resolve("cluster")).isDirectoryContaining("glob:**/jgroups*").isDirectoryNotContaining("glob:**/picocli*");
     }
 
+    /** Java makes no archive of a class path with a folder, for example one that the manifest of a library names. */
+    @Test
+    void libraries_canBeArchived() throws Exception {
+        Path archive = folder.resolve("archive.jsa");
+        Path out = folder.resolve("out");
+        Process java = new ProcessBuilder(System.getProperty("java.home") + "/bin/java", "-XX:ArchiveClassesAtExit=" + archive, "-cp",
+                PROGRAM.toRealPath() + "/lib/*", "lightning.Main", "--version").redirectErrorStream(true).redirectOutput(out.toFile())
+                .start();
+        java.waitFor();
+        assertThat(archive).as(Files.readString(out)).isNotEmptyFile();
+    }
+
     @Test
     void libraryNotices_arePreserved() {
         assertThat(PROGRAM.resolve("licences/jackson-databind/META-INF/NOTICE")).isNotEmptyFile();
