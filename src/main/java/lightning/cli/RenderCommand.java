@@ -24,7 +24,7 @@ import lightning.render.relight.Renderer;
 import lightning.render.relight.TraceMemory;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.RayCounts;
-import lightning.render.warmup.DelayedWarmUp;
+import lightning.render.warmup.DelayedLanes;
 import lightning.scene.Scene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -95,7 +95,7 @@ final class RenderCommand implements Callable<Integer> {
 
     private void traceTraditionally(Scene scene) throws Exception {
         TraceMemory.check(scene, output.availableMemory(scene));
-        try (var _ = new DelayedWarmUp(scene); WorkerPool workers = new WorkerPool(threads.count());
+        try (var _ = new DelayedLanes(); WorkerPool workers = new WorkerPool(threads.count());
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
             long start = System.nanoTime();
             TraditionalTracer.Result result = new TraditionalTracer(scene).trace(workers, bar);
@@ -105,7 +105,7 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void firstPass(Scene scene) throws Exception {
-        try (var _ = new DelayedWarmUp(scene);
+        try (var _ = new DelayedLanes();
                 Renderer renderer =
                         new Renderer(RenderOptions.DEFAULT.withThreads(threads.count()).withMemory(output.availableMemory(scene)));
                 ProgressBar bar = new ProgressBar(console, "tracing")) {

@@ -35,7 +35,7 @@ import lightning.render.cache.PixelCache;
 import lightning.render.measure.WarmSaving;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.warmup.DelayedWarmUp;
+import lightning.render.warmup.DelayedLanes;
 import lightning.scene.Scene;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.Shot;
@@ -201,7 +201,7 @@ final class ShotRelightCommand implements Callable<Integer> {
         var progress = new ShotProgress(range.count());
         CacheUsage usage;
         double tracing;
-        try (var _ = new DelayedWarmUp(original.sceneAt(range.first()));
+        try (var _ = new DelayedLanes();
                 ShotRelighter shot = ShotRelighter.of(range.first(), range.last(), host, progress)) {
             progress.run(shot, original, console, "tracing", null);
             tracing = progress.workMilliseconds();

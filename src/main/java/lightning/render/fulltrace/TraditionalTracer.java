@@ -121,8 +121,17 @@ public final class TraditionalTracer {
         return trace(workers, tiles, new ProgressPart(progress, 0, INDIRECT_SHARE), new ProgressPart(progress, INDIRECT_SHARE, 1));
     }
 
+    /**
+     * Traces some tiles without gathered light, blurred reflections and fog, whose cost depends little on the size of the picture.
+     *
+     * @throws java.util.concurrent.CancellationException if {@code progress} requested cancellation
+     */
+    public Film traceDirectLight(WorkerPool workers, int[] tiles, Progress progress) {
+        RenderedScenes scenes = new RenderedScenes(scene, mirrored);
+        return trace(workers, createTracers(workers, scenes, TileTracer.SceneLights.of(scenes)), tiles, progress);
+    }
+
     private Result trace(WorkerPool workers, int[] tiles, Progress indirectProgress, Progress progress) {
-        Film film = Film.black(scene.picture().width(), scene.picture().height());
         RenderedScenes scenes = new RenderedScenes(scene, mirrored);
         TileTracer.SceneLights lights = TileTracer.SceneLights.of(scenes);
         IndirectTracer indirect = new IndirectTracer(geometry, scene, lights.direct(), engines, workers, indirectProgress);
@@ -133,6 +142,19 @@ public final class TraditionalTracer {
         List<EngineWorkers<TileTracer>> threads =
                 createTracers(workers, scenes, lights.withIndirect(light, inMirrors == indirect ? light : inMirrors.trace())
                         .withFog(fog.trace(lights.direct())));
+        Film film = trace(workers, threads, tiles, progress);
+        RayCounts rays = indirect.rays().plus(inMirrors == indirect ? RayCounts.NONE : inMirrors.rays());
+        rays = rays.plus(fog.rays());
+        for (EngineWorkers<TileTracer> thread : threads) {
+            for (TileTracer tracer : thread.workers()) {
+                rays = rays.plus(tracer.rays());
+            }
+        }
+        return new Result(film, rays);
+    }
+
+    private Film trace(WorkerPool workers, List<EngineWorkers<TileTracer>> threads, int[] tiles, Progress progress) {
+        Film film = Film.black(scene.picture().width(), scene.picture().height());
         switch (sampling.antialias()) {
             case OFF ->
                     workers.run(tiles.length, (worker, i) -> threads.get(worker).forTile(tiles[i]).traceCenters(film, tiles[i], progress),
@@ -143,14 +165,7 @@ public final class TraditionalTracer {
                     progress);
             case EDGES -> traceEdges(film, workers, threads, tiles, progress);
         }
-        RayCounts rays = indirect.rays().plus(inMirrors == indirect ? RayCounts.NONE : inMirrors.rays());
-        rays = rays.plus(fog.rays());
-        for (EngineWorkers<TileTracer> thread : threads) {
-            for (TileTracer tracer : thread.workers()) {
-                rays = rays.plus(tracer.rays());
-            }
-        }
-        return new Result(film, rays);
+        return film;
     }
 
     /** Traces all centers first, those of neighboring tiles too, to find edges; then traces the pixels on an edge with all samples. */

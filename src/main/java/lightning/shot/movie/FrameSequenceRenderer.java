@@ -10,7 +10,7 @@ import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.warmup.DelayedWarmUp;
+import lightning.render.warmup.DelayedLanes;
 import lightning.scene.Scene;
 
 /** Sequential renderer of frames: relights each frame from the one before as far as possible. */
@@ -35,7 +35,7 @@ public final class FrameSequenceRenderer {
      */
     public static void render(List<Integer> frames, IntFunction<Scene> scene, RenderOptions options, Progress progress, Listener listener)
             throws IOException {
-        try (var _ = new DelayedWarmUp(scene.apply(frames.getFirst())); var renderer = new Renderer(options)) {
+        try (var _ = new DelayedLanes(); var renderer = new Renderer(options)) {
             for (int frame : frames) {
                 UpdateResult update = renderer.renderOrClear(scene.apply(frame), progress);
                 if (progress.isCanceled()) {

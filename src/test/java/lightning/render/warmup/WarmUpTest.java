@@ -48,12 +48,6 @@ class WarmUpTest {
         assertThat(Engines.CURRENT.forTile(0)).isEqualTo(Engines.SCALAR);
     }
 
-    @Test
-    void shortWork_doesNotWarmUp() {
-        new DelayedWarmUp(scene).close();
-        assertThat(Engines.isFastestInUse()).isFalse();
-    }
-
     /** Requests to stop after a number of queries. */
     private static Progress cancelAfter(int tileCount) {
         AtomicInteger asked = new AtomicInteger();
