@@ -11,10 +11,10 @@ import lightning.render.engine.choice.Engines;
  */
 public final class DelayedLanes implements AutoCloseable {
     /**
-     * Compiling the lanes takes about 20 s of two busy processors, and then saves 40 % of the time. So a render gains if it lasts 50 s more, as one
-     * does on average that has lasted as long.
+     * Compiling the lanes takes about 35 s of two busy processors, and then they save 40 % of the time. So a render gains if it lasts 90 s more,
+     * which is likely for one that has lasted as long.
      */
-    private static final long DELAY_SECONDS = 60;
+    private static final long DELAY_SECONDS = 90;
 
     private final CountDownLatch closed = new CountDownLatch(1);
 
