@@ -14,16 +14,16 @@ import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 
 /**
- * Warm-up of this process's lane engine: renders small copies of an image, which are discarded, on the calling thread only.
+ * Warm-up of this process's lane engine: renders some tiles of an image, which are discarded, on the calling thread only.
  *
- * <p>The copies lack gathered light and blurred reflections: their rays use the same kernels, and their number does not shrink with the image, so each
- * copy would take seconds.
+ * <p>The tiles lack gathered light and blurred reflections: their rays use the same kernels, but are cast for the whole image, which would take seconds
+ * each time.
  *
  * <p>Lanes are interpreted until they are compiled, and are then far slower than scalar loops. So both engines render the same
- * image in turn until the lanes were faster several times in a row; only then the process uses them.
+ * tiles in turn until the lanes were faster several times in a row; only then the process uses them.
  */
 public final class WarmUp {
-    /** Time of an image that is large enough, milliseconds. */
+    /** Time of enough tiles, milliseconds. */
     private static final double ENOUGH_MS = 100;
     private static final int REQUIRED_WINS = 4;
 

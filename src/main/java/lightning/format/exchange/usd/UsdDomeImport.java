@@ -70,16 +70,14 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
                 EnvironmentMap map = EnvironmentReader.read(place, _ -> assembler.notes.add("dome lights with values that are not finite"));
                 return new Environment(assembler.addFile(place, name), map);
             } catch (IOException | MeshException e) {
-                assembler.notes.add("dome lights whose image is missing or unreadable");
-                return plain(factor);
+                return unreadable(factor);
             }
         }
         Film film;
         try {
             film = SceneAssembler.isPngOrJpeg(place) ? decoded(place) : ImageFile.read(place);
         } catch (IOException | UnusableFileException e) {
-            assembler.notes.add("dome lights whose image is missing or unreadable");
-            return plain(factor);
+            return unreadable(factor);
         }
         int size = 1;
         while ((long) (film.width() / size) * (film.height() / size) > MAX_PIXELS) {
@@ -88,6 +86,12 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
         assembler.notes.add("images of dome lights of more than 8 million pixels, reduced", size == 1 ? 0 : 1);
         assembler.notes.add("images of dome lights, written as Radiance HDR");
         return written(name.replaceFirst("\\.[^.]*$", "") + ".dome.hdr", map(film, size, factor));
+    }
+
+    /** Notes that an image cannot be read, and returns the plain environment instead. */
+    private Environment unreadable(Rgb factor) throws IOException {
+        assembler.notes.add("dome lights whose image is missing or unreadable");
+        return plain(factor);
     }
 
     private static Film decoded(Path place) throws IOException, UnusableFileException {

@@ -40,10 +40,10 @@ final class EnvironmentMeans {
         detail = step > 1 ? new EnvironmentDetail(width, height, HdrReader.MAX_PIXELS) : null;
     }
 
-    /** Returns the memory of the map of an image in bytes. */
+    /** Returns the memory that reading the map of an image takes, in bytes. */
     static long bytes(int width, int height) {
         long pixels = (long) width * height;
-        return 3L * Float.BYTES * Math.min(pixels, HdrReader.MAX_PIXELS)
+        return (long) Integer.BYTES * width + 3L * Float.BYTES * Math.min(pixels, HdrReader.MAX_PIXELS)
                 + (pixels > HdrReader.MAX_PIXELS ? EnvironmentDetail.bytes(pixels) : 0);
     }
 
