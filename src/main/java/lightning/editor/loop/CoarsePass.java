@@ -38,7 +38,7 @@ final class CoarsePass {
         this.options = options;
         this.listener = listener;
         this.progress = progress;
-        steps = CoarseSteps.of(scenes.scene().picture());
+        steps = CoarseSteps.of(scenes.scene());
     }
 
     /** Shows an image that was traced elsewhere. */

@@ -17,44 +17,47 @@ import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
+import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
 import lightning.scene.value.SceneLimits;
 
 /**
- * Low-resolution preview image of a whole scene. Area lights have few samples.
+ * Low-resolution preview image of a whole scene, without the effects that take most of the time: indirect light and blurred
+ * reflections. Area lights have few samples.
  *
  * @param scene           scene of the image
- * @param geometry        primitives and BVH of the scene, reusable by a first pass
+ * @param geometry        its primitives and BVH, reusable by a first pass
  * @param film            image, smaller than the scene's
  * @param pixelsPerSecond pixels that were traced per second
  */
 public record CoarsePicture(Scene scene, Geometry geometry, Film film, double pixelsPerSecond) {
     /**
-     * Renders the first previews before anything else renders the scene, with direct light. Pass the result to {@link RenderLoop#setStartupPreview}.
+     * Renders the first previews before anything else renders the scene. Pass the result to {@link RenderLoop#setStartupPreview}.
      *
      * @param listener receives each preview
      * @return the last one; empty if the final image is ready as soon, or is too large to render
      */
     public static Optional<CoarsePicture> first(Scene scene, RenderOptions options, Consumer<Film> listener) {
-        CoarseSteps steps = CoarseSteps.of(scene.picture());
+        CoarseSteps steps = CoarseSteps.of(scene);
         if (steps.first() == 0 || !isFilmPossible(scene, options)) {
             return Optional.empty();
         }
         try (var renderer = new Renderer(options)) {
-            var pass = new CoarsePass(RenderedScenes.of(scene.withoutIndirect()), renderer::prepare, options, listener, Progress.NONE);
+            var pass = new CoarsePass(RenderedScenes.of(scene), renderer::prepare, options, listener, Progress.NONE);
             pass.showFirst();
-            return pass.last().map(last -> new CoarsePicture(scene, last.geometry, last.film, last.pixelsPerSecond));
+            return pass.last();
         }
     }
 
     /**
-     * Traces a preview with direct light in about a given time.
+     * Traces a preview in about a given time.
      *
      * @param pixelsPerSecond speed of the last one; 0 if there is none
      * @param renderer        supplies geometry; keeps its cache
      */
     public static CoarsePicture during(double seconds, double pixelsPerSecond, Scene scene, Renderer renderer, Progress progress) {
-        int pixels = CoarseSteps.of(scene.picture()).during(seconds, pixelsPerSecond);
-        return trace(RenderedScenes.of(scene.withoutIndirect()), pixels, renderer::geometryOf, renderer.options().threads(), progress);
+        int pixels = CoarseSteps.of(scene).during(seconds, pixelsPerSecond);
+        return trace(RenderedScenes.of(scene), pixels, renderer::geometryOf, renderer.options().threads(), progress);
     }
 
     /** Returns whether memory has room for the film of a scene, which its display needs in any case. */
@@ -73,15 +76,22 @@ public record CoarsePicture(Scene scene, Geometry geometry, Film film, double pi
      * @param geometryOf supplies the geometry of a scene
      */
     static CoarsePicture trace(RenderedScenes scenes, int pixels, Function<Scene, Geometry> geometryOf, int threads, Progress progress) {
-        Scene small = shrink(scenes.scene(), pixels);
-        Scene mirrored = scenes.mirrored() == scenes.scene() ? small : shrink(scenes.mirrored(), pixels);
-        Geometry geometry = geometryOf.apply(scenes.scene());
+        Scene small = shrink(withoutSlowEffects(scenes.scene()), pixels);
+        Scene mirrored = scenes.mirrored() == scenes.scene() ? small : shrink(withoutSlowEffects(scenes.mirrored()), pixels);
+        Geometry geometry = geometryOf.apply(small);
         long start = System.nanoTime();
         try (var workers = new WorkerPool(threads)) {
             TraditionalTracer.Result result = new TraditionalTracer(small, mirrored, geometry).trace(workers, progress.cancellationOnly());
             progress.raysCast(result.rays().total());
             return new CoarsePicture(scenes.scene(), geometry, result.film(), pixels(result.film()) / seconds(start));
         }
+    }
+
+    /** Removes indirect light and blurred reflections. Half of what a rough metal would reflect is diffuse instead, so that it is not black. */
+    private static Scene withoutSlowEffects(Scene scene) {
+        Scene direct = scene.withoutIndirect();
+        return direct.materials().stream().noneMatch(Material::reflectsRoughly) ? direct : direct.withMaterials(direct.materials().stream()
+                .map(m -> m.reflectsRoughly() ? m.withModel(ShadingModel.METALLIC).withMetalness(m.metalness() / 2) : m).toList());
     }
 
     private static Scene shrink(Scene scene, int pixels) {

@@ -1,8 +1,10 @@
 package lightning.editor.loop;
 
 import lightning.scene.AntialiasMode;
+import lightning.scene.GatherSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
+import lightning.scene.Scene;
 
 /**
  * Resolutions of the coarse images that precede a full one, chosen by the rate at which the last one was traced. The first has so few
@@ -10,11 +12,14 @@ import lightning.scene.SamplingSettings;
  *
  * @param pixels  pixels of the full image
  * @param samples its samples, before edges are refined
+ * @param minSamplesPerPixel minimum ratio of samples in the full image to pixels in a coarse one. Below it, tracing the coarse image
+ *     takes too large a share
  */
-record CoarseSteps(double pixels, double samples) {
+record CoarseSteps(double pixels, double samples, int minSamplesPerPixel) {
     private static final int FIRST_PIXELS = 250;
-    /** Minimum ratio of samples in the full image to pixels in a coarse one. Below it, tracing the coarse image takes too large a share. */
-    private static final int MIN_SAMPLES_PER_PIXEL = 32;
+    /** Minimum ratio of samples to pixels of a coarse image for full images with direct light alone, and with gathered light. */
+    private static final int SAMPLES_PER_DIRECT_PIXEL = 32;
+    private static final int SAMPLES_PER_GATHERED_PIXEL = 4;
     /** Minimum ratio for any coarse image. Below it, the full image is ready too soon for a preview. */
     private static final int MIN_SAMPLES_PER_FIRST_PIXEL = 128;
     /** Growth from one coarse image to the next if rays are slow. */
@@ -26,10 +31,12 @@ record CoarseSteps(double pixels, double samples) {
     /** A full image that takes less than this needs no further coarse one, in seconds. */
     private static final double SHORT_SECONDS = 0.25;
 
-    static CoarseSteps of(PictureSettings picture) {
+    static CoarseSteps of(Scene scene) {
+        PictureSettings picture = scene.picture();
         SamplingSettings sampling = picture.sampling();
         double pixels = (double) picture.width() * picture.height();
-        return new CoarseSteps(pixels, pixels * (sampling.antialias() == AntialiasMode.EVERY ? sampling.samplesPerPixel() : 1));
+        return new CoarseSteps(pixels, pixels * (sampling.antialias() == AntialiasMode.EVERY ? sampling.samplesPerPixel() : 1),
+                GatherSettings.of(scene).isPresent() ? SAMPLES_PER_GATHERED_PIXEL : SAMPLES_PER_DIRECT_PIXEL);
     }
 
     /** Returns the pixels of the first coarse image; 0 if the full image is ready as soon. */
@@ -67,6 +74,6 @@ record CoarseSteps(double pixels, double samples) {
     }
 
     private double maxPixels() {
-        return Math.min(pixels, samples / MIN_SAMPLES_PER_PIXEL);
+        return Math.min(pixels, samples / minSamplesPerPixel);
     }
 }

@@ -25,16 +25,10 @@ final class ProgressiveDisplay implements Progress {
         void setReplaceable(boolean isReplaceable);
     }
 
-    /** Listener for the first sign that an update is slow, on the thread of a tile. */
-    interface SlowListener {
-        /** @param seconds estimated time of the update */
-        void isSlow(double seconds);
-    }
-
     private final Progress signal;
     private final Scene scene;
     private final RenderListener listener;
-    private final SlowListener slowListener;
+    private final Runnable slowListener;
     private final ReplaceableListener replaceable;
     private final boolean canShow;
     private final LongSupplier clock;
@@ -46,17 +40,17 @@ final class ProgressiveDisplay implements Progress {
 
     /**
      * @param signal      receives progress, and cancels the update
-     * @param slowListener shows a coarse image of the scene
+     * @param slowListener called at the first sign that the update is slow, on the thread of a tile; shows a coarse image of the scene
      * @param replaceable notified once the display shows the scene
      * @param canShow     false if the display shows another view than the tiles
      */
-    ProgressiveDisplay(Progress signal, Scene scene, RenderListener listener, SlowListener slowListener, ReplaceableListener replaceable,
+    ProgressiveDisplay(Progress signal, Scene scene, RenderListener listener, Runnable slowListener, ReplaceableListener replaceable,
             boolean canShow) {
         this(signal, scene, listener, slowListener, replaceable, canShow, System::nanoTime);
     }
 
     /** @param clock time in nanoseconds */
-    ProgressiveDisplay(Progress signal, Scene scene, RenderListener listener, SlowListener slowListener, ReplaceableListener replaceable,
+    ProgressiveDisplay(Progress signal, Scene scene, RenderListener listener, Runnable slowListener, ReplaceableListener replaceable,
             boolean canShow, LongSupplier clock) {
         this.signal = signal;
         this.scene = scene;
@@ -82,7 +76,7 @@ final class ProgressiveDisplay implements Progress {
         long elapsed = clock.getAsLong() - startNs;
         boolean isLong = elapsed > ESTIMATE_NS && remaining(elapsed, done, total) > SLOW_NS;
         if (isLong && slow.compareAndSet(false, true)) {
-            slowListener.isSlow((elapsed + remaining(elapsed, done, total)) / 1e9);
+            slowListener.run();
             if (canShow) {
                 showTiles();
                 showsScene = true;

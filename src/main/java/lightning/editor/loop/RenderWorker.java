@@ -30,11 +30,6 @@ import org.jspecify.annotations.Nullable;
 
 /** Runs the jobs of a {@link RenderLoop} with a renderer, on the loop's thread. Other threads only set the display mode. */
 final class RenderWorker implements RenderJobRunner.RenderJobHandler {
-    /** Time for the coarse image of a slow update, which precedes it at each step of a drag, in seconds. */
-    private static final double DRAG_SECONDS = 0.06;
-    /** Share of a slow update's time for further coarse images, which appear when a drag rests. */
-    private static final double COARSE_SHARE = 0.1;
-
     private final RenderListener listener;
     private final RenderQueue queue;
     private final PictureVerifier verifier;
@@ -51,10 +46,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private @Nullable Scene renderedScene;
     /** Description of the last update if it was slow; else empty. Written by the thread that finds out. */
     private volatile String slowUpdate = "";
-    /** Estimated time of that update, in seconds. */
-    private volatile double slowSeconds;
-    /** Pixels of coarse images that all threads trace per second. */
-    private volatile double coarsePixelsPerSecond;
+    private final EditPreview editPreview;
     private final PathTimes pathTimes;
     /** Cache of the last picture with indirect light while one without it is shown, to keep its paths; otherwise null. */
     private @Nullable PixelCache pathsCache;
@@ -64,6 +56,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     RenderWorker(RenderOptions options, RenderQueue queue, PictureVerifier verifier, RenderListener listener, PathTimes pathTimes) {
         this.pathTimes = pathTimes;
         renderer = new Renderer(options);
+        editPreview = new EditPreview(renderer);
         this.queue = queue;
         this.verifier = verifier;
         this.listener = listener;
@@ -240,8 +233,8 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         freeMemory(requested, signal, canShow && scene == requested ? coarse::offer : _ -> {});
         coarse.last().ifPresent(picture -> renderer.setSharedGeometry(picture.geometry()));
         coarse.showRest();
-        coarsePixelsPerSecond = coarse.pixelsPerSecond();
-        return new ProgressiveDisplay(signal, requested, listener, _ -> {}, canReplace -> queue.setReplaceable(signal, canReplace), true)
+        editPreview.setSpeed(coarse.pixelsPerSecond());
+        return new ProgressiveDisplay(signal, requested, listener, () -> {}, canReplace -> queue.setReplaceable(signal, canReplace), true)
                 .showingTiles(coarse.isShown());
     }
 
@@ -250,32 +243,20 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         String kind = planned.update().description();
         var scenes = new RenderedScenes(scene,
                 renderer.options().keepsReflectionsCurrent() ? scene : renderer.cache().mirrored().scene());
-        boolean canShow = displayMode.isFullPicture() && CoarseSteps.of(scene.picture()).first() > 0;
-        var display = new ProgressiveDisplay(signal, requested, listener, seconds -> {
+        boolean canShow = displayMode.isFullPicture() && CoarseSteps.of(scene).first() > 0;
+        EditPreview.Before before = editPreview.before();
+        var display = new ProgressiveDisplay(signal, requested, listener, () -> {
             slowUpdate = kind;
-            slowSeconds = seconds;
             if (canShow) {
-                listener.coarseRendered(traceCoarse(scenes, 1, signal).film(), requested);
+                listener.coarseRendered(editPreview.trace(before, scenes, 1, signal), requested);
             }
         }, canReplace -> queue.setReplaceable(signal, canReplace), canShow);
         if (canShow && kind.equals(slowUpdate)) {
-            var coarse = new CoarsePass(scenes, renderer::geometryOf, renderer.options(), film -> listener.coarseRendered(film, requested),
-                    signal);
-            coarse.show(traceCoarse(scenes, renderer.options().threads(), signal));
+            listener.coarseRendered(editPreview.trace(before, scenes, renderer.options().threads(), signal), requested);
             queue.setReplaceable(signal, true);
-            coarse.showNext(COARSE_SHARE * slowSeconds);
             display.showingTiles(true);
         }
         return display;
-    }
-
-    /** Traces a coarse image in a short time. */
-    private CoarsePicture traceCoarse(RenderedScenes scenes, int threads, RenderQueue.CancelSignal signal) {
-        double share = (double) threads / renderer.options().threads();
-        int pixels = CoarseSteps.of(scenes.scene().picture()).during(DRAG_SECONDS, coarsePixelsPerSecond * share);
-        CoarsePicture picture = CoarsePicture.trace(scenes, pixels, renderer::geometryOf, threads, signal);
-        coarsePixelsPerSecond = picture.pixelsPerSecond() / share;
-        return picture;
     }
 
     /** Renders the missing samples of the image, if any. */
@@ -283,7 +264,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         if (!renderer.state().isFinished()) {
             Scene scene = renderer.scene();
             listener.samplesStarted();
-            var display = new ProgressiveDisplay(signal, scene, listener, _ -> {}, _ -> {}, displayMode.isFullPicture());
+            var display = new ProgressiveDisplay(signal, scene, listener, () -> {}, _ -> {}, displayMode.isFullPicture());
             if (renderer.state().lastFinished() == null) {
                 display.showingTiles(false);
             }

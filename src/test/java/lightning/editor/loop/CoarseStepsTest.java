@@ -2,6 +2,7 @@ package lightning.editor.loop;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import lightning.editor.document.DeskScene;
 import lightning.scene.AntialiasMode;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
@@ -9,9 +10,13 @@ import org.junit.jupiter.api.Test;
 
 class CoarseStepsTest {
     private static final PictureSettings PICTURE = PictureSettings.DEFAULT.withSize(1280, 720);
-    private static final CoarseSteps STEPS = CoarseSteps.of(PICTURE);
+    private static final CoarseSteps STEPS = stepsOf(PICTURE);
     /** A slow scene in a process whose code is not compiled: a thousand pixels per second. */
     private static final double SLOW = 1_000;
+
+    private static CoarseSteps stepsOf(PictureSettings picture) {
+        return CoarseSteps.of(DeskScene.scene().withPicture(picture));
+    }
 
     @Test
     void firstImage_takesFractionOfSecondEvenIfRaysAreSlow() {
@@ -20,7 +25,7 @@ class CoarseStepsTest {
 
     @Test
     void smallPicture_hasNoCoarseImage() {
-        assertThat(CoarseSteps.of(PICTURE.withSize(160, 120)).first()).isZero();
+        assertThat(stepsOf(PICTURE.withSize(160, 120)).first()).isZero();
     }
 
     @Test
@@ -51,7 +56,7 @@ class CoarseStepsTest {
 
     @Test
     void samplesInEveryPixel_allowFinerImages() {
-        CoarseSteps every = CoarseSteps.of(PICTURE.withSampling(new SamplingSettings(AntialiasMode.EVERY, 8)));
+        CoarseSteps every = stepsOf(PICTURE.withSampling(new SamplingSettings(AntialiasMode.EVERY, 8)));
         int last = 0;
         for (int pixels = every.first(); pixels > 0; pixels = every.next(pixels, SLOW)) {
             last = pixels;

@@ -1,0 +1,77 @@
+package lightning.editor.loop;
+
+import lightning.base.work.Progress;
+import lightning.render.image.Film;
+import lightning.render.relight.Renderer;
+import lightning.render.shading.RenderedScenes;
+import lightning.render.trace.Geometry;
+import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Quick previews of edited scenes: the last picture, changed where coarse pictures of the scenes before and after the edit differ
+ * ({@link EditEstimate}), so that the rest stays sharp. Thread-safe.
+ */
+final class EditPreview {
+    /** Time for a coarse picture, which precedes each step of a slow drag, in seconds. */
+    private static final double SECONDS = 0.06;
+
+    /**
+     * Last picture and what it shows.
+     *
+     * @param film     picture
+     * @param scenes   scene of the picture, and scene of its reflections
+     * @param geometry primitives and BVH of the scene
+     */
+    record Before(Film film, RenderedScenes scenes, Geometry geometry) {}
+
+    private final Renderer renderer;
+    /** Pixels that all threads trace per second. */
+    private double pixelsPerSecond;
+    /** Last coarse picture of a scene before an edit, that scene, and the requested pixels. */
+    private @Nullable CoarsePicture coarseBefore;
+    private @Nullable RenderedScenes scenesBefore;
+    private int pixelsBefore;
+
+    EditPreview(Renderer renderer) {
+        this.renderer = renderer;
+    }
+
+    /** Sets the pixels that all threads trace per second, as measured by another coarse picture; 0 if unknown. */
+    synchronized void setSpeed(double measured) {
+        pixelsPerSecond = measured;
+    }
+
+    /** Returns the renderer's picture. */
+    Before before() {
+        return new Before(renderer.film(), new RenderedScenes(renderer.cache().scene(), renderer.cache().mirrored().scene()),
+                renderer.cache().geometry());
+    }
+
+    /** Returns a preview of edited scenes. It is small if the size or the camera changed, else it has the size of the picture before. */
+    synchronized Film trace(Before before, RenderedScenes after, int threads, Progress progress) {
+        double share = (double) threads / renderer.options().threads();
+        boolean isSameView = isSameView(before.scenes().scene(), after.scene());
+        boolean isKnown = isSameView && scenesBefore != null && before.scenes().scene() == scenesBefore.scene()
+                && before.scenes().mirrored() == scenesBefore.mirrored();
+        int pixels = isKnown ? pixelsBefore
+                : CoarseSteps.of(after.scene()).during(isSameView ? SECONDS / 2 : SECONDS, pixelsPerSecond * share);
+        CoarsePicture traced = CoarsePicture.trace(after, pixels, renderer::geometryOf, threads, progress);
+        pixelsPerSecond = traced.pixelsPerSecond() / share;
+        if (!isSameView) {
+            return traced.film();
+        }
+        CoarsePicture known = coarseBefore;
+        if (!isKnown || known == null) {
+            known = CoarsePicture.trace(before.scenes(), pixels, before.geometry()::withMaterialsOf, threads, progress);
+            coarseBefore = known;
+            scenesBefore = before.scenes();
+            pixelsBefore = pixels;
+        }
+        return EditEstimate.of(before.film(), known.film(), traced.film(), !known.geometry().canServe(traced.scene()));
+    }
+
+    private static boolean isSameView(Scene a, Scene b) {
+        return a.picture().width() == b.picture().width() && a.picture().height() == b.picture().height() && a.camera().equals(b.camera());
+    }
+}
