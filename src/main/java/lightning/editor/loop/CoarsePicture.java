@@ -16,9 +16,8 @@ import lightning.render.trace.Geometry;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.effects.PreviewScene;
 import lightning.scene.light.Light;
-import lightning.scene.material.Material;
-import lightning.scene.material.ShadingModel;
 import lightning.scene.value.SceneLimits;
 
 /**
@@ -87,11 +86,8 @@ public record CoarsePicture(Scene scene, Geometry geometry, Film film, double pi
         }
     }
 
-    /** Removes indirect light and blurred reflections. Half of what a rough metal would reflect is diffuse instead, so that it is not black. */
     private static Scene withoutSlowEffects(Scene scene) {
-        Scene direct = scene.withoutIndirect();
-        return direct.materials().stream().noneMatch(Material::reflectsRoughly) ? direct : direct.withMaterials(direct.materials().stream()
-                .map(m -> m.reflectsRoughly() ? m.withModel(ShadingModel.METALLIC).withMetalness(m.metalness() / 2) : m).toList());
+        return PreviewScene.withoutBlur(scene.withoutIndirect());
     }
 
     private static Scene shrink(Scene scene, int pixels) {

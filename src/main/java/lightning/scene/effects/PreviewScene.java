@@ -12,14 +12,15 @@ import lightning.scene.asset.EnvironmentLight;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
 import lightning.scene.value.SceneLimits;
 import lightning.scene.value.ShapeLinks;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Converts scenes for the editor's preview, which has a few levels of reflections, and shadows of one light at most: limits the depth, replaces the light of
- * environments by a few lights, dimmed where it would overexpose the picture without shadows, and removes other shadows. If the scene shows no reflections, it adds diffuse
- * color to materials that would be black without them.
+ * Converts scenes for the editor's preview, which has a few levels of sharp reflections, and shadows of one light at most: limits the depth,
+ * replaces the light of environments by a few lights, dimmed where it would overexpose the picture without shadows, and removes other shadows.
+ * Materials that would be black without their blurred or other reflections get diffuse color instead.
  */
 public final class PreviewScene {
     /** Remaining metalness of a metal. The rest becomes diffuse, in place of its reflections. */
@@ -38,6 +39,7 @@ public final class PreviewScene {
 
     private @Nullable Stage stage;
     private @Nullable Stage previewStage;
+    private boolean isSharpShown;
     private List<EnvironmentLight> environmentLights = List.of();
     /** Maximum brightness of a white diffuse surface lit by these lights, over the orientations toward each light. */
     private double maxBrightness;
@@ -75,8 +77,8 @@ public final class PreviewScene {
     Scene of(Scene scene) {
         World world = scene.world();
         Scene dimmed = world.environment().map(e -> withLights(scene, dim(world, e))).orElse(scene);
-        return showsReflections(scene) ? dimmed.withPicture(scene.picture().withDepth(depth(scene)))
-                : dimmed.withStage(withoutReflections(scene));
+        Scene shown = showsReflections(scene) ? dimmed.withPicture(scene.picture().withDepth(depth(scene))) : dimmed;
+        return shown.withStage(withoutHiddenReflections(scene));
     }
 
     /** Replaces the light of an environment, but not its image, by lights: a preview gathers no light. */
@@ -94,13 +96,24 @@ public final class PreviewScene {
         return scene.materials().stream().anyMatch(Material::isClear) ? depth : Math.min(depth, MAX_DEPTH);
     }
 
-    private Stage withoutReflections(Scene scene) {
-        if (previewStage == null || scene.stage() != stage) {
+    private Stage withoutHiddenReflections(Scene scene) {
+        if (previewStage == null || scene.stage() != stage || isSharpShown != showsReflections(scene)) {
             stage = scene.stage();
+            isSharpShown = showsReflections(scene);
             // withMaterials returns the same stage for an equal list, so that caches stay valid.
-            previewStage = stage.withMaterials(stage.materials().stream().map(PreviewScene::scatterReflections).toList());
+            previewStage = stage.withMaterials(stage.materials().stream()
+                    .map(m -> m.reflectsRoughly() || isSharpShown ? scatterBlur(m) : scatterReflections(m)).toList());
         }
         return previewStage;
+    }
+
+    /** Replaces blurred reflections, whose rays a preview has no time for, by diffuse color. */
+    public static Scene withoutBlur(Scene scene) {
+        return scene.withMaterials(scene.materials().stream().map(PreviewScene::scatterBlur).toList());
+    }
+
+    private static Material scatterBlur(Material material) {
+        return material.reflectsRoughly() ? scatterReflections(material).withModel(ShadingModel.METALLIC) : material;
     }
 
     static Material scatterReflections(Material material) {

@@ -12,6 +12,7 @@ import lightning.base.math.Vec3;
 import lightning.render.image.Film;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Camera;
+import lightning.scene.GatherSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
@@ -62,6 +63,18 @@ class PreviewSceneTest {
                 .isEqualTo(new PreviewScene.Request(deep, ViewEffects.PREVIEW.with(RenderEffect.REFLECTION, true)));
         assertThat(shown.light("key").orElseThrow()).isEqualTo(key);
         assertThat(LightAttribute.SHADOWED_BY.get(shown.light("lamp").orElseThrow())).isEqualTo(ShapeLinks.NONE);
+    }
+
+    @Test
+    void blurredReflections_gatherNoLightAndLeaveTheirColor() {
+        Material brass = Material.of("brass").withModel(ShadingModel.PRINCIPLED).withBase(new Rgb(1, 0.7, 0.3)).withMetalness(1)
+                .withRoughness(0.4);
+        for (int depth : new int[] {0, 2}) {
+            Scene scene = ball(brass, World.DEFAULT, environmentLight());
+            Scene shown = new PreviewScene().of(scene.withPicture(scene.picture().withDepth(depth)));
+            assertThat(GatherSettings.of(shown)).as("depth %d", depth).isEmpty();
+            assertThat(middle(shown).r()).isGreaterThan(0.05);
+        }
     }
 
     @Test
