@@ -75,9 +75,9 @@ public final class Workbench implements AutoCloseable {
         loop = new RenderLoop(options, feed);
     }
 
-    /** Sets a running startup preview before the document is rendered, so that it is not rendered twice. */
-    public void setStartupPreview(Future<Optional<CoarsePicture>> preview) {
-        loop.setStartupPreview(preview);
+    /** Sets a running startup preview before the document is rendered, as {@link RenderLoop#setStartupPreview}. */
+    public void setStartupPreview(Future<Optional<CoarsePicture>> preview, Future<?> menusShown) {
+        loop.setStartupPreview(preview, menusShown);
     }
 
     /** Returns the options of the next render. Callable on any thread. */

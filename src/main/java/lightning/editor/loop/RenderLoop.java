@@ -40,9 +40,13 @@ public final class RenderLoop implements AutoCloseable {
         thread.start();
     }
 
-    /** Sets a startup preview of the first scene, rendered elsewhere. Call it before the first request. The loop reports its failures. */
-    public void setStartupPreview(Future<Optional<CoarsePicture>> preview) {
-        worker.setStartupPreview(preview);
+    /**
+     * Sets a startup preview of the first scene, rendered elsewhere. Call it before the first request. The loop reports its failures.
+     *
+     * @param menusShown event after which the loop begins to trace the scene, since tracing and its compilation would take the processors from it
+     */
+    public void setStartupPreview(Future<Optional<CoarsePicture>> preview, Future<?> menusShown) {
+        worker.setStartupPreview(preview, menusShown);
     }
 
     /**

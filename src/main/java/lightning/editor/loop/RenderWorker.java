@@ -39,6 +39,8 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private volatile DisplayMode displayMode = DisplayMode.FULL_PICTURE;
     /** Startup preview of the first scene; null afterwards. */
     private volatile Future<Optional<CoarsePicture>> startupPreview = CompletableFuture.completedFuture(Optional.empty());
+    /** Event that the rest of the first pass waits for. */
+    private volatile Future<?> menusShown = CompletableFuture.completedFuture(null);
     private @Nullable UpdateResult lastUpdate;
     /** Step of the image. */
     private Frame.@Nullable Step lastStep;
@@ -63,8 +65,9 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     }
 
     /** Sets the startup preview, as {@link RenderLoop#setStartupPreview}. */
-    void setStartupPreview(Future<Optional<CoarsePicture>> preview) {
+    void setStartupPreview(Future<Optional<CoarsePicture>> preview, Future<?> menus) {
         startupPreview = preview;
+        menusShown = menus;
     }
 
     void setView(ViewTransform v) {
@@ -224,6 +227,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
             renderer.setSharedGeometry(preview.geometry());
             coarse.show(preview);
         });
+        result(menusShown);
         boolean canShow = CoarsePicture.isFilmPossible(scene, renderer.options());
         if (canShow) {
             queue.setReplaceable(signal, coarse.isShown());
@@ -368,15 +372,20 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     }
 
     private Optional<CoarsePicture> takeStartupPreview() {
+        Optional<CoarsePicture> preview = result(startupPreview);
+        startupPreview = CompletableFuture.completedFuture(Optional.empty());
+        return preview == null ? Optional.empty() : preview;
+    }
+
+    /** Waits for a result; null if there is none. */
+    private static <T> @Nullable T result(Future<T> future) {
         try {
-            return startupPreview.get();
+            return future.get();
         } catch (ExecutionException | CancellationException e) {
-            return Optional.empty();
+            return null;
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            return Optional.empty();
-        } finally {
-            startupPreview = CompletableFuture.completedFuture(Optional.empty());
+            return null;
         }
     }
 

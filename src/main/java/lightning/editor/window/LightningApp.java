@@ -210,6 +210,7 @@ public class LightningApp extends Application {
         opened.files().showNotes();
         preloader = new IdlePreloader(stage.getScene(), opened::isIdle, opened.window().preloadSteps().iterator());
         editorOpened(opened);
+        PaintCallbacks.afterNextPaint(files.preview()::endStartup);
         if (files.isStartScene() && files.findRecoveries().isEmpty()) {
             opened.welcome();
         }

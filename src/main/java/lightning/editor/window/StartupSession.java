@@ -24,6 +24,7 @@ final class StartupSession implements AutoCloseable {
     private final EditorModel model;
     private final TracedPane traced;
     private final EditorLayout layout;
+    private final StartupPreview preview;
 
     /**
      * Starts to render the document.
@@ -32,6 +33,7 @@ final class StartupSession implements AutoCloseable {
      */
     StartupSession(EditorLayout layout, OpenDocument document, StartupPreview preview, Preferences preferences, RecoveryFolder recovery,
             FileThread thread) {
+        this.preview = preview;
         model = new EditorModel(document, preview, recovery, thread);
         model.accuracyModeProperty().set(preferences.enumValue("precision", AccuracyMode.EXACT).forOtherFile());
         model.editor().liveProperty().set(!preferences.hasValue("live", "false"));
@@ -72,6 +74,7 @@ final class StartupSession implements AutoCloseable {
 
     @Override
     public void close() {
+        preview.endStartup();
         traced.close();
         model.close();
     }

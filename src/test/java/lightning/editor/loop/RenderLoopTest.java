@@ -85,7 +85,7 @@ class RenderLoopTest {
 
     /** Returns the width of the first reported coarse image. */
     private int renderWithPreview(Scene requested, Future<Optional<CoarsePicture>> preview) throws Exception {
-        loop.setStartupPreview(preview);
+        loop.setStartupPreview(preview, CompletableFuture.completedFuture(null));
         loop.render(requested);
         Film seen = listener.next(RecordingRenderListener.Coarse.class).film();
         awaitFinished();

@@ -72,7 +72,7 @@ public final class EditorModel implements AutoCloseable {
         accuracyMode.addListener((_, _, mode) -> workbench.changeOptions(mode.options()));
         addCommands();
         documentOpened();
-        workbench.setStartupPreview(preview.coarse());
+        workbench.setStartupPreview(preview.coarse(), preview.menusShown());
         workbench.go();
     }
 

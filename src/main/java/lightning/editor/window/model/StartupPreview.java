@@ -4,7 +4,6 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
-import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Function;
@@ -16,10 +15,14 @@ import lightning.scene.Scene;
 
 /** Coarse pictures of a scene, traced while the window is being created. */
 public final class StartupPreview {
-    private final TracedRaster raster = new TracedRaster();
-    private final Future<Optional<CoarsePicture>> coarse;
+    /** Maximum wait of the editor's render for the menus. */
+    private static final long MAX_WAIT_SECONDS = 10;
 
-    private StartupPreview(ViewTransform view, Function<TracedRaster, Future<Optional<CoarsePicture>>> startTrace) {
+    private final TracedRaster raster = new TracedRaster();
+    private final CompletableFuture<Optional<CoarsePicture>> coarse;
+    private final CompletableFuture<Void> menusShown = new CompletableFuture<>();
+
+    private StartupPreview(ViewTransform view, Function<TracedRaster, CompletableFuture<Optional<CoarsePicture>>> startTrace) {
         raster.setView(view);
         coarse = startTrace.apply(raster);
     }
@@ -31,16 +34,23 @@ public final class StartupPreview {
      */
     public static StartupPreview start(Scene scene, ViewTransform view) {
         return new StartupPreview(view, raster -> {
-            var trace = new FutureTask<>(
-                    () -> CoarsePicture.first(scene, RenderOptions.DEFAULT, film -> raster.coarseRendered(film, scene)));
-            DedicatedThread.create("lightning-startup-preview", trace).start();
+            var trace = new CompletableFuture<Optional<CoarsePicture>>();
+            DedicatedThread.create("lightning-startup-preview", () -> {
+                try {
+                    trace.complete(CoarsePicture.first(scene, RenderOptions.DEFAULT, film -> raster.coarseRendered(film, scene)));
+                } catch (RuntimeException | Error e) {
+                    trace.completeExceptionally(e);
+                }
+            }).start();
             return trace;
         });
     }
 
     /** Returns an empty preview, which leaves all rendering to the editor. */
     public static StartupPreview none(ViewTransform view) {
-        return new StartupPreview(view, _ -> CompletableFuture.completedFuture(Optional.empty()));
+        var preview = new StartupPreview(view, _ -> CompletableFuture.completedFuture(Optional.empty()));
+        preview.endStartup();
+        return preview;
     }
 
     /** Returns the raster that receives the coarse picture and then the editor's renders. */
@@ -51,6 +61,16 @@ public final class StartupPreview {
     /** Returns the last coarse picture; empty if a full picture is as fast, or if the picture is too large. */
     Future<Optional<CoarsePicture>> coarse() {
         return coarse;
+    }
+
+    /** Returns when the menus are shown, from which on tracing may use all processors. */
+    Future<?> menusShown() {
+        return menusShown.completeOnTimeout(null, MAX_WAIT_SECONDS, TimeUnit.SECONDS);
+    }
+
+    /** Lets the editor's own render use all processors: the menus are shown, or the window is closed. */
+    public void endStartup() {
+        menusShown.complete(null);
     }
 
     /** Waits for the coarse picture with a timeout, milliseconds. */
