@@ -56,7 +56,7 @@ final class EditorLayout extends BorderPane {
     /** Minimum width of a page next to the traced picture, pixels. */
     private static final double MIN_PAGE_WIDTH = 460;
     /** Share of the width that a page always leaves free, unless the window is too narrow. */
-    private static final double MIN_LEFT_SHARE = 0.3;
+    private static final double MIN_LEFT_SHARE = 0.45;
     /** Insets of a loading note, aligned with the text of the header above it. */
     private static final Insets NOTE_INSETS = new Insets(6, 12, 6, 12);
 

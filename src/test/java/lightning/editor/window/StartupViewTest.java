@@ -96,6 +96,7 @@ class StartupViewTest {
             startupView.layout();
             Bounds before = pictureBounds();
             var frame = new EditorLayout(file, startupView.picture());
+            frame.reserve(layout);
             change(frame);
             Bounds framed = pictureBounds();
             startupSession = TestEditors.startupSession(file, frame, folder, thread);

@@ -33,6 +33,7 @@ class WindowLayoutTest extends EditorFixture {
 
     @Test
     void pictureAlone_fillsBothCanvases() {
+        arrange(CanvasLayout.SIDE_BY_SIDE);
         double half = picture().getWidth();
         arrange(CanvasLayout.PICTURE_ALONE);
         assertThat(isVisible("#preview-canvas")).isFalse();
@@ -41,6 +42,11 @@ class WindowLayoutTest extends EditorFixture {
         arrange(CanvasLayout.SIDE_BY_SIDE);
         assertThat(isVisible("#preview-canvas")).isTrue();
         assertThat(picture().getWidth()).isBetween(half - 2, half + 2);
+    }
+
+    @Test
+    void initialPicture_takesMostOfTheWindow() {
+        assertThat(picture().getWidth()).isGreaterThan(0.6 * stage.getScene().getWidth());
     }
 
     @Test
@@ -137,11 +143,11 @@ class WindowLayoutTest extends EditorFixture {
 
     @Test
     void arrangement_afterRestart_isRestoredButHiddenPanelsAreNot() {
-        arrange(CanvasLayout.PICTURE_LARGE);
+        arrange(CanvasLayout.PREVIEW_LARGE);
         robot.interact(() -> model().commands().run(Command.HIDE_PANELS));
         waitFor("the preferences are written", () -> Files.exists(folder.resolve("own/preferences.properties")));
         waitFor("the preference is saved",
-                () -> new Preferences(folder.resolve("own"), Runnable::run).hasValue("arrangement", "PICTURE_LARGE"));
+                () -> new Preferences(folder.resolve("own"), Runnable::run).hasValue("arrangement", "PREVIEW_LARGE"));
     }
 
     @Test

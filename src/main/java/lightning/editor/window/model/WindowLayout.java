@@ -19,7 +19,7 @@ public final class WindowLayout {
     /** Maximum size of a dock, pixels. A larger stored value is an invalid preference. */
     private static final double MAX_DOCK_SIZE = 32_768;
 
-    private final ObjectProperty<CanvasLayout> canvasLayout = new SimpleObjectProperty<>(CanvasLayout.SIDE_BY_SIDE);
+    private final ObjectProperty<CanvasLayout> canvasLayout = new SimpleObjectProperty<>(CanvasLayout.PICTURE_LARGE);
     private final BooleanProperty panelsHidden = new SimpleBooleanProperty();
 
     private final BooleanProperty welcomeAtStart = new SimpleBooleanProperty(true);
@@ -124,7 +124,7 @@ public final class WindowLayout {
 
     /** Restores the arrangement. Panels are always shown at startup; the timeline is if the document has a shot. */
     public void restore(Preferences preferences) {
-        canvasLayout.set(preferences.enumValue("arrangement", CanvasLayout.SIDE_BY_SIDE));
+        canvasLayout.set(preferences.enumValue("arrangement", canvasLayout.get()));
         welcomeAtStart.set(!preferences.hasValue("welcome", "false"));
         dockSizes.forEach((dock, size) -> size.set(preferences.number("dock." + dock.name(), 0, MAX_DOCK_SIZE, 0)));
         PanelArrangement stored = PanelArrangement.parse(preferences.text("panels", ""));
