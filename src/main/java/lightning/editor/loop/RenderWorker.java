@@ -226,8 +226,8 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         takeStartupPreview().filter(preview -> preview.shows(requested)).ifPresent(preview -> {
             renderer.setSharedGeometry(preview.geometry());
             coarse.show(preview);
+            result(menusShown);
         });
-        result(menusShown);
         boolean canShow = CoarsePicture.isFilmPossible(scene, renderer.options());
         if (canShow) {
             queue.setReplaceable(signal, coarse.isShown());

@@ -15,6 +15,7 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.PanelArrangement;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.UiLanguage;
+import lightning.editor.window.model.WindowLayout.CanvasLayout;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.render.relight.SceneView;
 import lightning.scene.effects.ViewEffects;
@@ -83,6 +84,7 @@ record EditorReset(Stage stage, Editor editor, double x, double y, double width,
         EditorModel model = editor.model();
         var defaults = new Preferences(NO_PREFERENCES, Runnable::run);
         model.layout().restore(defaults);
+        model.layout().canvasLayoutProperty().set(CanvasLayout.SIDE_BY_SIDE);
         model.layout().panelsHiddenProperty().set(false);
         model.layout().filmStripShownProperty().set(false);
         model.layout().panelsProperty().set(PanelArrangement.INITIAL.closeAll());

@@ -9,6 +9,7 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.layout.Region;
 import lightning.editor.document.Command;
 import lightning.editor.window.model.Preferences;
+import lightning.editor.window.model.WindowLayout;
 import lightning.editor.window.model.WindowLayout.CanvasLayout;
 import lightning.editor.window.widget.PictureView;
 import lightning.format.jen.JenReader;
@@ -46,6 +47,8 @@ class WindowLayoutTest extends EditorFixture {
 
     @Test
     void initialPicture_takesMostOfTheWindow() {
+        arrange(new WindowLayout().canvasLayoutProperty().get());
+        FastRobot.settle();
         assertThat(picture().getWidth()).isGreaterThan(0.6 * stage.getScene().getWidth());
     }
 

@@ -18,8 +18,9 @@ import lightning.editor.document.PictureArea;
 public final class WindowLayout {
     /** Maximum size of a dock, pixels. A larger stored value is an invalid preference. */
     private static final double MAX_DOCK_SIZE = 32_768;
+    private static final CanvasLayout INITIAL_CANVASES = CanvasLayout.PICTURE_LARGE;
 
-    private final ObjectProperty<CanvasLayout> canvasLayout = new SimpleObjectProperty<>(CanvasLayout.PICTURE_LARGE);
+    private final ObjectProperty<CanvasLayout> canvasLayout = new SimpleObjectProperty<>(INITIAL_CANVASES);
     private final BooleanProperty panelsHidden = new SimpleBooleanProperty();
 
     private final BooleanProperty welcomeAtStart = new SimpleBooleanProperty(true);
@@ -124,7 +125,7 @@ public final class WindowLayout {
 
     /** Restores the arrangement. Panels are always shown at startup; the timeline is if the document has a shot. */
     public void restore(Preferences preferences) {
-        canvasLayout.set(preferences.enumValue("arrangement", canvasLayout.get()));
+        canvasLayout.set(preferences.enumValue("arrangement", INITIAL_CANVASES));
         welcomeAtStart.set(!preferences.hasValue("welcome", "false"));
         dockSizes.forEach((dock, size) -> size.set(preferences.number("dock." + dock.name(), 0, MAX_DOCK_SIZE, 0)));
         PanelArrangement stored = PanelArrangement.parse(preferences.text("panels", ""));

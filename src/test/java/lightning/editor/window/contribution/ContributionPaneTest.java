@@ -9,7 +9,6 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
-import lightning.editor.window.model.WindowLayout.CanvasLayout;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.image.Film;
@@ -66,7 +65,6 @@ class ContributionPaneTest extends EditorFixture {
     @Test
     void regionAndPointer_haveOwnShares() {
         openWith(Light.of("below", LightType.POINT).withPosition(new lightning.base.math.Vec3(0, -50, 0)));
-        robot.interact(() -> model().layout().canvasLayoutProperty().set(CanvasLayout.SIDE_BY_SIDE));
         double whole = rows().get(1).regionShare();
         click("contribution-region");
         assertThat(model().picturePointer().regionRequestProperty().get()).isNotNull();
