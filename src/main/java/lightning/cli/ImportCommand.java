@@ -62,7 +62,7 @@ final class ImportCommand implements Callable<Integer> {
     private boolean keepsOthers;
     @Option(names = "--light-units", paramLabel = "UNITS",
             description = "Units of a glTF file's lights: candela (and lux, as the format defines), unitless (watts per steradian and "
-                    + "per square meter) or watts, as chosen in its exporter (default: candela).")
+                    + "per square meter) or watts, as chosen in its exporter (default: candela, but watts for Blender before 3.4).")
     private @Nullable LightUnits units;
     @Option(names = "--light-pictures",
             description = "Also write a small preview for each light unit next to the scene, such as scene.candela.png.")
@@ -120,7 +120,7 @@ final class ImportCommand implements Callable<Integer> {
         ImportedScene imported;
         try (var bar = new ProgressBar(console, "reading")) {
             imported =
-                    SceneImporter.read(file, output, new ImportOptions(units == null ? LightUnits.CANDELA : units, levels, variants, camera,
+                    SceneImporter.read(file, output, new ImportOptions(Optional.ofNullable(units), levels, variants, camera,
                             frame == null ? OptionalDouble.empty() : OptionalDouble.of(frame)), bar);
         }
         boolean saysIndirect = imported.hasIndirect();

@@ -85,7 +85,8 @@ final class SceneSource {
     private OpenDocument read(Path file, Path output, Fields fields, Progress progress) throws IOException, JenException {
         IndirectChoice indirect = choice(fields, "indirect", IndirectChoice.AUTO);
         ImportLighting lighting = choice(fields, "lighting", ImportLighting.FILE);
-        var options = new ImportOptions(choice(fields, "light_units", LightUnits.CANDELA),
+        var options = new ImportOptions(
+                fields.has("light_units") ? Optional.of(choice(fields, "light_units", LightUnits.CANDELA)) : Optional.empty(),
                 fields.integer("subdivision", 0, SceneImporter.MAX_LEVELS, SceneImporter.DEFAULT_LEVELS),
                 fields.has("variant") ? fields.strings("variant") : List.of(), fields.optionalString("camera").orElse(""),
                 fields.number("frame", -ImportOptions.MAX_FRAME, ImportOptions.MAX_FRAME));

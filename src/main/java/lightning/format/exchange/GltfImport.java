@@ -80,9 +80,9 @@ final class GltfImport {
     /** @param content file with the glTF; the source itself, or what it was converted to */
     private GltfImport(Path source, Path content, Path sceneFile, ImportOptions options, Progress progress)
             throws IOException, MeshException {
-        units = options.units();
         assembler = new SceneAssembler(source, sceneFile);
         GltfFile gltf = GltfFile.read(content, progress);
+        units = options.units().orElseGet(() -> LightUnits.writtenBy(gltf.generator()));
         file = new GltfScene(gltf, assembler.notes);
         nodes = file.nodes(SceneLimits.MAX_SHAPES);
         var variants = new MaterialVariants(gltf, options.variants().isEmpty() ? "" : options.variants().getFirst());

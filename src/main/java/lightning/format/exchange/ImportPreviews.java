@@ -1,6 +1,9 @@
 package lightning.format.exchange;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -59,7 +62,7 @@ public final class ImportPreviews {
 
     /**
      * Renders an image for each choice, without textures, since these are not read before the scene is written: the lights of the file in
-     * each possible unit, if it has lights, then a studio and a sky.
+     * each possible unit, if it has lights, the likely one first, then a studio and a sky.
      *
      * @param size longer side in pixels, at least 1
      * @throws CancellationException if {@code progress} requested cancellation
@@ -71,8 +74,11 @@ public final class ImportPreviews {
         int ofUnits = hasUnits ? LightUnits.values().length : 0;
         int count = ofUnits + others.size();
         Map<Choice, Preview> previews = new LinkedHashMap<>();
-        LightUnitPreviews.render(imported, size, workers, new ProgressPart(progress, 0, (double) ofUnits / count))
-                .forEach((units, film) -> previews.put(new Choice(ImportLighting.FILE, Optional.of(units)), Preview.exposed(film)));
+        Map<LightUnits, Film> films =
+                LightUnitPreviews.render(imported, size, workers, new ProgressPart(progress, 0, (double) ofUnits / count));
+        films.keySet().stream().sorted(Comparator.comparing(units -> !imported.units().equals(Optional.of(units))))
+                .forEach(units -> previews.put(new Choice(ImportLighting.FILE, Optional.of(units)),
+                        Preview.exposed(requireNonNull(films.get(units)))));
         for (int i = 0; i < others.size(); i++) {
             var choice = new Choice(others.get(i), Optional.empty());
             Film film = LightUnitPreviews.render(choice.apply(imported).scene(), size, workers,

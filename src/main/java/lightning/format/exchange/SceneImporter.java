@@ -51,7 +51,7 @@ public final class SceneImporter {
      * @throws CancellationException if {@code progress} requested cancellation
      */
     public static ImportedScene read(Path file, Path sceneFile, LightUnits units, Progress progress) throws IOException, MeshException {
-        return read(file, sceneFile, ImportOptions.DEFAULT.withUnits(units), progress);
+        return read(file, sceneFile, ImportOptions.DEFAULT.withUnits(Optional.of(units)), progress);
     }
 
     /**

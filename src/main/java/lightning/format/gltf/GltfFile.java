@@ -69,6 +69,11 @@ public final class GltfFile {
         return c == '{' || source.startsWith(new byte[] {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF, '{'});
     }
 
+    /** Returns the name and version of the program that wrote the file; empty if it does not say. */
+    public String generator() {
+        return root.node().path("asset").path("generator").asString("");
+    }
+
     /**
      * Reads a file, without its external buffers.
      *

@@ -25,11 +25,11 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusMessage;
+import lightning.format.exchange.ImportOptions;
 import lightning.format.exchange.ImportPreviews;
 import lightning.format.exchange.IndirectChoice;
 import lightning.format.exchange.SceneImporter;
 import lightning.format.exchange.assembly.ImportedScene;
-import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
 import lightning.format.jen.JenFile;
@@ -127,7 +127,7 @@ public final class FileActions {
     private void importScene(Path file, Path to) {
         readInBackground(file, () -> {
             var progress = new FileProgressMessage(file, model.fileActivity(), model.files().windowExecutor(), message);
-            ImportedScene imported = IndirectChoice.AUTO.apply(SceneImporter.read(file, to, LightUnits.CANDELA, progress));
+            ImportedScene imported = IndirectChoice.AUTO.apply(SceneImporter.read(file, to, ImportOptions.DEFAULT, progress));
             try (var workers = new WorkerPool(WorkerPool.processorCount())) {
                 return new ImportPreview(imported,
                         ImportPreviews.render(imported, IMPORT_PICTURE_SIZE, workers, progress.next(Messages.tr("Previewing"))));

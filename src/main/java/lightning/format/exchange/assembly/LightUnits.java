@@ -1,6 +1,10 @@
 package lightning.format.exchange.assembly;
 
+import java.util.Arrays;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.scene.light.LightType;
 
@@ -19,11 +23,28 @@ public enum LightUnits {
     WATTS("watts, and watts per square meter");
 
     private static final double LUMENS_PER_WATT = 683;
+    private static final Pattern BLENDER = Pattern.compile("Khronos glTF Blender I/O v(\\d{1,4})\\.(\\d{1,4})\\.(\\d{1,4})");
+    /** First version of Blender's exporter that converts its watts, from October 2022. */
+    private static final int[] FIRST_STANDARD = {3, 4, 40};
 
     private final String description;
 
     LightUnits(String description) {
         this.description = description;
+    }
+
+    /**
+     * Returns the units that a program's exporter writes by default.
+     *
+     * @param generator name and version, as in a glTF file's {@code asset.generator}
+     */
+    public static LightUnits writtenBy(String generator) {
+        Matcher blender = BLENDER.matcher(generator);
+        if (!blender.lookingAt()) {
+            return CANDELA;
+        }
+        int[] version = IntStream.rangeClosed(1, FIRST_STANDARD.length).map(i -> Integer.parseInt(blender.group(i))).toArray();
+        return Arrays.compare(version, FIRST_STANDARD) < 0 ? WATTS : CANDELA;
     }
 
     /** Returns the intensity in Lightning of a light with intensity 1 in the file. */
