@@ -17,7 +17,7 @@ final class EditPreview {
     private static final double SECONDS = 0.06;
 
     /**
-     * Last picture and what it shows.
+     * Last picture, its scenes and its shapes.
      *
      * @param film     picture
      * @param scenes   scene of the picture, and scene of its reflections

@@ -11,7 +11,7 @@ import lightning.format.usd.UsdSubdivision;
 /**
  * Choices for an import.
  *
- * @param units    units of a glTF file's lights; empty for those that the program that wrote it uses ({@link LightUnits#writtenBy})
+ * @param units    units of a glTF file's lights; empty for the default of the program that wrote it ({@link LightUnits#writtenBy})
  * @param levels   refinements of a stage's subdivision surfaces, from 0 to {@link SceneImporter#MAX_LEVELS}
  * @param variants variant of a glTF file's materials, at most one; or choices of a stage's variants, such as {@code look=red}
  * @param camera   name of the scene's camera in a glTF file or a stage; empty for the file's own choice
