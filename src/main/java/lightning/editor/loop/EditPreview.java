@@ -25,13 +25,21 @@ final class EditPreview {
      */
     record Before(Film film, RenderedScenes scenes, Geometry geometry) {}
 
+    /**
+     * Coarse picture of the scenes before an edit, which all steps of a drag share.
+     *
+     * @param pixels requested number of pixels, which decides the picture's size
+     */
+    private record CoarseBefore(RenderedScenes scenes, int pixels, CoarsePicture picture) {
+        boolean shows(RenderedScenes other) {
+            return scenes.scene() == other.scene() && scenes.mirrored() == other.mirrored();
+        }
+    }
+
     private final Renderer renderer;
     /** Pixels that all threads trace per second. */
     private double pixelsPerSecond;
-    /** Last coarse picture of a scene before an edit, that scene, and the requested pixels. */
-    private @Nullable CoarsePicture coarseBefore;
-    private @Nullable RenderedScenes scenesBefore;
-    private int pixelsBefore;
+    private @Nullable CoarseBefore lastBefore;
 
     EditPreview(Renderer renderer) {
         this.renderer = renderer;
@@ -52,23 +60,21 @@ final class EditPreview {
     synchronized Film trace(Before before, RenderedScenes after, int threads, Progress progress) {
         double share = (double) threads / renderer.options().threads();
         boolean isSameView = isSameView(before.scenes().scene(), after.scene());
-        boolean isKnown = isSameView && scenesBefore != null && before.scenes().scene() == scenesBefore.scene()
-                && before.scenes().mirrored() == scenesBefore.mirrored();
-        int pixels = isKnown ? pixelsBefore
+        CoarseBefore known = isSameView && lastBefore != null && lastBefore.shows(before.scenes()) ? lastBefore : null;
+        int pixels = known != null ? known.pixels()
                 : CoarseSteps.of(after.scene()).during(isSameView ? SECONDS / 2 : SECONDS, pixelsPerSecond * share);
         CoarsePicture traced = CoarsePicture.trace(after, pixels, renderer::geometryOf, threads, progress);
         pixelsPerSecond = traced.pixelsPerSecond() / share;
         if (!isSameView) {
             return traced.film();
         }
-        CoarsePicture known = coarseBefore;
-        if (!isKnown || known == null) {
-            known = CoarsePicture.trace(before.scenes(), pixels, before.geometry()::withMaterialsOf, threads, progress);
-            coarseBefore = known;
-            scenesBefore = before.scenes();
-            pixelsBefore = pixels;
+        if (known == null) {
+            known = new CoarseBefore(before.scenes(), pixels,
+                    CoarsePicture.trace(before.scenes(), pixels, before.geometry()::withMaterialsOf, threads, progress));
+            lastBefore = known;
         }
-        return EditEstimate.of(before.film(), known.film(), traced.film(), !known.geometry().canServe(traced.scene()));
+        CoarsePicture coarse = known.picture();
+        return EditEstimate.of(before.film(), coarse.film(), traced.film(), !coarse.geometry().canServe(traced.scene()));
     }
 
     private static boolean isSameView(Scene a, Scene b) {
