@@ -266,16 +266,13 @@ final class BenchCommand implements Callable<Integer> {
             console.print("%d scene%s; this will take about %s", count, count == 1 ? "" : "s", duration(harness.predictedSeconds()));
             try {
                 BenchResults results = harness.run((_, until) -> {
-                    bar.erase();
                     table.printNew(until);
                     files.writePeriodically(until);
                 }, bar);
                 files.write(results);
-                bar.erase();
                 table.printSummary(results);
                 return results;
             } catch (CancellationException | InterruptedException | IOException e) {
-                bar.erase();
                 files.writeUninterruptibly(harness.results(false), () -> console.warn("%s: contains the results so far", folder));
                 throw e;
             }

@@ -69,7 +69,6 @@ final class EffectsCommand implements Callable<Integer> {
         try (Renderer renderer = new Renderer(options); ProgressBar bar = new ProgressBar(console, "effects")) {
             EffectCosts costs = EffectCosts.of(scene, after, options, repetitions.count(), bar);
             renderer.render(scene, bar.cancellationOnly());
-            bar.erase();
             print(SceneEffects.of(scene), costs, renderer.cache());
             console.report().setResult(report(costs, renderer.cache()));
         }

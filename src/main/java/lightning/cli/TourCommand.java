@@ -119,7 +119,6 @@ final class TourCommand implements Callable<Integer> {
         FirstPassCost first = meter.firstPass(sized, bar.cancellationOnly());
         writePicture("first-pass", meter.renderer().film());
         var table = new TourTable(console);
-        bar.erase();
         table.printFirstPass(first, meter.bytesPerMs());
         table.printPreview(PreviewCost.of(sized, threads.count(), bar.cancellationOnly()));
         if (pov.isPresent()) {
@@ -136,7 +135,6 @@ final class TourCommand implements Callable<Integer> {
             List<Scene> scenes = edit.scenes();
             UpdateSaving saving = meter.update(scenes.get(scenes.size() - 2), scenes.getLast(), bar.cancellationOnly());
             writePicture(edit.name(), meter.renderer().film());
-            bar.erase();
             table.printRow(edit.name(), edit.paperSaving(), saving);
             edits.add(report(edit.name(), edit.paperSaving(), saving));
             allEqual &= saving.isVerified();
@@ -159,7 +157,6 @@ final class TourCommand implements Callable<Integer> {
         }
         UpdateSaving saving = meter.reflections(edit.get().before(), edit.get().after(), bar.cancellationOnly());
         writePicture("position-mirrored", meter.renderer().film());
-        bar.erase();
         table.printRow("- its mirrors", Double.NaN, saving);
         edits.add(report("mirrors of position", Double.NaN, saving));
         return saving.isVerified();

@@ -3,6 +3,7 @@ package lightning.cli.output;
 import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import lightning.cli.report.ErrorReport;
 import lightning.cli.report.JsonOutput;
 import org.jspecify.annotations.Nullable;
@@ -12,6 +13,7 @@ public final class CommandReport {
     private boolean json;
     private boolean quiet;
     private @Nullable Object result;
+    private @Nullable ProgressBar bar;
     private final List<String> lines = new ArrayList<>();
     private final List<String> notes = new ArrayList<>();
     private final List<ErrorReport> errors = new ArrayList<>();
@@ -26,6 +28,15 @@ public final class CommandReport {
 
     public synchronized boolean isJson() {
         return json;
+    }
+
+    /** Sets the progress bar on the terminal, which each line replaces. */
+    synchronized void setBar(@Nullable ProgressBar shown) {
+        bar = shown;
+    }
+
+    synchronized Optional<ProgressBar> bar() {
+        return Optional.ofNullable(bar);
     }
 
     /** Returns whether lines are printed when they arise. */

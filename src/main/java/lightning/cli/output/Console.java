@@ -40,6 +40,7 @@ public record Console(PrintStream out, PrintStream err, boolean terminal, Comman
     /** Prints one line of results, with locale-independent numbers. */
     public void print(String format, @Nullable Object... values) {
         String text = escapeLines(text(format, values));
+        eraseBar();
         if (report.printsLines()) {
             out.println(text);
         } else {
@@ -50,6 +51,7 @@ public record Console(PrintStream out, PrintStream err, boolean terminal, Comman
     /** Prints one note line to the error stream. */
     public void warn(String format, @Nullable Object... values) {
         String text = escapeLines(text(format, values));
+        eraseBar();
         if (report.printsLines()) {
             err.println(text);
         } else {
@@ -75,6 +77,7 @@ public record Console(PrintStream out, PrintStream err, boolean terminal, Comman
 
     /** Prints an error as above; {@code --json} has its place. */
     public void error(ErrorReport error) {
+        eraseBar();
         String message = PrintableText.escape(error.message());
         err.println(error.file() == null ? message
                 : PrintableText.escape(Quote.path(error.file()) + ":" + error.line() + ":" + error.column() + ": ") + message);
@@ -84,6 +87,10 @@ public record Console(PrintStream out, PrintStream err, boolean terminal, Comman
     /** Prints a line that says what to do after an error; it is no error of its own, so {@code --json} leaves it out. */
     public void hint(String text) {
         err.println(PrintableText.escape(text));
+    }
+
+    private void eraseBar() {
+        report.bar().ifPresent(ProgressBar::erase);
     }
 
     /** Escapes control characters in each line of a text, so that quoted text cannot control the terminal. */

@@ -38,6 +38,7 @@ public final class ProgressBar implements Progress, AutoCloseable {
         this.title = title;
         this.clock = clock;
         start = clock.getAsLong();
+        console.report().setBar(this);
         lastUpdate = start + SECOND - UPDATE_INTERVAL;
     }
 
@@ -70,8 +71,8 @@ public final class ProgressBar implements Progress, AutoCloseable {
         return owner.isInterrupted();
     }
 
-    /** Erases the bar to make room for other output; the next step shows it again. */
-    public synchronized void erase() {
+    /** Erases the bar to make room for a line; the next step shows it again. */
+    synchronized void erase() {
         if (visible) {
             console.out().print(ERASE);
             console.out().flush();
@@ -82,5 +83,6 @@ public final class ProgressBar implements Progress, AutoCloseable {
     @Override
     public void close() {
         erase();
+        console.report().setBar(null);
     }
 }

@@ -62,6 +62,18 @@ class ProgressBarTest {
     }
 
     @Test
+    void printedLine_replacesTheBar() {
+        var print = new PrintStream(screen, true, StandardCharsets.UTF_8);
+        var console = new Console(print, print, true);
+        try (var bar = new ProgressBar(console, "tracing", clock::get)) {
+            pass(2);
+            bar.report(5, 10);
+            console.print("done");
+        }
+        assertThat(screen.toString(StandardCharsets.UTF_8)).endsWith("left\r\u001b[Kdone" + System.lineSeparator());
+    }
+
+    @Test
     void close_erasesTheLine() {
         try (ProgressBar bar = bar(true)) {
             pass(2);
