@@ -21,7 +21,7 @@ import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Server of scenes: accepts clients and gives their requests to scenes. Thread-safe. */
-public final class Server implements AutoCloseable {
+public final class Server implements ConnectionHandler, AutoCloseable {
     /** Version of the protocol; grows with every change that an older client would not understand. */
     static final int PROTOCOL = 1;
     static final int MAX_SCENES = 100;
@@ -53,8 +53,13 @@ public final class Server implements AutoCloseable {
         return client;
     }
 
-    /** Returns the number of connected clients. */
-    int clientCount() {
+    @Override
+    public void accept(InputStream in, OutputStream out, Closeable connection) {
+        connect(in, out, connection);
+    }
+
+    @Override
+    public int clientCount() {
         return clients.size();
     }
 

@@ -24,13 +24,13 @@ public final class SocketListener implements AutoCloseable {
     /** The systems' own limits are 103 and 107; the socket is created in a folder with a slightly longer path. */
     private static final int MAX_PATH = 80;
 
-    private final Server server;
+    private final ConnectionHandler handler;
     private final Path path;
     private final ServerSocketChannel channel;
     private final Object fileKey;
 
-    private SocketListener(Server server, Path path, ServerSocketChannel channel) throws IOException {
-        this.server = server;
+    private SocketListener(ConnectionHandler handler, Path path, ServerSocketChannel channel) throws IOException {
+        this.handler = handler;
         this.path = path;
         this.channel = channel;
         fileKey = fileKey(path);
@@ -41,7 +41,7 @@ public final class SocketListener implements AutoCloseable {
      *
      * @throws IOException if the path is in use or cannot be created; the message is a sentence for the user
      */
-    public static SocketListener start(Server server, Path path) throws IOException {
+    public static SocketListener start(ConnectionHandler handler, Path path) throws IOException {
         check(path);
         removeStale(path);
         // Bound in a folder of the user's own, so that it is never open to others, not even before its mode is set.
@@ -57,7 +57,7 @@ public final class SocketListener implements AutoCloseable {
                 view.setPermissions(PosixFilePermissions.fromString("rw-------"));
             }
             Files.move(hidden, path);
-            var listener = new SocketListener(server, path, channel);
+            var listener = new SocketListener(handler, path, channel);
             DedicatedThread.create("lightning-socket", listener::accept).start();
             complete = true;
             return listener;
@@ -103,10 +103,10 @@ public final class SocketListener implements AutoCloseable {
         while (channel.isOpen()) {
             try {
                 SocketChannel client = channel.accept();
-                if (server.clientCount() >= MAX_CLIENTS) {
+                if (handler.clientCount() >= MAX_CLIENTS) {
                     client.close();
                 } else {
-                    server.connect(Channels.newInputStream(client), Channels.newOutputStream(client), client);
+                    handler.accept(Channels.newInputStream(client), Channels.newOutputStream(client), client);
                 }
             } catch (IOException e) {
                 // Closed, or the client left before it was accepted.
