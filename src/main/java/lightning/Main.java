@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import lightning.cli.Lightning;
+import lightning.cli.ResidentRun;
 import lightning.editor.window.LightningApp;
 import lightning.format.assimp.AssimpConverter;
 import lightning.format.assimp.AssimpProcess;
@@ -106,7 +106,7 @@ public final class Main {
 
     private static int run(String... args) {
         try {
-            return Lightning.run(System.out, System.err, args);
+            return ResidentRun.run(System.out, System.err, args);
         } catch (LinkageError e) {
             // Not even the class that formats errors could be loaded.
             System.err.println("lightning: cannot load a part of the program (" + e.getMessage()

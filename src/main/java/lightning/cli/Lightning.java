@@ -10,7 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
 import lightning.cli.option.NumberConverters;
@@ -32,27 +32,28 @@ import picocli.CommandLine.UnmatchedArgumentException;
 public final class Lightning {
     private static final int HELP_WIDTH = 80;
     /** Factories of the commands, in the order of the help. */
-    private static final Map<String, Function<Console, Object>> COMMANDS = new LinkedHashMap<>();
+    private static final Map<String, BiFunction<Console, KeptRenderer, Object>> COMMANDS = new LinkedHashMap<>();
 
     static {
-        COMMANDS.put("edit", _ -> new EditCommand());
+        COMMANDS.put("edit", (_, _) -> new EditCommand());
         COMMANDS.put("render", RenderCommand::new);
         COMMANDS.put("relight", RelightCommand::new);
-        COMMANDS.put("shot", Lightning::createShotCommand);
-        COMMANDS.put("node", NodeCommand::new);
-        COMMANDS.put("serve", ServeCommand::new);
-        COMMANDS.put("explain", ExplainCommand::new);
-        COMMANDS.put("import", ImportCommand::new);
-        COMMANDS.put("export", ExportCommand::new);
-        COMMANDS.put("export-lights", ExportLightsCommand::new);
-        COMMANDS.put("blender", BlenderCommand::new);
-        COMMANDS.put("effects", EffectsCommand::new);
-        COMMANDS.put("tour", TourCommand::new);
-        COMMANDS.put("bench", BenchCommand::new);
-        COMMANDS.put("check", CheckCommand::new);
-        COMMANDS.put("compare", CompareCommand::new);
-        COMMANDS.put("help", HelpCommand::new);
-        COMMANDS.put("completion", CompletionCommand::new);
+        COMMANDS.put("shot", (console, _) -> createShotCommand(console));
+        COMMANDS.put("node", (console, _) -> new NodeCommand(console));
+        COMMANDS.put("serve", (console, _) -> new ServeCommand(console));
+        COMMANDS.put("resident", (console, _) -> new ResidentCommand(console));
+        COMMANDS.put("explain", (console, _) -> new ExplainCommand(console));
+        COMMANDS.put("import", (console, _) -> new ImportCommand(console));
+        COMMANDS.put("export", (console, _) -> new ExportCommand(console));
+        COMMANDS.put("export-lights", (console, _) -> new ExportLightsCommand(console));
+        COMMANDS.put("blender", (console, _) -> new BlenderCommand(console));
+        COMMANDS.put("effects", (console, _) -> new EffectsCommand(console));
+        COMMANDS.put("tour", (console, _) -> new TourCommand(console));
+        COMMANDS.put("bench", (console, _) -> new BenchCommand(console));
+        COMMANDS.put("check", (console, _) -> new CheckCommand(console));
+        COMMANDS.put("compare", (console, _) -> new CompareCommand(console));
+        COMMANDS.put("help", (console, _) -> new HelpCommand(console));
+        COMMANDS.put("completion", (console, _) -> new CompletionCommand(console));
     }
 
     private Lightning() {}
@@ -66,9 +67,19 @@ public final class Lightning {
      * @return exit code: 0 done, 1 check failed, 2 bad usage or bad input, 130 canceled
      */
     public static int run(PrintStream out, PrintStream err, String... args) {
-        Console console = Console.of(out, err);
+        try (KeptRenderer renderer = new KeptRenderer()) {
+            return run(Console.of(out, err), renderer, args);
+        }
+    }
+
+    /**
+     * As above, for a process that runs several commands one after the other.
+     *
+     * @param renderer has the picture of the command before
+     */
+    static int run(Console console, KeptRenderer renderer, String... args) {
         try {
-            CommandLine commands = createCommands(console, args);
+            CommandLine commands = createCommands(console, renderer, args);
             // Also for errors that stop parsing before it reaches the option.
             if (List.of(args).contains("--json")) {
                 console.report().useJson();
@@ -77,19 +88,24 @@ public final class Lightning {
             if (console.report().isJson()) {
                 printJson(console, commands, exit, args);
             }
-            err.flush();
-            // PrintStream swallows write errors; checkError flushes and returns them.
-            if (out.checkError()) {
-                if (!ClosedPipe.isOutput(out)) {
-                    console.err().println("lightning: cannot write to the standard output; is the device full or closed?");
-                }
-                return exit == ExitCode.OK ? ExitCode.BAD_INPUT : exit;
-            }
-            return exit;
+            return checkOutput(console, exit);
         } catch (Throwable e) {
             // Report any exception as a message instead of a stack trace.
             return ErrorReporter.report(console, e);
         }
+    }
+
+    /** Returns the exit code of a command, or that of bad input if its output could not be written. */
+    static int checkOutput(Console console, int exit) {
+        console.err().flush();
+        // PrintStream swallows write errors; checkError flushes and returns them.
+        if (!console.out().checkError()) {
+            return exit;
+        }
+        if (!ClosedPipe.isOutput(console.out())) {
+            console.err().println("lightning: cannot write to the standard output; is the device full or closed?");
+        }
+        return exit == ExitCode.OK ? ExitCode.BAD_INPUT : exit;
     }
 
     /**
@@ -97,7 +113,11 @@ public final class Lightning {
      * small image.
      */
     static CommandLine createCommands(Console console, String... args) {
-        return createCommands(console, args.length > 0 && COMMANDS.containsKey(args[0]) ? Set.of(args[0]) : COMMANDS.keySet());
+        return createCommands(console, new KeptRenderer(), args);
+    }
+
+    private static CommandLine createCommands(Console console, KeptRenderer renderer, String... args) {
+        return createCommands(console, renderer, args.length > 0 && COMMANDS.containsKey(args[0]) ? Set.of(args[0]) : COMMANDS.keySet());
     }
 
     /** Prints the report of the command that ran; help pages and versions are texts. */
@@ -124,10 +144,10 @@ public final class Lightning {
                 .addSubcommand(new ShotRelightCommand(console));
     }
 
-    private static CommandLine createCommands(Console console, Set<String> names) {
+    private static CommandLine createCommands(Console console, KeptRenderer renderer, Set<String> names) {
         CommandLine commands = new CommandLine(new RootCommand(console));
         for (String name : names) {
-            commands.addSubcommand(requireNonNull(COMMANDS.get(name)).apply(console));
+            commands.addSubcommand(requireNonNull(COMMANDS.get(name)).apply(console, renderer));
         }
         NumberConverters.register(commands);
         separateSections(commands);

@@ -11,6 +11,7 @@ import lightning.base.file.ParentFolder;
 import lightning.base.work.WorkerPool;
 import lightning.cli.option.LayerOptions;
 import lightning.cli.option.PictureOptions;
+import lightning.cli.option.ResidentOption;
 import lightning.cli.option.ThreadsOption;
 import lightning.cli.option.UpdateOptions;
 import lightning.cli.output.BadInputException;
@@ -68,6 +69,7 @@ final class RelightCommand implements Callable<Integer> {
     static final double WARM_UP_MS = 5000;
 
     private final Console console;
+    private final KeptRenderer kept;
 
     @Mixin
     private SceneFile input;
@@ -79,6 +81,8 @@ final class RelightCommand implements Callable<Integer> {
     private ThreadsOption threads;
     @Mixin
     private LayerOptions layers;
+    @Mixin
+    private ResidentOption resident;
     @ArgGroup(exclusive = true, multiplicity = "1..*", heading = "%nEdits:%n")
     private List<EditStep> steps;
     @Mixin
@@ -94,8 +98,9 @@ final class RelightCommand implements Callable<Integer> {
 
     private final List<RelightReport.Step> reports = new ArrayList<>();
 
-    RelightCommand(Console console) {
+    RelightCommand(Console console, KeptRenderer kept) {
         this.console = console;
+        this.kept = kept;
     }
 
     @Override
@@ -125,10 +130,11 @@ final class RelightCommand implements Callable<Integer> {
                 .withMemory(PictureOutput.availableMemory(before, pictures.file(1)));
         boolean allKept = true;
         UpdateResult first;
-        try (Renderer renderer = new Renderer(options); WorkerPool workers = new WorkerPool(threads.count());
+        Renderer renderer = kept.with(options);
+        try (WorkerPool workers = new WorkerPool(threads.count());
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
-            first = renderer.render(before, bar);
-            console.print("first pass: %.1f ms, %s", first.milliseconds(), Console.count(first.rays().total(), "ray"));
+            first = renderer.renderOrClear(before, bar);
+            console.print("%s: %.1f ms, %s", KeptRenderer.title(first), first.milliseconds(), Console.count(first.rays().total(), "ray"));
             for (int step = 1; step <= last; step++) {
                 Scene scene = picture.apply(edited.get(step - 1));
                 Optional<Path> pictureFile = pictures.written(step, last);

@@ -6,6 +6,7 @@ import java.util.concurrent.Callable;
 import lightning.base.work.WorkerPool;
 import lightning.cli.option.LayerOptions;
 import lightning.cli.option.PictureOptions;
+import lightning.cli.option.ResidentOption;
 import lightning.cli.option.ThreadsOption;
 import lightning.cli.output.BadInputException;
 import lightning.cli.output.Console;
@@ -44,6 +45,7 @@ import picocli.CommandLine.Spec;
             "  lightning render scenes/bird.jen -o exact.pfm --depth 0 --traditional"})
 final class RenderCommand implements Callable<Integer> {
     private final Console console;
+    private final KeptRenderer kept;
 
     @Spec
     private CommandSpec command;
@@ -57,13 +59,16 @@ final class RenderCommand implements Callable<Integer> {
     private ThreadsOption threads;
     @Mixin
     private LayerOptions layers;
+    @Mixin
+    private ResidentOption resident;
     @Option(names = "--traditional",
             description = "Trace without a cache for later edits; the image is the same. Prints a cold timing, not a benchmark: "
                     + "bench and relight warm up first.")
     private boolean traditional;
 
-    RenderCommand(Console console) {
+    RenderCommand(Console console, KeptRenderer kept) {
         this.console = console;
+        this.kept = kept;
     }
 
     @Override
@@ -94,6 +99,7 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void traceTraditionally(Scene scene) throws Exception {
+        kept.close();
         TraceMemory.check(scene, output.availableMemory(scene));
         try (var _ = new DelayedLanes(); WorkerPool workers = new WorkerPool(threads.count());
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
@@ -105,16 +111,14 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void firstPass(Scene scene) throws Exception {
-        try (var _ = new DelayedLanes();
-                Renderer renderer =
-                        new Renderer(RenderOptions.DEFAULT.withThreads(threads.count()).withMemory(output.availableMemory(scene)));
-                ProgressBar bar = new ProgressBar(console, "tracing")) {
-            var update = renderer.render(scene, bar);
+        Renderer renderer = kept.with(RenderOptions.DEFAULT.withThreads(threads.count()).withMemory(output.availableMemory(scene)));
+        try (var _ = new DelayedLanes(); ProgressBar bar = new ProgressBar(console, "tracing")) {
+            var update = renderer.renderOrClear(scene, bar);
             try (WorkerPool workers = new WorkerPool(threads.count())) {
                 layers.write(output, renderer.cache(), renderer.options().engines(), Optional.of(output.file()), layers.mattes(),
                         Optional.empty(), workers, console);
             }
-            printSummary(scene, renderer.film(), "first pass", update.milliseconds(), update.rays());
+            printSummary(scene, renderer.film(), KeptRenderer.title(update), update.milliseconds(), update.rays());
         }
     }
 

@@ -16,6 +16,7 @@ import lightning.cli.option.ClusterOption;
 import lightning.cli.option.FrameRange;
 import lightning.cli.option.FramesOption;
 import lightning.cli.option.PictureOptions;
+import lightning.cli.option.ResidentOption;
 import lightning.cli.option.ShotFrames;
 import lightning.cli.option.ThreadsOption;
 import lightning.cli.output.BadInputException;
@@ -89,6 +90,8 @@ final class ShotRelightCommand implements Callable<Integer> {
     private PictureOptions picture;
     @Mixin
     private ThreadsOption threads;
+    @Mixin
+    private ResidentOption resident;
     @Mixin
     private ClusterOption cluster;
     @ArgGroup(exclusive = true, multiplicity = "1..*", heading = "%nEdits:%n")

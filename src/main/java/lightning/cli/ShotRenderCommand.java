@@ -16,6 +16,7 @@ import lightning.cli.option.FrameRange;
 import lightning.cli.option.FramesOption;
 import lightning.cli.option.LayerOptions;
 import lightning.cli.option.PictureOptions;
+import lightning.cli.option.ResidentOption;
 import lightning.cli.option.ShotFrames;
 import lightning.cli.option.ThreadsOption;
 import lightning.cli.output.BadInputException;
@@ -73,6 +74,8 @@ final class ShotRenderCommand implements Callable<Integer> {
     private FramesOption frames;
     @Mixin
     private LayerOptions layers;
+    @Mixin
+    private ResidentOption resident;
     @Option(names = "--resume", description = "Skip frames whose image exists.")
     private boolean resume;
 
@@ -192,7 +195,6 @@ final class ShotRenderCommand implements Callable<Integer> {
                         counts[index]++;
                         String image = MovieFormat.of(output.file()).isPresent() ? null : name;
                         reports.add(new ShotRenderReport.Frame(frame, image, update.plan().description(), update.milliseconds()));
-                        bar.erase();
                         console.print("%s: %s, %.1f ms", name, update.plan().description(), update.milliseconds());
                         bar.report(counts[0] + counts[1], frames.size());
                     });

@@ -1,0 +1,72 @@
+package lightning.serve.resident;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * What a command takes from its process beside its arguments: the program itself, the working folder, the environment and the mode of new
+ * files. Only a process with equal surroundings may run the command.
+ */
+final class Surroundings {
+    /** Variables that shells, terminals and the launcher set, and that change nothing of a command's output. */
+    private static final Set<String> IRRELEVANT = Set.of("_", "SHLVL", "PWD", "OLDPWD", "COLUMNS", "LINES", "WINDOWID", "TERM_SESSION_ID",
+            "LIGHTNING_LONG");
+    private static final Pattern UMASK = Pattern.compile("Umask:.*");
+
+    private Surroundings() {}
+
+    /** Returns a hash of the surroundings of this process, 64 hexadecimal digits. */
+    static String ofThisProcess() throws IOException {
+        return hash(program(), Path.of("").toAbsolutePath().toString(), System.getenv(), umask());
+    }
+
+    static String hash(String program, String folder, Map<String, String> environment, String umask) {
+        var relevant = new TreeMap<>(environment);
+        relevant.keySet().removeAll(IRRELEVANT);
+        // A NUL cannot occur in any of them.
+        String all = Stream.concat(Stream.of(program, folder, umask), relevant.entrySet().stream().map(Map.Entry::toString))
+                .collect(Collectors.joining("\0"));
+        try {
+            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(all.getBytes(StandardCharsets.UTF_8)));
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every Java has SHA-256", e);
+        }
+    }
+
+    /** Returns the version of Java, and the name, size and time of each file of the program. */
+    private static String program() throws IOException {
+        var text = new StringBuilder(Runtime.version().toString());
+        String path = System.getProperty("jdk.module.path", System.getProperty("java.class.path"));
+        for (String name : path.split(File.pathSeparator, -1)) {
+            Path file = Path.of(name).toAbsolutePath();
+            text.append('\n').append(file);
+            if (Files.exists(file)) {
+                text.append(' ').append(Files.size(file)).append(' ').append(Files.getLastModifiedTime(file));
+            }
+        }
+        return text.toString();
+    }
+
+    /** Returns the line with the mode of new files, or nothing on systems that do not tell it. */
+    private static String umask() throws IOException {
+        Path status = Path.of("/proc/self/status");
+        if (!Files.isReadable(status)) {
+            return "";
+        }
+        try (Stream<String> lines = Files.lines(status, StandardCharsets.ISO_8859_1)) {
+            return lines.filter(line -> UMASK.matcher(line).matches()).findFirst().orElse("");
+        }
+    }
+}
