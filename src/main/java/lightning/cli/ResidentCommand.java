@@ -25,8 +25,7 @@ import picocli.CommandLine.Spec;
                     + "with the same environment and the same program; one that comes from elsewhere replaces it. While it runs a "
                     + "command, others run on their own. It ends when it was idle for some minutes."},
         footer = {
-            "Examples:",
-            "  lightning render scenes/bird.jen -o bird.png --resident",
+            "Example:",
             "  lightning resident --stop"})
 final class ResidentCommand implements Callable<Integer> {
     private static final int DEFAULT_MINUTES = 10;

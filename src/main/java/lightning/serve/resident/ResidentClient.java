@@ -5,11 +5,13 @@ import java.io.BufferedOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.net.UnixDomainSocketAddress;
 import java.nio.channels.Channels;
 import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.SocketChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -84,7 +86,8 @@ public final class ResidentClient {
      */
     public static boolean stop(Path socket) throws IOException {
         var request = new ResidentRequest("", true, false, "UTF-8", List.of());
-        return converse(socket, request, System.out, System.err) instanceof Conversation.Ended;
+        var nothing = new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
+        return converse(socket, request, nothing, nothing) instanceof Conversation.Ended;
     }
 
     /** How a conversation ended. */

@@ -11,9 +11,9 @@ import java.util.HexFormat;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lightning.base.file.RegularFile;
 
 /**
  * What a command takes from its process beside its arguments: the program itself, the working folder, the environment and the mode of new
@@ -23,7 +23,8 @@ final class Surroundings {
     /** Variables that shells, terminals and the launcher set, and that change nothing of a command's output. */
     private static final Set<String> IRRELEVANT = Set.of("_", "SHLVL", "PWD", "OLDPWD", "COLUMNS", "LINES", "WINDOWID", "TERM_SESSION_ID",
             "LIGHTNING_LONG");
-    private static final Pattern UMASK = Pattern.compile("Umask:.*");
+    /** Bytes of the status of a process; about one page. */
+    private static final int MAX_STATUS = 1 << 16;
 
     private Surroundings() {}
 
@@ -65,8 +66,7 @@ final class Surroundings {
         if (!Files.isReadable(status)) {
             return "";
         }
-        try (Stream<String> lines = Files.lines(status, StandardCharsets.ISO_8859_1)) {
-            return lines.filter(line -> UMASK.matcher(line).matches()).findFirst().orElse("");
-        }
+        String text = new String(RegularFile.readBytes(status, "a status of a process", MAX_STATUS), StandardCharsets.ISO_8859_1);
+        return text.lines().filter(line -> line.startsWith("Umask:")).findFirst().orElse("");
     }
 }
