@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import lightning.base.text.Quote;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.cli.output.BadInputException;
 import lightning.cli.output.Console;
@@ -159,12 +160,13 @@ final class ImportCommand implements Callable<Integer> {
 
     private void writePictures(ImportedScene imported, String stem) throws IOException {
         try (var bar = new ProgressBar(console, "tracing"); var workers = new WorkerPool(WorkerPool.processorCount())) {
-            for (var picture : LightUnitPreviews.render(imported, PICTURE_SIZE, workers, bar).entrySet()) {
-                Path file =
-                        output.resolveSibling(stem + "." + picture.getKey().name().toLowerCase(Locale.ROOT) + ImageFormat.PNG.extension());
+            var previews = new LightUnitPreviews(imported, PICTURE_SIZE);
+            for (LightUnits units : LightUnits.values()) {
+                Path file = output.resolveSibling(stem + "." + units.name().toLowerCase(Locale.ROOT) + ImageFormat.PNG.extension());
                 imported.inputs(this.file).check(file);
-                ImageFile.write(file, picture.getValue(), ViewTransform.DEFAULT);
-                console.print("%s: written; light units taken as %s", file, picture.getKey().description());
+                ProgressPart part = new ProgressPart(bar, 0, 1).section(units.ordinal(), LightUnits.values().length);
+                ImageFile.write(file, previews.render(units, workers, part), ViewTransform.DEFAULT);
+                console.print("%s: written; light units taken as %s", file, units.description());
             }
         }
     }

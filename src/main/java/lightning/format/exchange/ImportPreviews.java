@@ -1,10 +1,9 @@
 package lightning.format.exchange;
 
-import static java.util.Objects.requireNonNull;
-
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -12,16 +11,26 @@ import java.util.concurrent.CancellationException;
 import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
-import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.render.image.Film;
+import lightning.scene.PictureSettings;
 import lightning.scene.ViewSettings;
 
-/** Preview renderer for the lighting of an imported scene. */
+/** Choices of the lighting of an imported scene, each with a preview. Thread-safe. */
 public final class ImportPreviews {
-    private ImportPreviews() {}
+    private final ImportedScene imported;
+    private final int size;
+    private final LightUnitPreviews unitPreviews;
+    private final Map<Choice, Preview> ready = new HashMap<>();
+
+    /** @param size longer side of the previews in pixels, at least 1 */
+    public ImportPreviews(ImportedScene imported, int size) {
+        this.imported = imported;
+        this.size = size;
+        unitPreviews = new LightUnitPreviews(imported, size);
+    }
 
     /**
      * Choice for an import.
@@ -61,30 +70,41 @@ public final class ImportPreviews {
     }
 
     /**
-     * Renders an image for each choice, without textures, since these are not read before the scene is written: the lights of the file in
-     * each possible unit, if it has lights, the likely one first, then a studio and a sky.
+     * Returns all choices in the order in which they are offered: a studio, which suits every file, then the lights of the file in each possible
+     * unit, if it has lights, the likely one first, then a sky.
+     */
+    public List<Choice> choices() {
+        List<Choice> choices = new ArrayList<>(List.of(new Choice(ImportLighting.STUDIO, Optional.empty())));
+        if (imported.units().isPresent()) {
+            Arrays.stream(LightUnits.values()).sorted(Comparator.comparing(units -> !imported.units().equals(Optional.of(units))))
+                    .forEach(units -> choices.add(new Choice(ImportLighting.FILE, Optional.of(units))));
+        } else if (imported.subject().hasLights()) {
+            choices.add(new Choice(ImportLighting.FILE, Optional.empty()));
+        }
+        choices.add(new Choice(ImportLighting.SKY, Optional.empty()));
+        return choices;
+    }
+
+    /** Returns the size of a preview without its picture. */
+    public PictureSettings picture() {
+        return LightUnitPreviews.small(imported.unscaledScene().picture(), size);
+    }
+
+    /**
+     * Renders the preview of a choice, without textures, since these are not read before the scene is written. Renders each only once; waits for
+     * another thread that renders one.
      *
-     * @param size longer side in pixels, at least 1
      * @throws CancellationException if {@code progress} requested cancellation
      */
-    public static Map<Choice, Preview> render(ImportedScene imported, int size, WorkerPool workers, Progress progress) {
-        boolean hasUnits = imported.units().isPresent();
-        List<ImportLighting> others = Arrays.stream(ImportLighting.values())
-                .filter(lighting -> lighting != ImportLighting.FILE || !hasUnits && imported.subject().hasLights()).toList();
-        int ofUnits = hasUnits ? LightUnits.values().length : 0;
-        int count = ofUnits + others.size();
-        Map<Choice, Preview> previews = new LinkedHashMap<>();
-        Map<LightUnits, Film> films =
-                LightUnitPreviews.render(imported, size, workers, new ProgressPart(progress, 0, (double) ofUnits / count));
-        films.keySet().stream().sorted(Comparator.comparing(units -> !imported.units().equals(Optional.of(units))))
-                .forEach(units -> previews.put(new Choice(ImportLighting.FILE, Optional.of(units)),
-                        Preview.exposed(requireNonNull(films.get(units)))));
-        for (int i = 0; i < others.size(); i++) {
-            var choice = new Choice(others.get(i), Optional.empty());
-            Film film = LightUnitPreviews.render(choice.apply(imported).scene(), size, workers,
-                    new ProgressPart(progress, 0, 1).section(ofUnits + i, count));
-            previews.put(choice, others.get(i) == ImportLighting.FILE ? Preview.exposed(film) : new Preview(film, 0));
+    public synchronized Preview render(Choice choice, WorkerPool workers, Progress progress) {
+        Preview known = ready.get(choice);
+        if (known != null) {
+            return known;
         }
-        return previews;
+        Film film = choice.units().isPresent() ? unitPreviews.render(choice.units().get(), workers, progress)
+                : LightUnitPreviews.render(choice.apply(imported).scene(), size, workers, progress);
+        Preview preview = choice.lighting() == ImportLighting.FILE ? Preview.exposed(film) : new Preview(film, 0);
+        ready.put(choice, preview);
+        return preview;
     }
 }

@@ -1,12 +1,9 @@
 package lightning.format.exchange;
 
-import java.util.EnumMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
-import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
@@ -18,35 +15,39 @@ import lightning.scene.AntialiasMode;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.effects.PreviewScene;
 import lightning.scene.material.Material;
+import org.jspecify.annotations.Nullable;
 
-/** Preview renderer for each possible unit of an imported file's lights. */
+/** Preview renderer for each possible unit of an imported file's lights. Leaves out textures, blurred reflections and indirect light. */
 public final class LightUnitPreviews {
     /** Anti-aliasing for small images, where aliasing is most visible. */
     private static final SamplingSettings EDGES = new SamplingSettings(AntialiasMode.EDGES, 4);
 
-    private LightUnitPreviews() {}
+    private final ImportedScene imported;
+    private final int size;
+    private @Nullable Scene small;
+    private @Nullable Geometry geometry;
+
+    /** @param size longer side of the images in pixels, at least 1 */
+    public LightUnitPreviews(ImportedScene imported, int size) {
+        this.imported = imported;
+        this.size = size;
+    }
 
     /**
-     * Renders an image for each light unit, without textures, since these are not read before the scene is written. Empty if
-     * the file defines its units.
+     * Renders an image with the lights of the file in a unit, without textures, since these are not read before the scene is written. Not
+     * thread-safe.
      *
-     * @param size longer side in pixels, at least 1
      * @throws CancellationException if {@code progress} requested cancellation
      */
-    public static Map<LightUnits, Film> render(ImportedScene imported, int size, WorkerPool workers, Progress progress) {
-        Map<LightUnits, Film> films = new EnumMap<>(LightUnits.class);
-        if (imported.units().isEmpty()) {
-            return films;
+    public Film render(LightUnits units, WorkerPool workers, Progress progress) {
+        if (small == null || geometry == null) {
+            small = small(imported.unscaledScene(), size);
+            geometry = Geometry.of(small);
         }
-        Scene small = small(imported.unscaledScene(), size);
-        var geometry = Geometry.of(small);
-        for (LightUnits units : LightUnits.values()) {
-            Scene scene = small.withRig(imported.inUnits(units).scene().rig());
-            ProgressPart part = new ProgressPart(progress, 0, 1).section(units.ordinal(), LightUnits.values().length);
-            films.put(units, trace(new TraditionalTracer(scene, geometry), workers, part));
-        }
-        return films;
+        Scene scene = small.withRig(imported.inUnits(units).scene().rig());
+        return trace(new TraditionalTracer(scene, geometry), workers, progress);
     }
 
     /** Renders an image of a scene, without textures. */
@@ -60,12 +61,15 @@ public final class LightUnitPreviews {
     }
 
     private static Scene small(Scene scene, int size) {
-        PictureSettings settings = scene.picture();
-        double scale = (double) size / Math.max(settings.width(), settings.height());
-        PictureSettings small = settings.withSize((int) Math.ceil(scale * settings.width()), (int) Math.ceil(scale * settings.height()))
-                .withSampling(EDGES).withIndirect(Optional.empty());
         List<Material> untextured = scene.materials().stream()
                 .map(Material::withoutImages).toList();
-        return scene.withMaterials(untextured).withPicture(small);
+        return PreviewScene.withoutBlur(scene.withMaterials(untextured)).withPicture(small(scene.picture(), size));
+    }
+
+    /** Returns the settings of an image. */
+    static PictureSettings small(PictureSettings settings, int size) {
+        double scale = (double) size / Math.max(settings.width(), settings.height());
+        return settings.withSize((int) Math.ceil(scale * settings.width()), (int) Math.ceil(scale * settings.height()))
+                .withSampling(EDGES).withIndirect(Optional.empty());
     }
 }

@@ -1,11 +1,13 @@
 package lightning.format.exchange;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
+import java.util.concurrent.CancellationException;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import lightning.base.math.Vec3;
@@ -17,7 +19,6 @@ import lightning.format.jen.JenReader;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
-import lightning.sample.ProgressRecorder;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
 import lightning.scene.Scene;
@@ -158,21 +159,33 @@ class ImportLightingTest {
 
     @Test
     void previews_areOfEachChoice() throws Exception {
+        var previews = new ImportPreviews(read(BOX, 1), 40);
+        assertThat(previews.choices()).extracting(ImportPreviews.Choice::lighting).containsExactly(ImportLighting.STUDIO,
+                ImportLighting.SKY);
         try (var workers = new WorkerPool(1)) {
-            Map<ImportPreviews.Choice, ImportPreviews.Preview> films = ImportPreviews.render(read(BOX, 1), 40, workers, Progress.NONE);
-            assertThat(films.keySet()).extracting(ImportPreviews.Choice::lighting).containsExactly(ImportLighting.STUDIO,
-                    ImportLighting.SKY);
-            assertThat(films.values()).allMatch(preview -> preview.film().width() == 40);
+            assertThat(previews.choices()).allMatch(choice -> previews.render(choice, workers, Progress.NONE).film().width() == 40);
+        }
+        assertThat(previews.picture().width()).isEqualTo(40);
+    }
+
+    @Test
+    void preview_isRenderedOnce() throws Exception {
+        var previews = new ImportPreviews(read(BOX, 1), 40);
+        ImportPreviews.Choice choice = previews.choices().getFirst();
+        try (var workers = new WorkerPool(1)) {
+            assertThat(previews.render(choice, workers, Progress.NONE)).isSameAs(previews.render(choice, workers, Progress.NONE));
         }
     }
 
     @Test
-    void previews_reportProgressOfThemAll() throws Exception {
-        var progress = new ProgressRecorder();
+    void canceledPreview_canBeRenderedLater() throws Exception {
+        var previews = new ImportPreviews(read(BOX, 1), 40);
+        ImportPreviews.Choice choice = previews.choices().getFirst();
         try (var workers = new WorkerPool(1)) {
-            ImportPreviews.render(read(BOX, 1), 40, workers, progress);
+            assertThatThrownBy(() -> previews.render(choice, workers, Progress.cancellation(() -> true)))
+                    .isInstanceOf(CancellationException.class);
+            assertThat(previews.render(choice, workers, Progress.NONE).film().width()).isEqualTo(40);
         }
-        assertThat(progress.shares()).isSorted().anyMatch(share -> share > 0.2 && share < 0.6).endsWith(1.0);
     }
 
     private static double exposure(double value) {

@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import lightning.base.work.Progress;
-import lightning.base.work.WorkerPool;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
 import org.junit.jupiter.api.Test;
@@ -48,11 +47,11 @@ class LikelyUnitsTest {
     }
 
     @Test
-    void likelyUnits_arePreviewedFirst() throws Exception {
-        try (var workers = new WorkerPool(1)) {
-            assertThat(ImportPreviews.render(read("\"Khronos glTF Blender I/O v1.8.19\"", Optional.empty()), 8, workers, Progress.NONE)
-                    .keySet()
-                    .iterator().next().units()).contains(LightUnits.WATTS);
-        }
+    void choices_beginWithStudioAndTheLikelyUnits() throws Exception {
+        ImportedScene imported = read("\"Khronos glTF Blender I/O v1.8.19\"", Optional.empty());
+        assertThat(new ImportPreviews(imported, 8).choices()).startsWith(
+                new ImportPreviews.Choice(ImportLighting.STUDIO, Optional.empty()),
+                new ImportPreviews.Choice(ImportLighting.FILE, Optional.of(LightUnits.WATTS)))
+                .endsWith(new ImportPreviews.Choice(ImportLighting.SKY, Optional.empty())).hasSize(2 + LightUnits.values().length);
     }
 }

@@ -123,15 +123,17 @@ public final class EditorDialogs {
     /**
      * Asks for the lighting of an imported scene, and for the unit of the file's light intensities.
      *
-     * @param pictures  preview for each choice
+     * @param onShown  receives the cards, whose pictures may come later
      * @return choice; empty if canceled
      */
-    Optional<ImportPreviews.Choice> askImport(Path file, Map<ImportPreviews.Choice, ImportPreviews.Preview> pictures) {
+    Optional<ImportPreviews.Choice> askImport(Path file, ImportPreviews previews, Consumer<ImportChooser> onShown) {
         Alert alert =
                 alert(Alert.AlertType.CONFIRMATION, Messages.tr("How do you want to light {0}?", Quote.path(file.getFileName())), "",
                         ButtonType.CANCEL);
-        var cards = new ImportChooser(pictures, WindowPlacement.screenBounds(owner).getWidth() - FRAME_WIDTH, alert::close);
+        var cards = new ImportChooser(previews.choices(), previews.picture(),
+                WindowPlacement.screenBounds(owner).getWidth() - FRAME_WIDTH, alert::close);
         alert.getDialogPane().setContent(cards);
+        onShown.accept(cards);
         alert.showAndWait();
         return cards.chosen();
     }

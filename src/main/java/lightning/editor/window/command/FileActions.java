@@ -5,7 +5,10 @@ import static java.util.Objects.requireNonNull;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
@@ -13,6 +16,8 @@ import javafx.scene.control.ButtonType;
 import javafx.scene.control.MenuItem;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.base.work.DedicatedThread;
+import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.editor.document.Command;
 import lightning.editor.document.FileThread;
@@ -25,6 +30,7 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusMessage;
+import lightning.format.exchange.ImportLighting;
 import lightning.format.exchange.ImportOptions;
 import lightning.format.exchange.ImportPreviews;
 import lightning.format.exchange.IndirectChoice;
@@ -122,28 +128,44 @@ public final class FileActions {
     }
 
     /** Imported scene with a preview of each choice. */
-    private record ImportPreview(ImportedScene imported, Map<ImportPreviews.Choice, ImportPreviews.Preview> pictures) {}
+    private record ImportPreview(ImportedScene imported, ImportPreviews pictures) {}
 
     private void importScene(Path file, Path to) {
         readInBackground(file, () -> {
             var progress = new FileProgressMessage(file, model.fileActivity(), model.files().windowExecutor(), message);
             ImportedScene imported = IndirectChoice.AUTO.apply(SceneImporter.read(file, to, ImportOptions.DEFAULT, progress));
-            try (var workers = new WorkerPool(WorkerPool.processorCount())) {
-                return new ImportPreview(imported,
-                        ImportPreviews.render(imported, IMPORT_PICTURE_SIZE, workers, progress.next(Messages.tr("Previewing"))));
-            }
+            return new ImportPreview(imported, new ImportPreviews(imported, IMPORT_PICTURE_SIZE));
         }, preview -> {
             // Clears the progress message.
             message.clear();
-            notices.askImport(file, preview.pictures()).ifPresent(choice -> write(file, preview, choice));
+            var closed = new AtomicBoolean();
+            Optional<ImportPreviews.Choice> chosen =
+                    notices.askImport(file, preview.pictures(), cards -> showPreviews(preview.pictures(), cards, closed::get));
+            closed.set(true);
+            chosen.ifPresent(choice -> write(file, preview, choice));
         });
+    }
+
+    /** Renders the previews in the background, and shows each when it is ready. */
+    private void showPreviews(ImportPreviews previews, ImportChooser cards, BooleanSupplier closed) {
+        DedicatedThread.create("lightning-previews", () -> {
+            try (var workers = new WorkerPool(WorkerPool.processorCount())) {
+                for (ImportPreviews.Choice choice : previews.choices()) {
+                    ImportPreviews.Preview preview = previews.render(choice, workers, Progress.cancellation(closed));
+                    model.files().windowExecutor().execute(() -> cards.show(choice, preview));
+                }
+            } catch (CancellationException e) {
+                // The choice was made.
+            } catch (RuntimeException | OutOfMemoryError e) {
+                // Writing the chosen scene reports it.
+            }
+        }).start();
     }
 
     private void write(Path file, ImportPreview preview, ImportPreviews.Choice choice) {
         PictureArea area = model.layout().pictureArea();
         read(file, () -> {
-            ImportedScene exposed =
-                    choice.apply(preview.imported()).withExposure(requireNonNull(preview.pictures().get(choice)).exposure());
+            ImportedScene exposed = choice.apply(preview.imported()).withExposure(exposure(preview.pictures(), choice));
             // Without a camera, the file has no size of its own either.
             ImportedScene imported = exposed.subject().hasCamera() ? exposed
                     : exposed.withPicture(area.fit(exposed.unscaledScene().picture()));
@@ -161,6 +183,16 @@ public final class FileActions {
             });
             return OpenDocument.open(imported.sceneFile());
         });
+    }
+
+    /** Returns the exposure that the lights of a choice need, in stops. */
+    private static double exposure(ImportPreviews previews, ImportPreviews.Choice choice) {
+        if (choice.lighting() != ImportLighting.FILE) {
+            return 0;
+        }
+        try (var workers = new WorkerPool(WorkerPool.processorCount())) {
+            return previews.render(choice, workers, Progress.NONE).exposure();
+        }
     }
 
     private void read(Path file, FileThread.FileTask<OpenDocument> task) {

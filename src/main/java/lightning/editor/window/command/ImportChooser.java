@@ -1,5 +1,7 @@
 package lightning.editor.window.command;
 
+import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -14,11 +16,13 @@ import javafx.scene.layout.VBox;
 import javafx.scene.text.TextAlignment;
 import lightning.base.text.Messages;
 import lightning.editor.window.widget.PixelImage;
+import lightning.format.exchange.ImportLighting;
 import lightning.format.exchange.ImportPreviews.Choice;
 import lightning.format.exchange.ImportPreviews.Preview;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.scene.PictureSettings;
 
 /**
  * Buttons for the lighting of an imported scene, each with a preview: the file's own lights, in each possible unit of their intensities, a
@@ -27,36 +31,44 @@ import lightning.render.image.ViewTransform;
 final class ImportChooser extends VBox {
     private static final double GAP = 12;
 
+    private final Map<Choice, Button> cards = new LinkedHashMap<>();
     private Optional<Choice> chosen = Optional.empty();
 
     /**
+     * Shows choices without their pictures: see {@link #show}.
+     *
+     * @param picture   size of the previews
      * @param maxWidth  maximum width in logical pixels; the previews shrink to fit
      * @param onChosen  runs after a choice
      */
-    ImportChooser(Map<Choice, Preview> pictures, double maxWidth, Runnable onChosen) {
+    ImportChooser(List<Choice> choices, PictureSettings picture, double maxWidth, Runnable onChosen) {
         super(GAP);
-        boolean hasUnits = pictures.keySet().stream().anyMatch(choice -> choice.units().isPresent());
+        boolean hasUnits = choices.stream().anyMatch(choice -> choice.units().isPresent());
         var explanation = new Label(hasUnits
                 ? Messages.tr(
-                        "The file does not state the unit of its light intensities, which Blender chooses by the Lighting Mode of its export. These previews leave out textures.")
-                : Messages.tr("These previews leave out textures."));
+                        "The file does not state the unit of its light intensities, which Blender chooses by the Lighting Mode of its export. These previews leave out textures and blurred reflections.")
+                : Messages.tr("These previews leave out textures and blurred reflections."));
         explanation.setWrapText(true);
-        var cards = new HBox(GAP);
-        double widest = pictures.values().stream().mapToInt(preview -> preview.film().width()).max().orElse(1);
-        pictures.forEach((choice, preview) -> cards.getChildren()
-                .add(card(choice, preview, Math.min(widest, (maxWidth - GAP) / pictures.size() - 3 * GAP), onChosen)));
+        double width = Math.min(picture.width(), (maxWidth - GAP) / choices.size() - 3 * GAP);
+        for (Choice choice : choices) {
+            cards.put(choice, card(choice, width, width * picture.height() / picture.width(), onChosen));
+        }
+        var row = new HBox(GAP);
+        row.getChildren().addAll(cards.values());
         // The text wraps at the width of the cards.
-        explanation.prefWidthProperty().bind(cards.widthProperty());
+        explanation.prefWidthProperty().bind(row.widthProperty());
         explanation.setMaxWidth(USE_PREF_SIZE);
-        getChildren().setAll(explanation, cards);
+        getChildren().setAll(explanation, row);
     }
 
     /** @param width  width of the picture; leaves more than half a gap between a card's edge and its picture */
-    private Button card(Choice choice, Preview preview, double width, Runnable onChosen) {
-        var picture = new ImageView(image(preview));
-        picture.setPreserveRatio(true);
-        picture.setFitWidth(width);
-        var card = new Button(title(choice) + exposure(preview), picture);
+    private Button card(Choice choice, double width, double height, Runnable onChosen) {
+        var waiting = new Label(Messages.tr("Previewing"));
+        waiting.setAlignment(Pos.CENTER);
+        waiting.setMinSize(width, height);
+        waiting.setPrefSize(width, height);
+        // Room for an exposure, so that the card keeps its size.
+        var card = new Button(title(choice) + (choice.lighting() == ImportLighting.FILE ? "\n\u00a0" : ""), waiting);
         card.setPrefWidth(width + 2 * GAP);
         card.setMaxHeight(Double.MAX_VALUE);
         card.setAlignment(Pos.TOP_CENTER);
@@ -72,6 +84,18 @@ final class ImportChooser extends VBox {
             onChosen.run();
         });
         return card;
+    }
+
+    /** Shows the preview of a choice. */
+    void show(Choice choice, Preview preview) {
+        Button card = cards.get(choice);
+        if (card != null) {
+            var picture = new ImageView(image(preview));
+            picture.setPreserveRatio(true);
+            picture.setFitWidth(card.getPrefWidth() - 2 * GAP);
+            card.setGraphic(picture);
+            card.setText(title(choice) + exposure(preview));
+        }
     }
 
     /** Returns the choice, or empty. */

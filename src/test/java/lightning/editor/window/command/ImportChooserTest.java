@@ -2,9 +2,8 @@ package lightning.editor.window.command;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.LinkedHashMap;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import javafx.scene.Scene;
@@ -17,6 +16,7 @@ import lightning.format.exchange.ImportPreviews;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.render.image.Film;
 import lightning.sample.Slow;
+import lightning.scene.PictureSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -27,24 +27,26 @@ import org.testfx.util.WaitForAsyncUtils;
 @ExtendWith({JavaFxRequirement.class, StageExtension.class})
 @Slow
 class ImportChooserTest {
-    private final Map<ImportPreviews.Choice, ImportPreviews.Preview> pictures = new LinkedHashMap<>();
+    private static final PictureSettings PICTURE = PictureSettings.DEFAULT.withSize(280, 210);
+
+    private final List<ImportPreviews.Choice> choices = new ArrayList<>();
     private Stage stage;
 
     @Start
     void open(Stage given) {
         stage = given;
         for (LightUnits units : LightUnits.values()) {
-            pictures.put(new ImportPreviews.Choice(ImportLighting.FILE, Optional.of(units)),
-                    new ImportPreviews.Preview(Film.black(280, 210), -9));
+            choices.add(new ImportPreviews.Choice(ImportLighting.FILE, Optional.of(units)));
         }
         for (ImportLighting lighting : List.of(ImportLighting.STUDIO, ImportLighting.SKY)) {
-            pictures.put(new ImportPreviews.Choice(lighting, Optional.empty()), new ImportPreviews.Preview(Film.black(280, 158), 0));
+            choices.add(new ImportPreviews.Choice(lighting, Optional.empty()));
         }
     }
 
     private double width(double maxWidth) {
         return WaitForAsyncUtils.waitForAsyncFx(TimeUnit.SECONDS.toMillis(Await.TIMEOUT_SECONDS), () -> {
-            var cards = new ImportChooser(pictures, maxWidth, () -> {});
+            var cards = new ImportChooser(choices, PICTURE, maxWidth, () -> {});
+            choices.forEach(choice -> cards.show(choice, new ImportPreviews.Preview(Film.black(280, 210), -9)));
             stage.setScene(new Scene(cards));
             cards.applyCss();
             return cards.prefWidth(-1);
