@@ -22,14 +22,15 @@ final class MeshParts {
     MeshParts(List<NamedMesh> parts) {
         this.parts = parts;
         for (NamedMesh part : parts) {
-            byName.putIfAbsent(part.name(), part.mesh());
+            byName.putIfAbsent(part.name(), MeshPool.shared(part.mesh()));
         }
     }
 
     /** Returns all parts merged into one mesh, cached. */
     Mesh merged() throws UnusableFileException {
         if (mergedMesh == null) {
-            mergedMesh = parts.size() == 1 ? parts.getFirst().mesh() : MeshMerger.merge(parts.stream().map(NamedMesh::mesh).toList());
+            mergedMesh = MeshPool.shared(
+                    parts.size() == 1 ? parts.getFirst().mesh() : MeshMerger.merge(parts.stream().map(NamedMesh::mesh).toList()));
         }
         return mergedMesh;
     }
