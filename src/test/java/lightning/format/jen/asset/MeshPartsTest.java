@@ -37,7 +37,7 @@ class MeshPartsTest {
             }
         });
         for (NamedMesh mesh : meshes) {
-            assertThat(parts.part(mesh.name(), "a.glb")).isSameAs(mesh.mesh());
+            assertThat(parts.part(mesh.name(), "a.glb")).isEqualTo(mesh.mesh());
         }
         assertThat(steps).isLessThanOrEqualTo(PARTS);
     }
