@@ -15,14 +15,14 @@ import lightning.cli.output.ErrorReporter;
 import lightning.serve.resident.ResidentClient;
 import lightning.serve.resident.ResidentPlace;
 
-/** Run of a command of this process: in the resident process if the command line asks for it, else in this one. */
+/** Runs a command in the resident process if the command line has the option, else in this process. */
 public final class ResidentRun {
     private ResidentRun() {}
 
     /** As {@link Lightning#run}. */
     public static int run(PrintStream out, PrintStream err, String... args) {
         List<String> arguments = List.of(args);
-        if (!ResidentOption.isIn(arguments)) {
+        if (!ResidentOption.appliesTo(arguments)) {
             return Lightning.run(out, err, args);
         }
         Console console = Console.of(out, err);
