@@ -25,11 +25,12 @@ public final class ResidentRun {
         if (!ResidentOption.appliesTo(arguments)) {
             return Lightning.run(out, err, args);
         }
+        List<String> command = ResidentOption.without(arguments);
         Console console = Console.of(out, err);
         String reason;
         try {
             OptionalInt exit = new ResidentClient(ResidentPlace.socket(), ResidentRun::start)
-                    .run(out, err, console.terminal(), ResidentOption.without(arguments));
+                    .run(out, err, console.terminal(), command);
             if (exit.isPresent()) {
                 return Lightning.checkOutput(console, exit.getAsInt());
             }
@@ -40,7 +41,7 @@ public final class ResidentRun {
             reason = FileErrorMessage.of(e);
         }
         err.println("lightning: without the resident process: " + reason);
-        return Lightning.run(out, err, ResidentOption.without(arguments).toArray(String[]::new));
+        return Lightning.run(out, err, command.toArray(String[]::new));
     }
 
     /** Starts a process that survives Ctrl-C in this terminal. */

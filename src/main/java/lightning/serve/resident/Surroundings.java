@@ -5,14 +5,12 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lightning.base.file.ContentHash;
 import lightning.base.file.RegularFile;
 
 /**
@@ -39,11 +37,7 @@ final class Surroundings {
         // A NUL cannot occur in any of them.
         String all = Stream.concat(Stream.of(program, folder, umask), relevant.entrySet().stream().map(Map.Entry::toString))
                 .collect(Collectors.joining("\0"));
-        try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(all.getBytes(StandardCharsets.UTF_8)));
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException("every Java has SHA-256", e);
-        }
+        return ContentHash.of(all.getBytes(StandardCharsets.UTF_8)).hex();
     }
 
     /** Returns the version of Java, and the name, size and time of each file of the program. */
