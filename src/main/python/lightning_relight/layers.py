@@ -17,7 +17,11 @@ class Layers:
         picture: the picture, which is the sum of all color layers in every bit: see ``total``
         diffuse: direct diffuse light of each light, without mirrors; ``"environment"`` too
         specular: direct highlights of each light, without mirrors
-        others: all other color layers, such as ``"ambient"``, ``"indirect"``, ``"reflections"`` and ``"rounding"``
+        gathered: indirect light of each light, and what rough surfaces reflect of it; of ``"environment"`` all gathered light
+        reflections: what mirrors and glass show of each light
+        fog: light of each light in the fog
+        others: all other color layers, such as ``"ambient"``, ``"indirect"`` (of glow and a background), ``"reflections"`` (of all
+            but the lights) and ``"rounding"``
         order: names of all color layers in the order of the sum, as in an .exr with layers
         normals: ``float32[height, width, 3]``, 0 where the ray hits nothing
         positions: ``float32[height, width, 3]`` in the scene
@@ -31,6 +35,9 @@ class Layers:
     picture: "numpy.ndarray"
     diffuse: Dict[str, "numpy.ndarray"]
     specular: Dict[str, "numpy.ndarray"]
+    gathered: Dict[str, "numpy.ndarray"]
+    reflections: Dict[str, "numpy.ndarray"]
+    fog: Dict[str, "numpy.ndarray"]
     others: Dict[str, "numpy.ndarray"]
     order: List[str]
     normals: "numpy.ndarray"
@@ -41,6 +48,13 @@ class Layers:
     objects: List[str]
     materials: List[str]
     _colors: Dict[str, "numpy.ndarray"]
+
+    def light(self, name: str) -> "numpy.ndarray":
+        """Returns all light of one light; ``"environment"`` too. KeyError if it has no layer: it is off, or there is none."""
+        parts = [part[name] for part in (self.diffuse, self.specular, self.gathered, self.reflections, self.fog) if name in part]
+        if not parts:
+            raise KeyError(name)
+        return sum(parts[1:], parts[0])
 
     def total(self) -> "numpy.ndarray":
         """Returns the sum of all color layers in their order: the picture in every bit."""
@@ -63,18 +77,17 @@ def of(memory: Dict[str, Any], planes: "numpy.ndarray") -> Layers:
 
     colors = {name: joined(name + ".", "RGB") for name in memory["sum"]}
     lights: Dict[str, str] = memory["lights"]
-    diffuse, specular, others = {}, {}, {}
+    parts: Dict[str, Dict[str, "numpy.ndarray"]] = {kind: {} for kind in ("diffuse", "specular", "gathered", "reflections", "fog")}
+    others = {}
     for name, color in colors.items():
-        if name in lights and name.endswith("_diffuse"):
-            diffuse[lights[name]] = color
-        elif name in lights and name.endswith("_specular"):
-            specular[lights[name]] = color
+        if name in lights:
+            kind = name.rpartition("_")[2]
+            parts[kind if kind in parts else "gathered"][lights[name]] = color
         else:
             others[name] = color
     return Layers(
         picture=joined("", "RGB"),
-        diffuse=diffuse,
-        specular=specular,
+        **parts,
         others=others,
         order=memory["sum"],
         normals=joined("N.", "XYZ"),

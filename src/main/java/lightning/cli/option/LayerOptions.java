@@ -29,9 +29,12 @@ public final class LayerOptions {
     private CommandSpec command;
 
     @Option(names = "--layers",
-            description = "Also write layers to the .exr: background, ambient, emission, each light's diffuse and specular, reflections "
-                    + "(which add up to the image), normals, positions, depth, objects and materials.")
+            description = "Also write layers to the .exr: background, ambient, emission, each light's diffuse, specular, indirect light, "
+                    + "reflections and fog (which add up to the image), normals, positions, depth, objects and materials.")
     private boolean layers;
+
+    @Option(names = "--light-groups", description = "With --layers: layers of each light group in place of its lights.")
+    private boolean grouped;
 
     @Option(names = "--cryptomatte", paramLabel = "FILE",
             description = "Also write mattes of objects, materials and assets (Cryptomatte) to an .exr file, named like that of -o; the "
@@ -66,6 +69,9 @@ public final class LayerOptions {
         if (layers && !ImageFormat.of(picture).canHaveLayers()) {
             throw new BadInputException(Console.text("%s: layers are written to .exr", picture));
         }
+        if (grouped && !layers) {
+            throw new BadInputException("--light-groups needs --layers");
+        }
         if (mattes != null && !ImageFormat.find(mattes).map(ImageFormat::canHaveLayers).orElse(false)) {
             throw new BadInputException(Console.text("%s: mattes are written to .exr", mattes));
         }
@@ -87,7 +93,8 @@ public final class LayerOptions {
                 // All frames of a shot have the same layers, because compositing programs read them from the first one.
                 ExrContent.Layers choice =
                         !layers ? ExrContent.Layers.NONE : time.isPresent() ? ExrContent.Layers.ALL : ExrContent.Layers.LIT;
-                writeExr(picture.get(), cache, engines, new ExrContent(type, choice, sameFile ? levels : 0), time, workers, console);
+                writeExr(picture.get(), cache, engines, new ExrContent(type, choice, grouped, sameFile ? levels : 0), time, workers,
+                        console);
             } else {
                 output.write(cache.scene(), cache.film(), picture.get(), time, workers);
             }

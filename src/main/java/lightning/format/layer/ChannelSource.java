@@ -2,6 +2,8 @@ package lightning.format.layer;
 
 import java.util.List;
 import java.util.Map;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
 import lightning.format.exr.ExrAttribute;
 import lightning.format.exr.ExrChannel;
 import lightning.render.engine.Engine;
@@ -14,6 +16,13 @@ interface ChannelSource {
 
     /** Returns the header's attributes that describe them. */
     Map<String, ExrAttribute> attributes();
+
+    /**
+     * Computes what all writers need, before the first is created.
+     *
+     * @throws java.util.concurrent.CancellationException if {@code progress} requested cancellation
+     */
+    default void prepare(WorkerPool workers, Progress progress) {}
 
     /** Creates a writer for one thread. */
     TileWriter writer(Engine engine);

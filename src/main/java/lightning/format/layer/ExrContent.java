@@ -7,9 +7,10 @@ import lightning.format.exr.ExrType;
  *
  * @param type type of colors and normals, HALF or FLOAT; all other channels are FLOAT. A file of halves has no residual layer
  * @param layers layers, with surface data
+ * @param grouped whether the lights of a light group share their layers
  * @param matteLevels ids that the mattes of a pixel have room for, even; 0 for no mattes
  */
-public record ExrContent(ExrType type, Layers layers, int matteLevels) {
+public record ExrContent(ExrType type, Layers layers, boolean grouped, int matteLevels) {
     /** Choice of layers. */
     public enum Layers {
         /** None. */
@@ -33,11 +34,11 @@ public record ExrContent(ExrType type, Layers layers, int matteLevels) {
 
     /** Returns layers without mattes. */
     public static ExrContent layers(ExrType type) {
-        return new ExrContent(type, Layers.LIT, 0);
+        return new ExrContent(type, Layers.LIT, false, 0);
     }
 
     /** Returns the image in halves, and mattes. */
     public static ExrContent mattes(int levels) {
-        return new ExrContent(ExrType.HALF, Layers.NONE, levels);
+        return new ExrContent(ExrType.HALF, Layers.NONE, false, levels);
     }
 }

@@ -2,11 +2,10 @@ package lightning.format.layer;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import lightning.render.shading.WeightedLight;
-import lightning.render.shading.composition.LightComponent;
 import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
-import lightning.scene.light.Light;
 
 /** Color layer of an image; all layers add up to the image. */
 sealed interface Layer {
@@ -20,54 +19,73 @@ sealed interface Layer {
     record Emission() implements Layer {}
 
     /**
-     * One term of some lights on directly visible surfaces.
+     * Part of the light of some lights.
      *
-     * @param name name of the light; {@link #ENVIRONMENT} for all environment lights
-     * @param first index of their first light among the active lights
-     * @param end index after their last light
-     * @param part term of the lighting equation
+     * @param set    index of their set
+     * @param lights the set
      */
-    record Lights(String name, int first, int end, LightComponent part) implements Layer {}
+    record OfLights(int set, LightSet lights, LightPart part) implements Layer {}
 
-    /**
-     * Gathered light of directly visible surfaces, and what they reflect of their surroundings if that is blurred.
-     *
-     * @param settings what is gathered
-     */
-    record Gathered(GatherSettings settings) implements Layer {}
+    /** Gathered light of directly visible surfaces that comes from no light, and what they reflect of it if that is blurred. */
+    record Gathered() implements Layer {}
 
-    /** Reflections, and the scene through transparent surfaces. */
+    /** Reflections, and the scene through transparent surfaces, without the light of the sets if they have layers of their own for it. */
     record Reflections() implements Layer {}
-
-    String ENVIRONMENT = "environment";
 
     /**
      * Returns the layers of an image, in summation order.
      *
-     * @param all true for layers of lights that are off and of emission without glowing materials too, which are black
+     * @param sets    lights that share layers
+     * @param mirrors whether each set has a layer of its reflections
+     * @param all     true for layers of emission without glowing materials too, which are black
      */
-    static List<Layer> of(Scene scene, boolean all) {
+    static List<Layer> of(Scene scene, List<LightSet> sets, boolean mirrors, boolean all) {
         List<Layer> layers = new ArrayList<>(List.of(new Background(), new Ambient()));
         if (all || scene.stage().rendered().materials().stream().anyMatch(m -> !m.emission().isBlack())) {
             layers.add(new Emission());
         }
-        WeightedLight[] lights = WeightedLight.ofScene(scene);
-        List<Light> sceneLights = scene.lights();
-        for (int i = 0; i < sceneLights.size(); i++) {
-            if (all || !lights[i].isDark() || scene.world().fog().isPresent() && !lights[i].isDarkInFog()) {
-                add(sceneLights.get(i).name(), i, i + 1, layers);
+        Optional<GatherSettings> settings = GatherSettings.of(scene);
+        boolean passesLight = settings.map(s -> s.pathBounces() > 0).orElse(false);
+        boolean hasFog = scene.world().fog().isPresent();
+        for (int s = 0; s < sets.size(); s++) {
+            LightSet set = sets.get(s);
+            List<LightPart> parts = new ArrayList<>();
+            if (set.indices(scene).length > 0) {
+                parts.addAll(List.of(LightPart.DIFFUSE, LightPart.SPECULAR));
+            }
+            if (passesLight || settings.isPresent() && set.isEnvironment()) {
+                parts.add(LightPart.GATHERED);
+            }
+            if (mirrors) {
+                parts.add(LightPart.REFLECTIONS);
+            }
+            if (hasFog) {
+                parts.add(LightPart.FOG);
+            }
+            for (LightPart part : parts) {
+                layers.add(new OfLights(s, set, part));
             }
         }
-        if (lights.length > sceneLights.size()) {
-            add(ENVIRONMENT, sceneLights.size(), lights.length, layers);
+        if (passesLight || settings.isPresent() && scene.world().environment().isEmpty()) {
+            layers.add(new Gathered());
         }
-        GatherSettings.of(scene).ifPresent(settings -> layers.add(new Gathered(settings)));
         layers.add(new Reflections());
         return layers;
     }
 
-    private static void add(String name, int first, int end, List<Layer> layers) {
-        layers.add(new Lights(name, first, end, LightComponent.DIFFUSE));
-        layers.add(new Lights(name, first, end, LightComponent.SPECULAR));
+    /** Returns whether mirrors or transparent surfaces may be in a picture. */
+    static boolean canShowReflections(Scene scene, boolean all) {
+        return scene.picture().depth() > 0
+                && (all ? scene.materials() : scene.stage().rendered().materials()).stream().anyMatch(m -> m.isMirror() || m.isClear());
+    }
+
+    /** Returns whether any light of a set shines. */
+    static boolean shines(WeightedLight[] lights) {
+        for (WeightedLight light : lights) {
+            if (!light.isDark() || !light.isDarkInFog()) {
+                return true;
+            }
+        }
+        return false;
     }
 }

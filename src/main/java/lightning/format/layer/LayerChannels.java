@@ -6,14 +6,18 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
 import lightning.format.exr.ExrAttribute;
 import lightning.format.exr.ExrChannel;
 import lightning.format.exr.ExrType;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.PixelCache;
 import lightning.render.engine.Engine;
+import lightning.render.engine.EngineChoice;
 import lightning.render.image.Film;
 import lightning.render.trace.SamplePositions;
+import lightning.scene.GatherSettings;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Color layers of an image, which add up to it (see {@link LayerSum}). The header contains the order of the sum. */
@@ -24,21 +28,31 @@ final class LayerChannels implements ChannelSource {
     private final PixelCache cache;
     private final Film film;
     private final ExrType type;
+    private final EngineChoice engines;
+    private final List<LightSet> sets;
+    /** Whether each set of lights has a layer of its reflections. */
+    private final boolean mirrorsSets;
     private final List<Layer> layers;
     /** Names of the layers, without the residual. */
     private final List<String> names;
+    /** Light of each set, and last that of no set; empty until it is prepared. */
+    private List<SetLight> setLight = List.of();
 
     /**
      * @param cache cache of a finished image
      * @param type HALF or FLOAT; halves have no residual layer
      * @param all true for layers of lights that are off too
+     * @param grouped true for layers of light groups in place of their lights
      */
-    LayerChannels(PixelCache cache, ExrType type, boolean all) {
+    LayerChannels(PixelCache cache, EngineChoice engines, ExrType type, boolean all, boolean grouped) {
         this.cache = cache;
         this.type = type;
         film = cache.film();
-        layers = Layer.of(cache.scene(), all);
-        names = LayerNames.of(layers);
+        this.engines = engines;
+        sets = LightSet.of(cache.scene(), all, grouped);
+        mirrorsSets = Layer.canShowReflections(cache.scene(), all) && cache.allTiles().stream().allMatch(CachedTile::storesRows);
+        layers = Layer.of(cache.scene(), sets, mirrorsSets, all);
+        names = LayerNames.of(layers, GatherSettings.of(cache.scene()));
     }
 
     private boolean isExact() {
@@ -63,8 +77,8 @@ final class LayerChannels implements ChannelSource {
     public Map<String, ExrAttribute> attributes() {
         Map<String, String> lights = new LinkedHashMap<>();
         for (int i = 0; i < names.size(); i++) {
-            if (layers.get(i) instanceof Layer.Lights light) {
-                lights.put(names.get(i), light.name());
+            if (layers.get(i) instanceof Layer.OfLights some) {
+                lights.put(names.get(i), some.lights().name());
             }
         }
         JsonMapper json = new JsonMapper();
@@ -73,8 +87,19 @@ final class LayerChannels implements ChannelSource {
     }
 
     @Override
+    public void prepare(WorkerPool workers, Progress progress) {
+        setLight = SetLight.of(cache, sets, engines, workers, progress);
+    }
+
+    /** Returns the bytes that {@link #prepare} keeps. */
+    long preparedBytes() {
+        return cache.indirect() == null ? 0
+                : (long) (sets.size() + 1) * cache.indirect().structure().lightBytes() * (cache.hasSameIndirectInMirrors() ? 1 : 2);
+    }
+
+    @Override
     public TileWriter writer(Engine engine) {
-        LayerCompositor painter = new LayerCompositor(cache, engine);
+        LayerCompositor painter = new LayerCompositor(cache, setLight, mirrorsSets, engine);
         return (tile, centers, sink) -> {
             LayerSum layerSum = new LayerSum(Film.TILE_PIXELS);
             for (int k = 0; k < layers.size(); k++) {

@@ -4,8 +4,9 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
-import lightning.render.shading.composition.LightComponent;
+import lightning.scene.GatherSettings;
 
 /**
  * Layer names in a file: ASCII letters, digits and underscores. They contain no dot, because Blender lists only the layers before
@@ -18,28 +19,46 @@ final class LayerNames {
 
     private LayerNames() {}
 
-    /** Returns a name for each layer, unique even ignoring case. */
-    static List<String> of(List<Layer> layers) {
+    /**
+     * Returns a name for each layer, unique even ignoring case.
+     *
+     * @param settings what the scene gathers; empty if nothing
+     */
+    static List<String> of(List<Layer> layers, Optional<GatherSettings> settings) {
+        String gathered = settings.map(LayerNames::gathered).orElse("");
         List<String> names = new ArrayList<>();
         Set<String> used = new HashSet<>();
+        LightSet named = null;
         String light = "";
         for (Layer layer : layers) {
+            if (layer instanceof Layer.OfLights some && some.lights() != named) {
+                named = some.lights();
+                light = unique(sanitize(named.name()), used);
+            }
             names.add(switch (layer) {
                 case Layer.Background _ -> "background";
                 case Layer.Ambient _ -> "ambient";
                 case Layer.Emission _ -> "emission";
-                case Layer.Gathered gathered -> gathered.settings().isIndirect() ? "indirect"
-                        : gathered.settings().environment() ? Layer.ENVIRONMENT + "_gathered" : "reflected";
+                case Layer.Gathered _ -> gathered;
                 case Layer.Reflections _ -> "reflections";
-                case Layer.Lights lights -> {
-                    if (lights.part() == LightComponent.DIFFUSE) {
-                        light = unique(sanitize(lights.name()), used);
-                    }
-                    yield light + (lights.part() == LightComponent.DIFFUSE ? "_diffuse" : "_specular");
-                }
+                case Layer.OfLights some -> light + "_" + suffix(some.part(), gathered);
             });
         }
         return names;
+    }
+
+    private static String suffix(LightPart part, String gathered) {
+        return switch (part) {
+            case DIFFUSE -> "diffuse";
+            case SPECULAR -> "specular";
+            case GATHERED -> gathered;
+            case REFLECTIONS -> "reflections";
+            case FOG -> "fog";
+        };
+    }
+
+    private static String gathered(GatherSettings settings) {
+        return settings.isIndirect() ? "indirect" : settings.environment() ? "gathered" : "reflected";
     }
 
     private static String unique(String name, Set<String> used) {

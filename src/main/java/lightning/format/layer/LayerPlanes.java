@@ -35,7 +35,7 @@ public final class LayerPlanes {
     public LayerPlanes(PixelCache cache, EngineChoice engines) {
         this.engines = engines;
         film = cache.film();
-        sources = List.of(new FilmChannels(film, ExrType.FLOAT), new LayerChannels(cache, ExrType.FLOAT, false),
+        sources = List.of(new FilmChannels(film, ExrType.FLOAT), new LayerChannels(cache, engines, ExrType.FLOAT, false, false),
                 new SurfaceChannels(cache, ExrType.FLOAT));
         channels = sources.stream().flatMap(source -> source.channels().stream()).map(ExrChannel::name).toList();
     }
@@ -82,6 +82,7 @@ public final class LayerPlanes {
                     String.format(Locale.ROOT, "%d channels of %d x %d pixels need %.1f GB of memory, at most %.1f GB allowed",
                             channels.size(), film.width(), film.height(), stripBytes() * workers.count() / 1e9, Math.max(memory, 0) / 1e9));
         }
+        sources.forEach(source -> source.prepare(workers, progress.cancellationOnly()));
         List<EngineWorkers<List<ChannelSource.TileWriter>>> writers = EngineWorkers.perThread(workers.count(), engines,
                 engine -> sources.stream().map(source -> source.writer(engine)).toList());
         try (SharedMemoryFile.Writer out = file.openWriter()) {

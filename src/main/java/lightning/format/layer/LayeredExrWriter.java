@@ -39,6 +39,7 @@ public final class LayeredExrWriter {
     /** Channel indices of each source. */
     private final List<int[]> indices;
     private final int layerCount;
+    private final long preparedBytes;
     /** Mattes; null if there are none. */
     private final @Nullable MatteChannels mattes;
 
@@ -53,12 +54,15 @@ public final class LayeredExrWriter {
         film = cache.film();
         sources.add(new FilmChannels(film, content.type()));
         if (content.layers() != ExrContent.Layers.NONE) {
-            LayerChannels layers = new LayerChannels(cache, content.type(), content.layers() == ExrContent.Layers.ALL);
+            LayerChannels layers = new LayerChannels(cache, engines, content.type(), content.layers() == ExrContent.Layers.ALL,
+                    content.grouped());
             sources.add(layers);
             sources.add(new SurfaceChannels(cache, content.type()));
             layerCount = layers.layerNames().size();
+            preparedBytes = layers.preparedBytes();
         } else {
             layerCount = 0;
+            preparedBytes = 0;
         }
         mattes = content.matteLevels() == 0 ? null : new MatteChannels(cache, content.matteLevels());
         if (mattes != null) {
@@ -99,7 +103,7 @@ public final class LayeredExrWriter {
 
     /** Returns the memory in bytes for writing, in addition to the cache. */
     public long bytesToWrite(int threads) {
-        return (long) COPIES_PER_WORKER * threads * header.bytesPerLine() * Film.TILE_SIZE;
+        return (long) COPIES_PER_WORKER * threads * header.bytesPerLine() * Film.TILE_SIZE + preparedBytes;
     }
 
     /**
@@ -116,6 +120,7 @@ public final class LayeredExrWriter {
                     film.width(), film.height(), bytesToWrite(workers.count()) / 1e9, Math.max(memory, 0) / 1e9));
         }
         try {
+            sources.forEach(source -> source.prepare(workers, progress.cancellationOnly()));
             AtomicFile.of(file).writeRandomAccess(channel -> {
                 ExrWriter writer = new ExrWriter(channel, header);
                 List<EngineWorkers<List<ChannelSource.TileWriter>>> writers = EngineWorkers.perThread(workers.count(), engines,

@@ -133,11 +133,12 @@ class CompositingTest {
         Scene dark = scene.withLight(key.withOn(false));
         Path lit = folder.resolve("lit.exr");
         Path off = folder.resolve("off.exr");
-        ExrContent all = new ExrContent(ExrType.FLOAT, ExrContent.Layers.ALL, 0);
+        ExrContent all = new ExrContent(ExrType.FLOAT, ExrContent.Layers.ALL, false, 0);
         write(scene, all, Optional.empty(), lit);
         write(dark, all, Optional.empty(), off);
-        List<String> layers = List.of("background", "ambient", "emission", "key_diffuse", "key_specular", "fill_diffuse", "fill_specular",
-                "back_diffuse", "back_specular", "sun_diffuse", "sun_specular", "reflections", "rounding");
+        List<String> layers = List.of("background", "ambient", "emission", "key_diffuse", "key_specular", "key_reflections", "fill_diffuse",
+                "fill_specular", "fill_reflections", "back_diffuse", "back_specular", "back_reflections", "sun_diffuse", "sun_specular",
+                "sun_reflections", "reflections", "rounding");
         try (ExrReader reader = new ExrReader(off); ExrReader other = new ExrReader(lit)) {
             List<String> names = reader.header().channels().stream().map(ExrChannel::name).toList();
             assertThat(names).isEqualTo(other.header().channels().stream().map(ExrChannel::name).toList());
@@ -153,6 +154,7 @@ class CompositingTest {
                 assertThat(sum).isEqualTo(values[0]);
                 assertThat(values[1 + layers.indexOf("key_diffuse")]).isZero();
                 assertThat(values[1 + layers.indexOf("key_specular")]).isZero();
+                assertThat(values[1 + layers.indexOf("key_reflections")]).isZero();
             });
         }
     }
@@ -165,7 +167,7 @@ class CompositingTest {
         Scene scene = studio.withLight(key.withEmission(Emission.DEFAULT.withUnit(IntensityUnit.CANDELA)));
         Path file = folder.resolve("a.exr");
         Optional<FrameTime> time = Optional.of(new FrameTime(17, 29.97));
-        write(scene, new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, 6), time, file);
+        write(scene, new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, false, 6), time, file);
         JsonNode header = new JsonMapper()
                 .readTree(PythonPrograms.output(folder, List.of(SCRIPTS.resolve("read_compositing.py").toString(), file.toString())));
         Map<String, ExrAttribute> written = SceneMetadata.of(scene, time);
@@ -195,7 +197,7 @@ class CompositingTest {
             lights.add(key.withName(name));
         }
         Path file = folder.resolve("a.exr");
-        write(studio.withLights(lights), new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, 64), Optional.empty(), file);
+        write(studio.withLights(lights), new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, false, 64), Optional.empty(), file);
         try (ExrReader reader = new ExrReader(file)) {
             List<String> names = reader.header().channels().stream().map(ExrChannel::name).toList();
             assertThat(names).allMatch(name -> name.length() <= 63);
@@ -217,12 +219,12 @@ class CompositingTest {
         Scene scene = studio.withLights(lights)
                 .withPicture(studio.picture().withSize(48, 40).withSampling(new SamplingSettings(AntialiasMode.EVERY, 4)));
         Path file = folder.resolve("a.exr");
-        write(scene, new ExrContent(ExrType.HALF, ExrContent.Layers.LIT, 6), Optional.empty(), file);
+        write(scene, new ExrContent(ExrType.HALF, ExrContent.Layers.LIT, false, 6), Optional.empty(), file);
         String text = PythonPrograms.output(folder,
                 List.of(SCRIPTS.resolve("blender_layers.py").toString(), file.toString(), folder.resolve("out.exr").toString()));
         JsonNode result = new JsonMapper().readTree(text.substring(text.indexOf("RESULT ") + 7).lines().findFirst().orElseThrow());
         List<String> expected = new ArrayList<>(List.of("Combined", "Depth", "N", "P", "shape", "material"));
-        expected.addAll(LayerNames.of(Layer.of(scene, false)));
+        expected.addAll(LayerNames.of(Layer.of(scene, LightSet.of(scene, false, false), true, false), Optional.empty()));
         for (String kind : List.of("CryptoObject", "CryptoMaterial", "CryptoAsset")) {
             for (int i = 0; i < 3; i++) {
                 expected.add(kind + "0" + i);

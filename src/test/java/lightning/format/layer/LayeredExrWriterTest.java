@@ -12,6 +12,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.base.math.Ray;
 import lightning.base.math.Rgb;
@@ -43,6 +44,8 @@ import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.light.FaceVisibility;
 import lightning.scene.light.Light;
+import lightning.scene.light.LightGroup;
+import lightning.scene.light.LightRig;
 import lightning.scene.light.LightType;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Assume;
@@ -90,10 +93,75 @@ class LayeredExrWriterTest {
                     assertThat(Float.floatToRawIntBits(sum)).as("sum of pixel %d", i).isEqualTo(Float.floatToRawIntBits(beauty[i]));
                     assertThat(beauty[i]).isEqualTo(List.of(film.red(i % film.width(), i / film.width()),
                             film.green(i % film.width(), i / film.width()), film.blue(i % film.width(), i / film.width())).get(c));
-                    // Each of n additions and of at most 16 steps of a layer loses at most half a unit, since all values are
-                    // at least 0.
-                    assertThat(Math.abs(rounding[i])).isLessThanOrEqualTo((layers.size() + 16) * 0x1p-23f * beauty[i] + 0x1p-140f);
+                    assertThat(Math.abs(rounding[i]))
+                            .isLessThanOrEqualTo((layers.size() + steps(renderer.scene())) * 0x1p-23f * beauty[i] + 0x1p-140f);
                 }
+            }
+        }
+    }
+
+    /**
+     * Returns the largest number of additions and multiplications one after the other between stored terms and a color, each of which loses at
+     * most half a unit of the result, since all values are at least 0: at most 16 for each bounce off a mirror, and for each bounce of diffuse
+     * light the sum over rays and twice one over fewer than 256 neighbors.
+     */
+    private static int steps(Scene scene) {
+        return 16 * (scene.picture().depth() + 1) + GatherSettings.of(scene)
+                .map(settings -> (settings.pathBounces() + 1) * (settings.rays() + settings.reflectionRays() + 512)).orElse(0);
+    }
+
+    /** Mirrors, indirect light and fog included. */
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    void layersOfALight_sumToItsContribution(@ForAll("sessions") EditSession session, @ForAll ReflectionMode reflections,
+            @ForAll boolean indirect) throws IOException {
+        try (Renderer renderer = new Renderer(new RenderOptions(Accuracy.EXACT, reflections, MirrorStorage.FULL_ROWS, 2))) {
+            for (Scene scene : session.scenes()) {
+                renderer.render(indirect ? IndirectScenes.withBackground(scene) : scene, Progress.NONE);
+            }
+            Scene scene = renderer.scene();
+            ExrValues file = writeFile(renderer, ExrType.FLOAT);
+            Map<String, String> lights = file.map("lightning/lights");
+            for (Light light : scene.lights()) {
+                List<String> layers = lights.keySet().stream().filter(layer -> lights.get(layer).equals(light.name())).toList();
+                if (layers.isEmpty()) {
+                    continue;
+                }
+                Film contribution = renderer.lightImage(light.name(), Progress.NONE);
+                float[] sum = file.sum(layers);
+                for (int i = 0; i < sum.length / 3; i++) {
+                    int x = i % contribution.width();
+                    int y = i / contribution.width();
+                    float[] expected = {contribution.red(x, y), contribution.green(x, y), contribution.blue(x, y)};
+                    for (int c = 0; c < 3; c++) {
+                        assertThat(sum[3 * i + c]).as("%s, pixel %d", light.name(), i).isCloseTo(expected[c],
+                                within((layers.size() + steps(scene)) * 0x1p-23f * expected[c] + 0x1p-140f));
+                    }
+                }
+            }
+        }
+    }
+
+    @Test
+    void lightsOfAGroup_shareLayers() throws IOException {
+        Scene studio = StudioScene.withFourLights(30, 24);
+        LightRig rig = studio.rig().addLightGroup(LightGroup.of("soft"));
+        Scene scene = studio.withRig(rig.withLights(studio.lights().stream()
+                .map(light -> light.name().equals("sun") ? light : light.withLightGroup("soft")).toList()));
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1)); TryFolder files = new TryFolder();
+                WorkerPool workers = new WorkerPool(1)) {
+            renderer.render(scene, Progress.NONE);
+            Path path = files.file("groups.exr");
+            new LayeredExrWriter(renderer.cache(), renderer.options().engines(),
+                    new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, true, 0), Optional.empty())
+                    .write(path, Long.MAX_VALUE, workers, Progress.NONE);
+            ExrValues grouped = new ExrValues(path);
+            assertThat(grouped.list("lightning/sum")).containsExactly("background", "ambient", "sun_diffuse", "sun_specular",
+                    "sun_reflections", "soft_diffuse", "soft_specular", "soft_reflections", "reflections", "rounding");
+            ExrValues single = writeFile(renderer, ExrType.FLOAT);
+            float[] sum = single.sum(List.of("key_diffuse", "fill_diffuse", "back_diffuse"));
+            float[] group = grouped.sum(List.of("soft_diffuse"));
+            for (int i = 0; i < sum.length; i++) {
+                assertThat(group[i]).isCloseTo(sum[i], within(20 * 0x1p-23f * sum[i]));
             }
         }
     }
@@ -194,7 +262,7 @@ class LayeredExrWriterTest {
             renderer.render(scene, Progress.NONE);
             ExrValues file = writeFile(renderer, ExrType.FLOAT);
             assertThat(file.list("lightning/sum")).containsExactly("background", "ambient", "emission", "key_diffuse", "key_specular",
-                    "reflections", "rounding");
+                    "key_reflections", "reflections", "rounding");
             List<String> materials = file.list("lightning/materials");
             for (int i = 0; i < file.width * file.height; i++) {
                 int id = (int) file.channel("material.id")[i];
@@ -235,7 +303,7 @@ class LayeredExrWriterTest {
             ExrValues after = writeFile(renderer, ExrType.FLOAT);
             List<String> layers = new ArrayList<>(after.list("lightning/sum"));
             assertThat(layers.indexOf("indirect")).isEqualTo(layers.indexOf("reflections") - 1);
-            layers.remove("indirect");
+            layers.removeAll(List.of("indirect", "key_indirect"));
             assertThat(layers).isEqualTo(before.list("lightning/sum"));
             float lightest = 0;
             for (String color : COLORS) {
@@ -243,7 +311,7 @@ class LayeredExrWriterTest {
                     assertThat(after.channel(layer + "." + color)).isEqualTo(before.channel(layer + "." + color));
                 }
                 for (int i = 0; i < after.width * after.height; i++) {
-                    float indirect = after.channel("indirect." + color)[i];
+                    float indirect = after.channel("key_indirect." + color)[i] + after.channel("indirect." + color)[i];
                     assertThat(indirect).isNotNegative();
                     // Both pictures are sums of few terms of at least 0, each rounded to 2⁻²⁴ of it.
                     assertThat((double) after.channel(color)[i] - before.channel(color)[i]).isCloseTo(indirect,
@@ -264,8 +332,9 @@ class LayeredExrWriterTest {
             renderer.render(odd, Progress.NONE);
             ExrValues file = writeFile(renderer, ExrType.HALF);
             assertThat(file.list("lightning/sum")).containsExactly("background", "ambient", "key_diffuse", "key_specular",
-                    "_2nd_rim_light_diffuse", "_2nd_rim_light_specular", "_2nd_rim_light_2_diffuse", "_2nd_rim_light_2_specular",
-                    "Key_2_diffuse", "Key_2_specular", "reflections");
+                    "key_reflections", "_2nd_rim_light_diffuse", "_2nd_rim_light_specular", "_2nd_rim_light_reflections",
+                    "_2nd_rim_light_2_diffuse", "_2nd_rim_light_2_specular", "_2nd_rim_light_2_reflections", "Key_2_diffuse",
+                    "Key_2_specular", "Key_2_reflections", "reflections");
             assertThat(file.map("lightning/lights")).containsEntry("_2nd_rim_light_diffuse", "2nd rim.light");
             assertThat(List.copyOf(file.values.keySet())).contains("R", "key_diffuse.R", "N.X", "P.Z", "Z").isSorted();
         }
