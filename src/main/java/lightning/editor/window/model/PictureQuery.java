@@ -1,4 +1,4 @@
-package lightning.editor.window.contribution;
+package lightning.editor.window.model;
 
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * Runs queries about the picture on a thread of its own, which exists from the first query until the pane closes. A new query cancels the
  * previous one. Confined to the window's thread.
  */
-final class ContributionQuery implements AutoCloseable {
+public final class PictureQuery implements AutoCloseable {
     private final Executor windowExecutor;
     private final String name;
     /** Null while the pane is closed. */
@@ -28,7 +28,7 @@ final class ContributionQuery implements AutoCloseable {
      * @param windowExecutor runs tasks in order on the window's thread
      * @param name name of the thread
      */
-    ContributionQuery(Executor windowExecutor, String name) {
+    public PictureQuery(Executor windowExecutor, String name) {
         this.windowExecutor = windowExecutor;
         this.name = name;
     }
@@ -40,7 +40,7 @@ final class ContributionQuery implements AutoCloseable {
      * @param onResult receives the result on the window's thread, unless a newer query was started
      * @param onFailure receives a failure on the window's thread, unless a newer query was started
      */
-    <T> void submit(Function<Progress, Optional<T>> query, Consumer<T> onResult, Consumer<Throwable> onFailure) {
+    public <T> void submit(Function<Progress, Optional<T>> query, Consumer<T> onResult, Consumer<Throwable> onFailure) {
         var token = new Object();
         latest.set(token);
         Progress progress = Progress.cancellation(() -> latest.get() != token);
@@ -70,7 +70,7 @@ final class ContributionQuery implements AutoCloseable {
     }
 
     /** Cancels the current query. */
-    void cancel() {
+    public void cancel() {
         latest.set(new Object());
     }
 
