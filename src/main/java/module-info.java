@@ -15,6 +15,7 @@ module lightning {
     requires org.kordamp.ikonli.javafx;
     requires org.kordamp.ikonli.materialdesign2;
     requires org.jgroups;
+    requires ojalgo;
     // Automatic.
     requires drako;
     requires com.twelvemonkeys.imageio.webp;

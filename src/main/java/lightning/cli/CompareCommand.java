@@ -7,16 +7,15 @@ import lightning.cli.output.Console;
 import lightning.cli.output.ExitCode;
 import lightning.cli.output.PictureOutput;
 import lightning.cli.report.CompareReport;
-import lightning.format.hdr.HdrReader;
 import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
 import lightning.format.jen.InputFiles;
+import lightning.format.reference.ReferenceFile;
 import lightning.render.image.Difference;
 import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
 import lightning.render.image.Flip;
 import lightning.render.image.ViewTransform;
-import lightning.scene.asset.EnvironmentMap;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -25,7 +24,7 @@ import picocli.CommandLine.Parameters;
 /** Compares two images. */
 @Command(name = "compare", abbreviateSynopsis = true, header = "Compare two images.",
         description = {
-            "Compares two images of the same size, in any combination of .png, .pfm, .exr and .hdr. Exit codes are those of diff: "
+            "Compares two images of the same size, in any combination of .png, .jpg, .pfm, .exr and .hdr. Exit codes are those of diff: "
                     + "0 if the images are equal, 1 if they differ, 2 on error.",
             "",
             "Only .pfm and 32-bit .exr files store every bit of an image; equal .png files show only that images are displayed "
@@ -58,8 +57,8 @@ final class CompareCommand implements Callable<Integer> {
             ImageFormat.of(output);
             PictureOutput.checkFile(output, InputFiles.of(first, second));
         }
-        Film a = read(first);
-        Film b = read(second);
+        Film a = ReferenceFile.readFilm(first);
+        Film b = ReferenceFile.readFilm(second);
         if (a.width() != b.width() || a.height() != b.height()) {
             throw new BadInputException(Console.text("images to compare must have the same size: %s has %d x %d pixels, %s has %d x %d",
                     first, a.width(), a.height(), second, b.width(), b.height()));
@@ -69,22 +68,10 @@ final class CompareCommand implements Callable<Integer> {
             ImageFile.write(output, DifferenceImage.of(a, b), ViewTransform.DEFAULT);
         }
         double flip = Flip.mean(a, b);
-        boolean floats = ImageFormat.of(first).hasFullFloats(first) && ImageFormat.of(second).hasFullFloats(second);
+        boolean floats = ReferenceFile.hasFullFloats(first) && ReferenceFile.hasFullFloats(second);
         print(difference, 3L * a.width() * a.height(), flip, floats);
         console.report().setResult(report(a, difference, flip, floats));
         return difference.isNone() ? ExitCode.OK : ExitCode.CHECK_FAILED;
-    }
-
-    private static Film read(Path file) throws Exception {
-        if (ImageFormat.of(file) != ImageFormat.HDR) {
-            return ImageFile.read(file);
-        }
-        EnvironmentMap picture = HdrReader.read(file);
-        float[] rgb = new float[3 * picture.width() * picture.height()];
-        for (int i = 0; i < rgb.length; i++) {
-            rgb[i] = picture.channel(i / 3 % picture.width(), i / 3 / picture.width(), i % 3);
-        }
-        return Film.ofScanlines(picture.width(), picture.height(), rgb);
     }
 
     private static CompareReport report(Film film, Difference d, double flip, boolean floats) {

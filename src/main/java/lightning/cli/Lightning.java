@@ -43,6 +43,8 @@ public final class Lightning {
         COMMANDS.put("serve", (console, _) -> new ServeCommand(console));
         COMMANDS.put("resident", (console, _) -> new ResidentCommand(console));
         COMMANDS.put("explain", (console, _) -> new ExplainCommand(console));
+        COMMANDS.put("match", (console, _) -> new MatchCommand(console));
+        COMMANDS.put("review", (console, _) -> new ReviewCommand(console));
         COMMANDS.put("import", (console, _) -> new ImportCommand(console));
         COMMANDS.put("export", (console, _) -> new ExportCommand(console));
         COMMANDS.put("export-lights", (console, _) -> new ExportLightsCommand(console));

@@ -17,9 +17,11 @@ import lightning.cli.report.ConversionReport;
 import lightning.cli.report.EffectsReport;
 import lightning.cli.report.ErrorReport;
 import lightning.cli.report.JsonOutput;
+import lightning.cli.report.MatchReport;
 import lightning.cli.report.RaysReport;
 import lightning.cli.report.RelightReport;
 import lightning.cli.report.RenderReport;
+import lightning.cli.report.ReviewReport;
 import lightning.cli.report.ShotRelightReport;
 import lightning.cli.report.ShotRenderReport;
 import lightning.cli.report.TourReport;
@@ -192,8 +194,9 @@ class JsonReportTest {
     void everyField_isDocumented() throws IOException {
         String page = Files.readString(Path.of("docs/json.md"));
         List<Class<?>> records = new ArrayList<>(List.of(BenchReport.class, CheckReport.class, CompareReport.class, ConversionReport.class,
-                EffectsReport.class, ErrorReport.class, ExplainReport.class, JsonOutput.class, RaysReport.class, RelightReport.class,
-                RenderReport.class, ShotRelightReport.class, ShotRenderReport.class, TourReport.class));
+                EffectsReport.class, ErrorReport.class, ExplainReport.class, JsonOutput.class, MatchReport.class, RaysReport.class,
+                RelightReport.class,
+                RenderReport.class, ReviewReport.class, ShotRelightReport.class, ShotRenderReport.class, TourReport.class));
         for (int i = 0; i < records.size(); i++) {
             Stream.of(records.get(i).getDeclaredClasses()).filter(Class::isRecord).forEach(records::add);
             for (RecordComponent field : records.get(i).getRecordComponents()) {

@@ -27,6 +27,8 @@ public enum Command {
             DisabledReasons::noPicture),
     EXPORT(Messages.key("Export"), Messages.key("Export the image with layers, as floats or with 16 bits"), "mdi2e-export-variant", "",
             DisabledReasons::noPicture),
+    OPEN_REVIEW(Messages.key("Open Review…"), Messages.key("Light the scene as a reviewer did in its page, and show the notes"),
+            "mdi2c-comment-text-outline", "", DisabledReasons.unlessAnimating()),
     QUIT(Messages.key("Quit"), Messages.key("Close Lightning, after a prompt for unsaved changes"), "mdi2e-exit-to-app", "Shortcut+Q"),
 
     UNDO(Messages.key("Undo"), Messages.key("Undo the last edit"), "mdi2u-undo", "Shortcut+Z",
@@ -139,6 +141,9 @@ public enum Command {
 
     CONTRIBUTIONS(Messages.key("Light Contributions…"), Messages.key("Show each light's share of the image, a region or a pixel"),
             "mdi2c-chart-bar", "Shortcut+F9"),
+    MATCH_REFERENCE(Messages.key("Match Reference…"),
+            Messages.key("Set the lights so that the picture resembles an image, or a painted wish"),
+            "mdi2i-image-search-outline", "Shortcut+F7"),
     LIGHT_LINKS(Messages.key("Light Links…"), Messages.key("Choose which lights illuminate which objects, and with which gain"),
             "mdi2g-grid", "Shift+F8"),
     CUES(Messages.key("Looks…"), Messages.key("Save, apply, compare and blend looks of the scene"), "mdi2v-view-gallery-outline",

@@ -44,7 +44,7 @@ final class EditorMenu extends MenuBar {
         Menu file = menu(Messages.tr("File"), Command.NEW_SCENE, Command.LOAD_FILE, Command.WELCOME, Command.RELOAD, SEPARATOR,
                 Command.SAVE_SCENE,
                 Command.SAVE_SCENE_AS,
-                Command.SAVE_IMAGE,
+                Command.SAVE_IMAGE, Command.OPEN_REVIEW,
                 SEPARATOR, Command.QUIT);
         file.getItems().add(2, recent(files));
         file.getItems().add(file.getItems().size() - 2, export(files));
@@ -59,7 +59,7 @@ final class EditorMenu extends MenuBar {
                         Command.SWITCH_ON, Command.SOLO, Command.LOOK_THROUGH_LIGHT, SEPARATOR, Command.AIM, Command.PLACE_HIGHLIGHT,
                         Command.PLACE_DIFFUSE, Command.PLACE_RIM, Command.PLACE_SHADOW, Command.PLACE_FLAG, SEPARATOR, Command.MIXER,
                         Command.LIGHT_LINKS,
-                        Command.CONTRIBUTIONS,
+                        Command.CONTRIBUTIONS, Command.MATCH_REFERENCE,
                         Command.CUES,
                         Command.MAKE_ANIMATION, SEPARATOR);
         Menu rig = menu(Messages.tr("Light Rig"), Command.LOAD_RIG, Command.ADD_RIG, Command.SAVE_RIG);

@@ -14,6 +14,7 @@ import javafx.stage.Window;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandKeys;
 import lightning.editor.window.link.LinkPane;
+import lightning.editor.window.match.MatchPane;
 import lightning.editor.window.measure.AccuracyPane;
 import lightning.editor.window.measure.EffectsPane;
 import lightning.editor.window.measure.SettingAccuracyPane;
@@ -34,6 +35,7 @@ final class PanelWindows implements AutoCloseable {
                     m -> new EffectsPane(m.editor(), m.workbench(), m.accuracyModeProperty(), m.pictureDisplay().effectsProperty())),
             Command.COMPARE_SETTINGS, new PanelSpec(920, 470, m -> new SettingAccuracyPane(m.editor(), m.accuracyModeProperty())),
             Command.KEYS, new PanelSpec(880, 720, m -> new ShortcutsPane(m.commands())),
+            Command.MATCH_REFERENCE, new PanelSpec(860, 640, MatchPane::new),
             Command.LIGHT_LINKS, new PanelSpec(760, 520, m -> new LinkPane(m.editor(), m.files().windowExecutor())));
 
     private final EditorModel model;

@@ -2,6 +2,7 @@ package lightning.render.image;
 
 import io.soabase.recordbuilder.core.RecordBuilder;
 import java.math.BigDecimal;
+import java.util.Arrays;
 import java.util.Optional;
 import lightning.base.text.Quote;
 import lightning.render.image.aces.Aces2Table;
@@ -65,6 +66,15 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
     /** Returns the factor of linear values, {@code 2^exposure}. */
     public float gain() {
         return (float) StrictMath.pow(2, exposure);
+    }
+
+    /**
+     * Returns the smallest linear value after exposure that is shown as each code, {@code float[256]}, 0 for code 0; empty if the transform
+     * mixes channels.
+     */
+    public Optional<float[]> thresholds() {
+        return mixesChannels() || curve == DisplayCurve.FALSE ? Optional.empty()
+                : Optional.of(Arrays.copyOf(curve.table().threshold(), 256));
     }
 
     /** Returns the display code, 0 to 255, of one linear value, without the lookup table. */

@@ -320,7 +320,7 @@ class CommandTest {
                 Command.HIDE_SHAPE,
                 Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, Command.NEW_BANK,
                 Command.DELETE_BANK, Command.NEW_SCENE, Command.PASTE_PROPERTY, Command.RESET_PROPERTY, Command.LOAD_RIG, Command.ADD_RIG,
-                Command.SAVE_RIG, Command.CHANGE_TYPE,
+                Command.SAVE_RIG, Command.OPEN_REVIEW, Command.CHANGE_TYPE,
                 Command.SWITCH_ON, Command.SOLO, Command.AIM, Command.PLACE_HIGHLIGHT, Command.PLACE_DIFFUSE, Command.PLACE_RIM,
                 Command.PLACE_SHADOW, Command.PLACE_FLAG, Command.MAKE_LIGHT, Command.LIGHTS_OF_GLOW, Command.MAKE_ANIMATION,
                 Command.KEYS_TO_WAY, Command.NEW_SHOT,

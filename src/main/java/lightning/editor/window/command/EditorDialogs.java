@@ -152,7 +152,7 @@ public final class EditorDialogs {
     }
 
     /** Lists notes without blocking the window. The list can be copied. */
-    private void showNotes(String title, List<String> notes) {
+    void showNotes(String title, List<String> notes) {
         Alert alert = alert(Alert.AlertType.INFORMATION, title, "", COPY, ButtonType.CLOSE);
         alert.initModality(Modality.NONE);
         var list = new ListView<String>();

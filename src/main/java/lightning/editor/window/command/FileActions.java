@@ -10,6 +10,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
 import javafx.scene.control.ButtonType;
@@ -55,6 +56,7 @@ public final class FileActions {
     private final Preferences preferences;
     private final SceneSaver saver;
     private final PictureExport export;
+    private final ReviewActions reviews;
     private final ObservableList<Path> recent = FXCollections.observableArrayList();
 
     /** @param quit  closes the window, which then shows a dialog for unsaved edits */
@@ -67,6 +69,7 @@ public final class FileActions {
         this.notices = notices;
         this.preferences = preferences;
         export = new PictureExport(model, prompt, notices);
+        reviews = new ReviewActions(model, prompt, notices);
         saver = new SceneSaver(model, prompt, notices, this::afterSave);
         model.commands().setAction(Command.NEW_SCENE, this::newScene);
         model.commands().setAction(Command.LOAD_FILE,
@@ -334,7 +337,7 @@ public final class FileActions {
 
     /** Returns a menu item for each export format. */
     public List<MenuItem> exportItems() {
-        return export.items();
+        return Stream.concat(export.items().stream(), Stream.of(reviews.exportItem())).toList();
     }
 
     /** Returns the recent scenes that existed at the last check, latest first. */

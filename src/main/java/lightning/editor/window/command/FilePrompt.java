@@ -29,6 +29,16 @@ public interface FilePrompt {
     /** Prompts for a file to write a picture to. */
     Optional<Path> pictureToWrite(Path proposal);
 
+    /** Prompts for a review page to write. */
+    default Optional<Path> pageToWrite(Path proposal) {
+        return pictureToWrite(proposal);
+    }
+
+    /** Prompts for a review to read. */
+    default Optional<Path> reviewToOpen(Path folder) {
+        return sceneToOpen(folder);
+    }
+
     /** Prompts for a light rig to read. */
     default Optional<Path> rigToOpen(Path folder) {
         return sceneToOpen(folder);
@@ -66,6 +76,18 @@ public interface FilePrompt {
                 var chooser = chooser(Messages.tr("Save Scene As"), ParentFolder.of(proposal), scenes);
                 chooser.setInitialFileName(proposal.getFileName().toString());
                 return path(chooser, c -> c.showSaveDialog(owner));
+            }
+
+            @Override
+            public Optional<Path> pageToWrite(Path proposal) {
+                var chooser = chooser(Messages.tr("Export Review Page"), ParentFolder.of(proposal), filter("HTML", ".html"));
+                chooser.setInitialFileName(proposal.getFileName().toString());
+                return path(chooser, c -> c.showSaveDialog(owner));
+            }
+
+            @Override
+            public Optional<Path> reviewToOpen(Path folder) {
+                return path(chooser(Messages.tr("Open Review"), folder, filter("JSON", ".json")), c -> c.showOpenDialog(owner));
             }
 
             @Override

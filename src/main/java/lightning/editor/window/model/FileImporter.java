@@ -40,6 +40,11 @@ public final class FileImporter {
         filePrompt = prompt;
     }
 
+    /** Prompts for a file that stays where it is; empty if the user cancels. */
+    public Optional<Path> prompt(String title, FileKind kind) {
+        return filePrompt.apply(title, kind);
+    }
+
     /**
      * Prompts for a file and imports it, unless the user cancels.
      *

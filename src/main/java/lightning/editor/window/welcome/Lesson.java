@@ -45,5 +45,15 @@ record Lesson(String title, String summary, List<Step> steps) {
                     new Step(Messages.key("Press {0} to save the scene: looks are stored next to it."), List.of(Command.SAVE_SCENE),
                             (_, now) -> !now.state().untitled()),
                     new Step(Messages.key("Press {0}, type a name and choose Save Look."), List.of(Command.CUES),
-                            (start, now) -> now.savedLooks() > start.savedLooks()))));
+                            (start, now) -> now.savedLooks() > start.savedLooks()))),
+            new Lesson(Messages.key("Paint with light"), Messages.key("Say how the picture shall change, and let the lights follow"),
+                    List.of(
+                            new Step(Messages.key("Press {0} to open Match Reference."), List.of(Command.MATCH_REFERENCE),
+                                    (_, now) -> now.hasRun(Command.MATCH_REFERENCE)),
+                            new Step(Messages.key("Choose Brighter, paint where the picture shall be brighter, and click Match."),
+                                    List.of(),
+                                    (start, now) -> now.hasOtherLights(start)),
+                            new Step(Messages.key("Press {0} to undo. Or open an image that the picture shall resemble."),
+                                    List.of(Command.UNDO),
+                                    (_, now) -> now.hasRun(Command.UNDO)))));
 }

@@ -1,0 +1,195 @@
+package lightning.cli;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import lightning.base.text.Quote;
+import lightning.cli.option.PictureOptions;
+import lightning.cli.option.PixelRegion;
+import lightning.cli.option.ThreadsOption;
+import lightning.cli.output.BadInputException;
+import lightning.cli.output.Console;
+import lightning.cli.output.ExitCode;
+import lightning.cli.output.PictureOutput;
+import lightning.cli.output.ProgressBar;
+import lightning.cli.report.MatchReport;
+import lightning.format.jen.InputFiles;
+import lightning.format.jen.JenDocument;
+import lightning.format.reference.ReferenceFile;
+import lightning.render.image.Film;
+import lightning.render.match.LightFactor;
+import lightning.render.match.LightMatch;
+import lightning.render.match.MatchResult;
+import lightning.render.match.MatchSettings;
+import lightning.render.match.MatchedScene;
+import lightning.render.match.ReferenceImage;
+import lightning.render.relight.LightContributions;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.SceneView;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** Sets lights so that the picture comes closest to a reference image. */
+@Command(name = "match", header = "Set lights so that the picture matches a reference image.", abbreviateSynopsis = true,
+        description = {
+            "Renders the scene once, and finds the intensities of its lights, and with --colors their colors, with which the picture comes "
+                    + "closest to a reference image. Prints each light's change, and the difference from the reference before and after.",
+            "",
+            "The difference is the root mean square over all pixels and channels, relative to the reference's brightness there. "
+                    + "Lights that are off stay off. The reference is an .exr, .hdr, .pfm, .png or .jpg of the picture's shape, in any size. "
+                    + "The codes of a .png or .jpg are what the scene's view shall show; pixels that are clipped at white do not count.",
+            "",
+            "If two lights look alike in the picture, only their sum can be known; a note names them."},
+        footer = {
+            "Examples:",
+            "  lightning match scenes/bird.jen --reference before.png -o matched.jen",
+            "  lightning match scenes/bird.jen --reference before.pfm --exposure=free --colors"})
+final class MatchCommand implements Callable<Integer> {
+    private final Console console;
+
+    @Mixin
+    private SceneFile input;
+    @Option(names = "--reference", paramLabel = "FILE", required = true, description = "Image that the picture shall match.")
+    private Path reference;
+    @Option(names = {"-o", "--output"}, paramLabel = "matched.jen",
+            description = "Write the matched scene; keeps comments, order and unedited text.")
+    private @Nullable Path output;
+    @Option(names = "--lights", paramLabel = "NAMES", split = ",",
+            description = "Lights that may change, separated by commas; environment for the environment (default: all that shine).")
+    private @Nullable List<String> lights;
+    @Option(names = "--colors", description = "Change the colors of lights too.")
+    private boolean colors;
+    @Option(names = "--exposure", paramLabel = "fixed|free",
+            description = "free: the reference's brightness does not count; the lights' mean brightness stays (default: fixed).")
+    private MatchSettings.Reference exposure = MatchSettings.Reference.FIXED;
+    @Option(names = "--white", paramLabel = "fixed|free",
+            description = "free: neither the reference's brightness nor its tint counts (default: fixed).")
+    private MatchSettings.Reference white = MatchSettings.Reference.FIXED;
+    @Option(names = "--region", paramLabel = "X,Y,W,H", converter = PixelRegion.Converter.class,
+            description = "Only this part of the reference counts, in its pixels.")
+    private @Nullable PixelRegion region;
+    @Mixin
+    private PictureOptions picture;
+    @Mixin
+    private ThreadsOption threads;
+
+    MatchCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() throws Exception {
+        if (output != null) {
+            PictureOutput.checkFile(output);
+        }
+        JenDocument document = input.read(console);
+        if (output != null) {
+            InputFiles.of(input.path(), List.of(document.scene())).with(reference).check(output);
+        }
+        Scene scene = picture.apply(document.scene());
+        MatchSettings settings = new MatchSettings(chosen(document.scene()), colors, exposure, white, 0);
+        ReferenceImage image = readReference(scene);
+        RenderOptions options = RenderOptions.DEFAULT.withThreads(threads.count());
+        MatchResult result;
+        try (Renderer renderer = new Renderer(options); ProgressBar bar = new ProgressBar(console, "tracing")) {
+            renderer.render(scene, bar);
+            result = LightMatch.of(renderer.cache(), options, image, settings, bar);
+        } catch (IllegalArgumentException e) {
+            throw new BadInputException(Console.text("%s: %s", reference, e.getMessage()));
+        }
+        Scene matched = MatchedScene.of(document.scene(), result.factors());
+        print(result, document.scene(), matched);
+        if (output != null) {
+            document.withScene(matched).save(output);
+        }
+        console.report().setResult(report(result, document.scene(), matched));
+        return ExitCode.OK;
+    }
+
+    /** Returns the lights that may change; empty for all. */
+    private Optional<Set<String>> chosen(Scene scene) throws BadInputException {
+        if (lights == null) {
+            return Optional.empty();
+        }
+        for (String name : lights) {
+            Optional<Light> light = scene.light(name);
+            boolean isEnvironment = name.equals(LightContributions.ENVIRONMENT) && scene.world().environment().isPresent();
+            if (light.isEmpty() && !isEnvironment) {
+                throw new BadInputException("--lights: there is no light " + Quote.of(name));
+            }
+            if (light.isPresent() && !scene.isActive(light.get())) {
+                console.warn("%s is off, and stays off", name);
+            }
+        }
+        return Optional.of(new HashSet<>(lights));
+    }
+
+    private ReferenceImage readReference(Scene scene) throws Exception {
+        ReferenceImage image = ReferenceFile.read(reference);
+        Film film = image.film();
+        if (!image.hasShapeOf(scene.picture().width(), scene.picture().height())) {
+            throw new BadInputException(
+                    Console.text("%s: expected an image of the picture's shape, %d x %d pixels or a multiple, found %d x %d",
+                            reference, scene.picture().width(), scene.picture().height(), film.width(), film.height()));
+        }
+        if (region != null) {
+            image = image.within((double) region.x() / film.width(), (double) region.y() / film.height(),
+                    (double) (region.x() + region.width()) / film.width(), (double) (region.y() + region.height()) / film.height());
+        }
+        return ReferenceFile.isDisplayReferred(reference)
+                ? image.beforeView(SceneView.of(scene), scene.picture().width(), scene.picture().height())
+                : image;
+    }
+
+    private void print(MatchResult result, Scene before, Scene after) {
+        for (LightFactor factor : result.factors()) {
+            String change = factor.isGray() ? stops(factor.red())
+                    : Console.text("%s %s %s", stops(factor.red()), stops(factor.green()), stops(factor.blue()));
+            console.print("%-24s intensity %s to %s (%s)", factor.light(), digits(intensity(before, factor.light())),
+                    digits(intensity(after, factor.light())), change);
+        }
+        console.print("difference from the reference: %.3g %% before, %.3g %% after", 100 * result.errorBefore(),
+                100 * result.errorAfter());
+        List<Double> scale = result.exposure();
+        if (exposure == MatchSettings.Reference.FREE || white == MatchSettings.Reference.FREE) {
+            console.print("the reference was scaled by %.4g %.4g %.4g", scale.get(0), scale.get(1), scale.get(2));
+        }
+        result.alike().forEach(pair -> console.warn("%s and %s look alike in this picture: only their sum is known", pair.first(),
+                pair.second()));
+        result.unseen().forEach(light -> console.warn("%s does not light anything in this picture, and is unchanged", light));
+    }
+
+    private static String digits(double value) {
+        return new BigDecimal(value).round(new MathContext(4)).stripTrailingZeros().toPlainString();
+    }
+
+    private static String stops(double factor) {
+        return factor == 0 ? "off" : Console.text("%+.2f stops", Math.log(factor) / Math.log(2));
+    }
+
+    private static double intensity(Scene scene, String light) {
+        return scene.light(light).map(Light::intensity).orElse(scene.world().intensity());
+    }
+
+    private MatchReport report(MatchResult result, Scene before, Scene after) {
+        List<MatchReport.Matched> matched = new ArrayList<>();
+        for (LightFactor f : result.factors()) {
+            matched.add(new MatchReport.Matched(f.light(), List.of(f.red(), f.green(), f.blue()), intensity(before, f.light()),
+                    intensity(after, f.light())));
+        }
+        return new MatchReport(output == null ? null : output.toString(), result.errorBefore(), result.errorAfter(), result.exposure(),
+                matched,
+                result.alike().stream().map(pair -> List.of(pair.first(), pair.second())).toList(), result.unseen());
+    }
+}

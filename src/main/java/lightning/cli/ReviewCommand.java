@@ -1,0 +1,129 @@
+package lightning.cli;
+
+import static java.util.Objects.requireNonNull;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import lightning.base.text.PrintableText;
+import lightning.cli.option.PictureOptions;
+import lightning.cli.option.ThreadsOption;
+import lightning.cli.output.BadInputException;
+import lightning.cli.output.Console;
+import lightning.cli.output.ExitCode;
+import lightning.cli.output.PictureOutput;
+import lightning.cli.output.ProgressBar;
+import lightning.cli.report.ReviewReport;
+import lightning.format.jen.InputFiles;
+import lightning.format.jen.JenDocument;
+import lightning.format.review.Review;
+import lightning.format.review.ReviewPage;
+import lightning.format.review.ReviewReader;
+import lightning.format.review.ReviewedScene;
+import lightning.render.relight.LightFilms;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.SceneView;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** Writes a page with a fader for each light, and applies what a reviewer saved in it. */
+@Command(name = "review", header = "Write a review page, or apply a review.", abbreviateSynopsis = true,
+        description = {
+            "Writes one HTML file that shows the picture with a fader, color, solo and mute for each light and light group, an exposure, and notes "
+                    + "that are pinned to the picture. It needs no server and no network, only a browser with WebGL 2. The reviewer saves a small "
+                    + "JSON file.",
+            "",
+            "With --apply, reads such a file, prints its notes, and writes the scene as the reviewer saw it. Changes of lights that no longer "
+                    + "exist are named and left out."},
+        footer = {
+            "Examples:",
+            "  lightning review scenes/bird.jen -o bird.html --size 480x480"})
+final class ReviewCommand implements Callable<Integer> {
+    private static final String PAGE = ".html";
+
+    private final Console console;
+
+    @Mixin
+    private SceneFile input;
+    @Option(names = {"-o", "--output"}, paramLabel = "FILE", description = "Page to write, .html; with --apply the scene to write, .jen.")
+    private @Nullable Path output;
+    @Option(names = "--apply", paramLabel = "review.json", description = "Review to apply to the scene.")
+    private @Nullable Path review;
+    @Mixin
+    private PictureOptions picture;
+    @Mixin
+    private ThreadsOption threads;
+
+    ReviewCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() throws Exception {
+        if (output == null && review == null) {
+            throw new BadInputException("review: expected -o page.html, or --apply review.json");
+        }
+        if (output != null) {
+            PictureOutput.checkFile(output);
+            boolean isPage = output.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(PAGE);
+            if (isPage != (review == null)) {
+                throw new BadInputException(review == null ? Console.text("%s: a review page is written to %s", output, PAGE)
+                        : Console.text("%s: with --apply, -o is a scene", output));
+            }
+        }
+        JenDocument document = input.read(console);
+        if (output != null) {
+            InputFiles.of(input.path(), List.of(document.scene())).check(output);
+        }
+        if (review == null) {
+            writePage(document.scene());
+        } else {
+            apply(document, review);
+        }
+        return ExitCode.OK;
+    }
+
+    private void writePage(Scene original) throws Exception {
+        Path file = requireNonNull(output);
+        Scene scene = picture.apply(original);
+        console.print("%s: about %.1f MB", file, ReviewPage.estimatedBytes(scene) / 1e6);
+        RenderOptions options = RenderOptions.DEFAULT.withThreads(threads.count());
+        try (Renderer renderer = new Renderer(options); ProgressBar bar = new ProgressBar(console, "tracing")) {
+            renderer.render(scene, bar);
+            ReviewPage.write(file, input.path().getFileName().toString(), renderer.cache(), options, SceneView.of(scene), bar);
+        }
+        List<String> lights = LightFilms.names(scene);
+        console.print("%s: %s, %d x %d pixels, %.1f MB", file, Console.count(lights.size(), "light"), scene.picture().width(),
+                scene.picture().height(), Files.size(file) / 1e6);
+        console.report().setResult(new ReviewReport(file.toString(), Files.size(file), lights, null, List.of()));
+    }
+
+    private void apply(JenDocument document, Path file) throws Exception {
+        Review read = ReviewReader.read(file);
+        Scene scene = document.scene();
+        ReviewedScene reviewed = ReviewedScene.of(scene, read);
+        List<ReviewReport.Comment> comments = new ArrayList<>();
+        for (Review.Note note : read.notes()) {
+            comments.add(new ReviewReport.Comment((int) Math.min(note.x() * scene.picture().width(), scene.picture().width() - 1.0),
+                    (int) Math.min(note.y() * scene.picture().height(), scene.picture().height() - 1.0), note.text()));
+        }
+        console.print("%s of %s: %s and %s changed, %s", file.getFileName(),
+                read.reviewer().isBlank() ? "an unnamed reviewer" : PrintableText.escape(read.reviewer()),
+                Console.count(read.lights().size(), "light"), Console.count(read.groups().size(), "light group"),
+                Console.count(comments.size(), "note"));
+        comments.forEach(note -> console.print("  %d,%d: %s", note.x(), note.y(), PrintableText.escape(note.text())));
+        reviewed.notes().forEach(note -> console.warn("%s: %s", file, note));
+        if (output != null) {
+            document.withScene(reviewed.scene()).save(output);
+        }
+        console.report().setResult(new ReviewReport(output == null ? null : output.toString(), null,
+                read.lights().stream().map(Review.LightChange::name).toList(), read.reviewer(), comments));
+    }
+}

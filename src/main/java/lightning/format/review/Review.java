@@ -1,0 +1,41 @@
+package lightning.format.review;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What a reviewer changed in a page, and wrote.
+ *
+ * @param scene    title of the page
+ * @param reviewer name of the reviewer; may be empty
+ * @param exposure change of the exposure, stops
+ * @param lights   changed lights
+ * @param groups   changed light groups
+ */
+public record Review(String scene, String reviewer, double exposure, List<LightChange> lights, List<GroupChange> groups, List<Note> notes) {
+    /**
+     * Changed light, or the environment.
+     *
+     * @param stops     change from the light of the page; empty if its fader is off
+     * @param tint      factors of red, green and blue, ≥ 0; {@code List} of three
+     * @param intensity intensity when the page was written, ≥ 0
+     * @param color     color when the page was written; empty for the environment
+     */
+    public record LightChange(String name, Optional<Double> stops, List<Double> tint, double intensity, List<Double> color, boolean mute,
+            boolean solo) {}
+
+    /**
+     * Changed light group.
+     *
+     * @param stops change from the group of the page; empty if its fader is off
+     */
+    public record GroupChange(String name, Optional<Double> stops, boolean mute, boolean solo) {}
+
+    /**
+     * Note at a place of the picture.
+     *
+     * @param x share of the width, 0 to 1 from the left
+     * @param y share of the height, 0 to 1 from the top
+     */
+    public record Note(double x, double y, String text) {}
+}

@@ -1,0 +1,87 @@
+package lightning.format.review;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import lightning.base.math.Rgb;
+import lightning.base.text.Messages;
+import lightning.base.text.Quote;
+import lightning.render.relight.LightContributions;
+import lightning.scene.Scene;
+import lightning.scene.ViewSettings;
+import lightning.scene.World;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightGroup;
+import lightning.scene.value.SceneLimits;
+
+/**
+ * A scene with the changes of a review. Lights get the intensities and colors that the reviewer saw, whatever they are now; groups, the
+ * environment and the exposure change from what they are now.
+ *
+ * @param notes one sentence for each change that was left out
+ */
+public record ReviewedScene(Scene scene, List<String> notes) {
+
+    /** Returns a scene as a review asks for it. */
+    public static ReviewedScene of(Scene scene, Review review) {
+        List<String> notes = new ArrayList<>();
+        Scene changed = scene;
+        for (Review.LightChange change : review.lights()) {
+            Optional<Light> light = changed.light(change.name());
+            if (light.isPresent()) {
+                changed = changed.withLight(changed(light.get(), change));
+            } else if (change.name().equals(LightContributions.ENVIRONMENT) && scene.world().environment().isPresent()) {
+                changed = changed.withWorld(changed(changed.world(), change, notes));
+            } else {
+                notes.add(Messages.tr("there is no light {0} any more; its change was left out", Quote.of(change.name())));
+            }
+        }
+        for (Review.GroupChange change : review.groups()) {
+            Optional<LightGroup> group = changed.rig().lightGroup(change.name());
+            if (group.isPresent()) {
+                changed = changed.withRig(changed.rig().with(changed(group.get(), change)));
+            } else {
+                notes.add(Messages.tr("there is no light group {0} any more; its change was left out", Quote.of(change.name())));
+            }
+        }
+        ViewSettings view = changed.picture().view();
+        double exposure = Math.clamp(view.exposure() + review.exposure(), -ViewSettings.MAX_EXPOSURE, ViewSettings.MAX_EXPOSURE);
+        return new ReviewedScene(changed.withPicture(changed.picture().withView(view.withExposure(exposure))), List.copyOf(notes));
+    }
+
+    private static Light changed(Light light, Review.LightChange change) {
+        Rgb color = change.color().isEmpty() ? light.color() : color(change.color());
+        Rgb tinted = new Rgb(color.r() * change.tint().get(0), color.g() * change.tint().get(1), color.b() * change.tint().get(2));
+        // The largest channel of a color stays, as the fader of the page changes the intensity.
+        double ratio = color.max() > 0 ? tinted.max() / color.max() : 1;
+        Rgb shown = ratio > 0 ? tinted.times(1 / ratio) : color;
+        double intensity = change.intensity() * ratio * Math.pow(2, change.stops().orElse(0.0));
+        boolean isOn = !change.mute() && change.stops().isPresent();
+        return light.withColor(limited(shown)).withIntensity(Math.min(intensity, SceneLimits.MAX_INTENSITY / light.maxFactor()))
+                .withOn(isOn).withSolo(change.solo());
+    }
+
+    private static Rgb color(List<Double> channels) {
+        return new Rgb(channels.get(0), channels.get(1), channels.get(2));
+    }
+
+    private static Rgb limited(Rgb color) {
+        return color.max() > 1 ? color.times(1 / color.max()) : color;
+    }
+
+    private static World changed(World world, Review.LightChange change, List<String> notes) {
+        if (change.solo()) {
+            notes.add(Messages.tr("solo of the environment was left out"));
+        }
+        boolean isOn = !change.mute() && change.stops().isPresent();
+        double intensity = isOn ? world.intensity() * Math.pow(2, change.stops().orElseThrow()) : 0;
+        return world.withIntensity(Math.min(intensity, SceneLimits.MAX_GROUP_INTENSITY));
+    }
+
+    private static LightGroup changed(LightGroup group, Review.GroupChange change) {
+        double intensity = group.intensity() * Math.pow(2, change.stops().orElse(0.0));
+        return group.withIntensity(Math.min(intensity, SceneLimits.MAX_GROUP_INTENSITY))
+                .withOn(!change.mute() && change.stops().isPresent())
+                .withSolo(change.solo());
+    }
+}

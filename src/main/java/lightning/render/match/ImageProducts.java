@@ -1,0 +1,58 @@
+package lightning.render.match;
+
+import java.util.List;
+import java.util.stream.IntStream;
+
+/**
+ * Weighted sums of the products of images, two at a time, for each channel: all that least squares need of them.
+ *
+ * @param sums {@code double[channel][image][image]}, symmetric
+ */
+record ImageProducts(double[][][] sums) {
+    // Arrays in a record: written once by their creator, never after.
+
+    /**
+     * @param images  {@code float[channel][cell]} of each
+     * @param weights of each cell, ≥ 0
+     */
+    static ImageProducts of(List<float[][]> images, double[] weights) {
+        int count = images.size();
+        double[][][] sums = new double[3][count][count];
+        IntStream.range(0, 3 * count).parallel().forEach(task -> {
+            int c = task % 3;
+            int i = task / 3;
+            float[] first = images.get(i)[c];
+            for (int j = 0; j <= i; j++) {
+                float[] second = images.get(j)[c];
+                double sum = 0;
+                for (int p = 0; p < weights.length; p++) {
+                    sum += weights[p] * first[p] * second[p];
+                }
+                sums[c][i][j] = sum;
+                sums[c][j][i] = sum;
+            }
+        });
+        return new ImageProducts(sums);
+    }
+
+    double of(int channel, int i, int j) {
+        return sums[channel][i][j];
+    }
+
+    /**
+     * Returns the weighted sum of squares of a sum of images.
+     *
+     * @param factors of each image: {@code double[channel][image]}
+     */
+    double squares(double[][] factors) {
+        double total = 0;
+        for (int c = 0; c < 3; c++) {
+            for (int i = 0; i < factors[c].length; i++) {
+                for (int j = 0; j < factors[c].length; j++) {
+                    total += factors[c][i] * factors[c][j] * sums[c][i][j];
+                }
+            }
+        }
+        return Math.max(0, total);
+    }
+}

@@ -1,0 +1,19 @@
+package lightning.render.match;
+
+import java.util.List;
+
+/**
+ * Factors of lights with which a picture comes closest to a reference.
+ *
+ * @param factors     one for each light that could be changed and contributes to the picture, in the scene's order
+ * @param errorBefore weighted root mean square of the difference from the reference before, relative to the reference
+ * @param errorAfter  the same after; not larger than before, up to rounding
+ * @param exposure    factors by which red, green and blue of the reference were scaled to fit; 1 if brightness and tint count
+ * @param alike       pairs of lights whose light looks alike in this picture, so that only their sum is known
+ * @param unseen      lights that contribute nothing to the picture
+ */
+public record MatchResult(List<LightFactor> factors, double errorBefore, double errorAfter, List<Double> exposure, List<LightPair> alike,
+        List<String> unseen) {
+    /** Two lights. */
+    public record LightPair(String first, String second) {}
+}

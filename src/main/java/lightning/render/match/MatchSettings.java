@@ -1,0 +1,33 @@
+package lightning.render.match;
+
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * What a match may change, and how it compares.
+ *
+ * @param lights   names of the lights that it may change, {@code environment} for the environment; empty for all that shine
+ * @param colors   whether it changes colors of lights too; the environment keeps its color
+ * @param exposure whether the brightness of the reference counts
+ * @param white    whether the tint of the reference counts; where it does not, neither does the brightness
+ * @param steadiness pull of each light toward its present intensity, relative to the light that lights most of what counts; ≥ 0
+ */
+public record MatchSettings(Optional<Set<String>> lights, boolean colors, Reference exposure, Reference white, double steadiness) {
+    /** Steadiness for paint: a light that no brush needs keeps its intensity, even if others change pixels without paint. */
+    public static final double PAINTED = 0.02;
+    /** Whether a property of the reference counts. */
+    public enum Reference {
+        /** The picture shall have the same. */
+        FIXED,
+        /** The reference is scaled to fit the picture. */
+        FREE
+    }
+
+    /** Intensities of all lights, brightness and tint count. */
+    public static final MatchSettings DEFAULT = new MatchSettings(Optional.empty(), false, Reference.FIXED, Reference.FIXED, 0);
+
+    /** Returns the number of unknown factors of the reference: none, one for all channels, or one for each. */
+    int referenceFactors() {
+        return white == Reference.FREE ? 3 : exposure == Reference.FREE ? 1 : 0;
+    }
+}

@@ -1,0 +1,47 @@
+package lightning.render.match;
+
+import java.util.List;
+import lightning.base.math.Rgb;
+import lightning.render.relight.LightContributions;
+import lightning.scene.Scene;
+import lightning.scene.World;
+import lightning.scene.light.Light;
+import lightning.scene.value.SceneLimits;
+
+/** Scenes whose lights are multiplied by factors of a match. */
+public final class MatchedScene {
+    private MatchedScene() {}
+
+    /**
+     * Returns a scene with its lights multiplied, within the limits of scenes. Of a light whose color changes, the largest channel of the color
+     * stays, and the intensity takes the rest.
+     *
+     * @param factors factors of lights of the scene
+     */
+    public static Scene of(Scene scene, List<LightFactor> factors) {
+        Scene matched = scene;
+        for (LightFactor factor : factors) {
+            if (factor.light().equals(LightContributions.ENVIRONMENT) && scene.light(factor.light()).isEmpty()) {
+                World world = matched.world();
+                matched =
+                        matched.withWorld(world.withIntensity(Math.min(SceneLimits.MAX_GROUP_INTENSITY, world.intensity() * factor.red())));
+            } else {
+                Light light = matched.light(factor.light()).orElseThrow();
+                matched = matched.withLight(multiplied(light, factor));
+            }
+        }
+        return matched;
+    }
+
+    private static Light multiplied(Light light, LightFactor factor) {
+        double max = SceneLimits.MAX_INTENSITY / light.maxFactor();
+        if (factor.isGray()) {
+            return light.withIntensity(Math.min(max, light.intensity() * factor.red()));
+        }
+        Rgb color = light.color();
+        Rgb changed = new Rgb(color.r() * factor.red(), color.g() * factor.green(), color.b() * factor.blue());
+        double ratio = changed.max() / color.max();
+        return ratio == 0 ? light.withIntensity(0)
+                : light.withColor(changed.times(1 / ratio)).withIntensity(Math.min(max, light.intensity() * ratio));
+    }
+}

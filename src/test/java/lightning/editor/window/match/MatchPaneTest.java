@@ -1,0 +1,119 @@
+package lightning.editor.window.match;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import javafx.geometry.Bounds;
+import javafx.scene.control.Button;
+import javafx.scene.control.CheckBox;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import lightning.base.work.Progress;
+import lightning.editor.document.Command;
+import lightning.editor.window.EditorFixture;
+import lightning.editor.window.widget.PictureView;
+import lightning.format.image.ImageFile;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class MatchPaneTest extends EditorFixture {
+    @TempDir
+    private Path folder;
+
+    private MatchPane open() {
+        robot.push(KeyCode.CONTROL, KeyCode.F7);
+        waitFor("the panel is open", () -> robot.lookup("#match").tryQuery().isPresent());
+        // Tests of a class share their editor.
+        if (robot.lookup("#match-close").<Button>query().isVisible()) {
+            click("match-close");
+        }
+        return robot.lookup("#match").query();
+    }
+
+    private Path picture(Scene scene, String name) throws IOException {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(scene, Progress.NONE);
+            ImageFile.write(folder.resolve(name), renderer.film(), ViewTransform.DEFAULT);
+            return folder.resolve(name);
+        }
+    }
+
+    private boolean canMatch() {
+        return !robot.lookup("#match-run").<Button>query().isDisabled();
+    }
+
+    @Test
+    void reference_setsTheLights_andUndoRestoresThem() throws IOException {
+        Scene before = model().editor().scene();
+        Light lamp = light("lamp");
+        MatchPane pane = open();
+        assertThat(canMatch()).isFalse();
+        Path file = picture(before.withLight(lamp.withIntensity(2.5 * lamp.intensity())), "look.pfm");
+        robot.interact(() -> pane.open(file));
+        waitFor("the reference is open", () -> text("match-file").equals("look.pfm") && canMatch());
+        click("match-run");
+        waitFor("the lights are matched", () -> text("match-result").startsWith("Difference:"));
+        assertThat(light("lamp").intensity()).isCloseTo(2.5 * lamp.intensity(), within(5e-3 * lamp.intensity()));
+        assertThat(light("sun").intensity()).isCloseTo(before.light("sun").orElseThrow().intensity(), within(1e-3));
+        robot.interact(() -> model().commands().run(Command.UNDO));
+        assertThat(model().editor().scene()).isEqualTo(before);
+    }
+
+    @Test
+    void paint_setsTheLights() {
+        Scene before = model().editor().scene();
+        open();
+        click("match-darker");
+        PictureView picture = robot.lookup("#match-picture").query();
+        Bounds at = picture.localToScreen(picture.getBoundsInLocal());
+        robot.moveTo(at.getCenterX() - 60, at.getCenterY() + 30).press(MouseButton.PRIMARY).moveBy(120, 20).release(MouseButton.PRIMARY);
+        waitFor("the paint is there", this::canMatch);
+        click("match-run");
+        waitFor("the lights are matched", () -> text("match-result").startsWith("Difference:"));
+        double sum = 0;
+        for (Light light : model().editor().scene().lights()) {
+            sum += light.intensity() - before.light(light.name()).orElseThrow().intensity();
+        }
+        assertThat(sum).isNegative();
+        assertThat(canMatch()).as("the paint is gone").isFalse();
+    }
+
+    @Test
+    void referenceOfAnotherShape_disablesTheButtonWithAReason() throws IOException {
+        MatchPane pane = open();
+        ImageFile.write(folder.resolve("wide.pfm"), Film.black(40, 4), ViewTransform.DEFAULT);
+        robot.interact(() -> pane.open(folder.resolve("wide.pfm")));
+        waitFor("the reference is open", () -> text("match-file").equals("wide.pfm"));
+        assertThat(canMatch()).isFalse();
+        click("match-close");
+        assertThat(text("match-file")).isEmpty();
+    }
+
+    @Test
+    void damagedReference_getsASentence() {
+        MatchPane pane = open();
+        robot.interact(() -> pane.open(folder.resolve("missing.png")));
+        waitFor("the failure is shown", () -> text("match-result").contains("missing.png"));
+    }
+
+    @Test
+    void freeExposure_isOfferedForImagesOnly() throws IOException {
+        MatchPane pane = open();
+        CheckBox exposure = robot.lookup("#match-exposure").query();
+        assertThat(exposure.isVisible()).isFalse();
+        Path file = picture(model().editor().scene(), "same.png");
+        robot.interact(() -> pane.open(file));
+        waitFor("the reference is open", () -> exposure.isVisible());
+        click("match-beside");
+        assertThat(robot.lookup("#match-reference").tryQuery()).isNotEqualTo(Optional.empty());
+    }
+}
