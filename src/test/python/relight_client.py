@@ -73,6 +73,8 @@ with Client(program=json.loads(command)) as client:
         layers = scene.layers()
         assert (layers.picture == after).all() and (layers.total() == after).all()
         assert set(layers.diffuse) == {"key", "fill"} == set(layers.specular), (layers.order, list(layers.diffuse))
+        assert abs(layers.light("key") - scene.picture(light="key")).max() < 1e-5
+        assert layers.albedo.shape == (50, 70, 3) and 0 < layers.albedo[25, 35].max() <= 1
         assert layers.normals.shape == layers.positions.shape == (50, 70, 3) and layers.depth.shape == (50, 70)
         assert layers.objects[layers.object_ids[25, 35] - 1] == "ball", layers.objects
         assert layers.materials[layers.material_ids[25, 35] - 1] == report["center"]["material"]

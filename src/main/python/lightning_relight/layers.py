@@ -25,6 +25,7 @@ class Layers:
         order: names of all color layers in the order of the sum, as in an .exr with layers
         normals: ``float32[height, width, 3]``, 0 where the ray hits nothing
         positions: ``float32[height, width, 3]`` in the scene
+        albedo: ``float32[height, width, 3]``: colors of surfaces without light, at most 1
         depth: ``float32[height, width]`` along the view; 1e10 where the ray hits nothing
         object_ids: ``int32[height, width]``: 1 is the first of ``objects``; 0 where the ray hits nothing
         material_ids: ``int32[height, width]``: 1 is the first of ``materials``
@@ -42,6 +43,7 @@ class Layers:
     order: List[str]
     normals: "numpy.ndarray"
     positions: "numpy.ndarray"
+    albedo: "numpy.ndarray"
     depth: "numpy.ndarray"
     object_ids: "numpy.ndarray"
     material_ids: "numpy.ndarray"
@@ -92,6 +94,7 @@ def of(memory: Dict[str, Any], planes: "numpy.ndarray") -> Layers:
         order=memory["sum"],
         normals=joined("N.", "XYZ"),
         positions=joined("P.", "XYZ"),
+        albedo=joined("albedo.", "RGB"),
         depth=planes[index["Z"]].copy(),
         object_ids=planes[index["shape.id"]].astype(numpy.int32),
         material_ids=planes[index["material.id"]].astype(numpy.int32),

@@ -110,6 +110,7 @@ final class MatchCommand implements Callable<Integer> {
         }
         Scene matched = MatchedScene.of(document.scene(), result.factors());
         print(result, document.scene(), matched);
+        KeyedLightNotes.print(document.shot(), result.factors().stream().map(LightFactor::light).toList(), console);
         if (output != null) {
             document.withScene(matched).save(output);
         }

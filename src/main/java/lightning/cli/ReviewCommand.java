@@ -120,6 +120,7 @@ final class ReviewCommand implements Callable<Integer> {
                 Console.count(comments.size(), "note"));
         comments.forEach(note -> console.print("  %d,%d: %s", note.x(), note.y(), PrintableText.escape(note.text())));
         reviewed.notes().forEach(note -> console.warn("%s: %s", file, note));
+        KeyedLightNotes.print(document.shot(), read.lights().stream().map(Review.LightChange::name).toList(), console);
         if (output != null) {
             document.withScene(reviewed.scene()).save(output);
         }

@@ -102,6 +102,14 @@ class MatchCommandTest {
         assertThat(report.at("/lights/1/factors/0").asDouble()).isCloseTo(1, within(0.02));
     }
 
+    /** Keyframes override what the match sets. */
+    @Test
+    void keyedLight_getsANote() throws IOException {
+        Files.writeString(scene, CliResult.SCENE + "shot { frames 1 10  light lamp { intensity { 1 1  10 2 } } }\n");
+        assertThat(CliResult.run("match", scene, "--reference", reference).assertSuccess().err())
+                .contains("lamp has keyframes of its intensity");
+    }
+
     @Test
     void referenceAsOutput_isRejected() throws IOException {
         String before = Files.readString(scene);

@@ -21,8 +21,9 @@ import tools.jackson.databind.json.JsonMapper;
  * meaningless. The header contains the names of shapes and materials by id.
  */
 final class SurfaceChannels implements ChannelSource {
-    /** Normal, position, depth, shape id and material id. */
-    private static final List<String> CHANNELS = List.of("N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "Z", "shape.id", "material.id");
+    /** Normal, position, depth, shape id, material id and color. */
+    private static final List<String> CHANNELS =
+            List.of("N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "Z", "shape.id", "material.id", "albedo.R", "albedo.G", "albedo.B");
     /** Depth of the background, as in Blender. */
     private static final float BACKGROUND_DEPTH = 1e10f;
 
@@ -32,7 +33,7 @@ final class SurfaceChannels implements ChannelSource {
     private final Geometry geometry;
     private final Vec3 viewDirection;
 
-    /** @param normalType type of normals; all other channels are FLOAT */
+    /** @param normalType type of normals and colors; all other channels are FLOAT */
     SurfaceChannels(PixelCache cache, ExrType normalType) {
         this.cache = cache;
         this.normalType = normalType;
@@ -43,7 +44,9 @@ final class SurfaceChannels implements ChannelSource {
 
     @Override
     public List<ExrChannel> channels() {
-        return CHANNELS.stream().map(name -> new ExrChannel(name, name.startsWith("N.") ? normalType : ExrType.FLOAT)).toList();
+        return CHANNELS.stream()
+                .map(name -> new ExrChannel(name, name.startsWith("N.") || name.startsWith("albedo.") ? normalType : ExrType.FLOAT))
+                .toList();
     }
 
     @Override
@@ -90,5 +93,8 @@ final class SurfaceChannels implements ChannelSource {
         boolean isObject = !geometry.isLightFace(primitive);
         out[7] = isObject ? geometry.owner(primitive) + 1 : 0;
         out[8] = isObject ? surface.material() + 1 : 0;
+        for (int c = 0; c < 3; c++) {
+            out[9 + c] = isObject ? Math.min(1, surface.diffuse()[c] + surface.specular()[c]) : 0;
+        }
     }
 }

@@ -223,7 +223,7 @@ class CompositingTest {
         String text = PythonPrograms.output(folder,
                 List.of(SCRIPTS.resolve("blender_layers.py").toString(), file.toString(), folder.resolve("out.exr").toString()));
         JsonNode result = new JsonMapper().readTree(text.substring(text.indexOf("RESULT ") + 7).lines().findFirst().orElseThrow());
-        List<String> expected = new ArrayList<>(List.of("Combined", "Depth", "N", "P", "shape", "material"));
+        List<String> expected = new ArrayList<>(List.of("Combined", "Depth", "N", "P", "shape", "material", "albedo"));
         expected.addAll(LayerNames.of(Layer.of(scene, LightSet.of(scene, false, false), true, false), Optional.empty()));
         for (String kind : List.of("CryptoObject", "CryptoMaterial", "CryptoAsset")) {
             for (int i = 0; i < 3; i++) {
