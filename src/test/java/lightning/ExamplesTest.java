@@ -68,7 +68,7 @@ class ExamplesTest {
                 """);
         Files.copy(folder.resolve("house.jen"), folder.resolve("shot.jen"));
         for (String picture : PICTURES) {
-            runSuccessfully("render", "scenes/bird.jen", "-o", picture, "--size", "20x20");
+            runSuccessfully("render", "scenes/bird.jen", "-o", picture, "--size", "30x20");
         }
         runSuccessfully("bench", "scenes/bird.jen", "-o", "old", "--quick", "--figure", "24", "--size", "60x40", "--repetitions", "1");
     }
