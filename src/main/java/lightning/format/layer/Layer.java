@@ -3,7 +3,6 @@ package lightning.format.layer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import lightning.render.shading.WeightedLight;
 import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
 
@@ -77,15 +76,5 @@ sealed interface Layer {
     static boolean canShowReflections(Scene scene, boolean all) {
         return scene.picture().depth() > 0
                 && (all ? scene.materials() : scene.stage().rendered().materials()).stream().anyMatch(m -> m.isMirror() || m.isClear());
-    }
-
-    /** Returns whether any light of a set shines. */
-    static boolean shines(WeightedLight[] lights) {
-        for (WeightedLight light : lights) {
-            if (!light.isDark() || !light.isDarkInFog()) {
-                return true;
-            }
-        }
-        return false;
     }
 }

@@ -10,6 +10,7 @@ import lightning.render.cache.PixelCache;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
 import lightning.render.image.Film;
+import lightning.render.relight.LightImage;
 import lightning.render.relight.tile.TileRecomposer;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.IndirectRows;
@@ -61,7 +62,7 @@ final class LayerCompositor {
         scene = cache.scene();
         darkWorld = scene.world().withAmbience(0);
         mirrored = cache.mirrored().scene();
-        darkMirroredWorld = SetLight.darkWorld(mirrored.world());
+        darkMirroredWorld = LightImage.darkWorld(mirrored.world());
         composer = new TileComposer(scene, cache.geometry().materials(), engine.sums(), ViewEffects.ALL);
         composer.setShowsGlow(false);
         ofSets = new TileRecomposer(cache, engine, ViewEffects.ALL);

@@ -3,9 +3,7 @@ package lightning.format.layer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.IntStream;
-import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.cache.CachedScene;
@@ -16,7 +14,6 @@ import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
-import lightning.scene.World;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -49,16 +46,20 @@ record SetLight(WeightedLight[] lights, WeightedLight[] mirrored, float @Nullabl
             WeightedLight[] lights = shown.lights(s);
             WeightedLight[] inMirrors = mirrored.lights(s);
             float[][] gathered = shown.gathered(s);
-            boolean shines = s == sets.size() || sets.get(s).isEnvironment() || Layer.shines(lights) || Layer.shines(inMirrors);
+            boolean shines = s == sets.size() || sets.get(s).isEnvironment() || shines(lights) || shines(inMirrors);
             result.add(new SetLight(lights, inMirrors, gathered, mirrored == shown ? gathered : mirrored.gathered(s), shines));
         }
         return result;
     }
 
-    /** Returns the world of a scene without any light of its own. */
-    static World darkWorld(World world) {
-        return world.withAmbience(0).withBackground(Rgb.BLACK).withIntensity(0).withEnvironment(Optional.empty())
-                .withFog(world.fog().withAmbient(Rgb.BLACK));
+    /** Returns whether any light of a set shines. */
+    private static boolean shines(WeightedLight[] lights) {
+        for (WeightedLight light : lights) {
+            if (!light.isDark() || !light.isDarkInFog()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** The scene of the first level, or that of mirrors. */
@@ -99,7 +100,7 @@ record SetLight(WeightedLight[] lights, WeightedLight[] mirrored, float @Nullabl
             }
             boolean isEnvironment = sets.get(s).isEnvironment();
             WeightedLight[] lights = lights(s);
-            return !isEnvironment && !Layer.shines(lights) ? null
+            return !isEnvironment && !shines(lights) ? null
                     : solver.solveWithoutGlow(lights, isEnvironment ? BackgroundLight.of(scene) : BackgroundLight.NONE);
         }
     }

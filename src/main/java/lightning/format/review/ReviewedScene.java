@@ -6,6 +6,8 @@ import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.render.match.LightFactor;
+import lightning.render.match.MatchedScene;
 import lightning.render.relight.LightContributions;
 import lightning.scene.Scene;
 import lightning.scene.ViewSettings;
@@ -50,14 +52,13 @@ public record ReviewedScene(Scene scene, List<String> notes) {
     }
 
     private static Light changed(Light light, Review.LightChange change) {
-        Rgb color = change.color().isEmpty() ? light.color() : color(change.color());
-        Rgb tinted = new Rgb(color.r() * change.tint().get(0), color.g() * change.tint().get(1), color.b() * change.tint().get(2));
-        // The largest channel of a color stays, as the fader of the page changes the intensity.
-        double ratio = color.max() > 0 ? tinted.max() / color.max() : 1;
-        Rgb shown = ratio > 0 ? tinted.times(1 / ratio) : color;
-        double intensity = change.intensity() * ratio * Math.pow(2, change.stops().orElse(0.0));
+        Light shown = light.withColor(change.color().isEmpty() ? light.color() : limited(color(change.color())))
+                .withIntensity(Math.min(change.intensity(), SceneLimits.MAX_INTENSITY / light.maxFactor()));
+        double factor = Math.pow(2, change.stops().orElse(0.0));
+        List<Double> tint = change.tint();
         boolean isOn = !change.mute() && change.stops().isPresent();
-        return light.withColor(limited(shown)).withIntensity(Math.min(intensity, SceneLimits.MAX_INTENSITY / light.maxFactor()))
+        return MatchedScene
+                .multiplied(shown, new LightFactor(light.name(), factor * tint.get(0), factor * tint.get(1), factor * tint.get(2)))
                 .withOn(isOn).withSolo(change.solo());
     }
 

@@ -13,8 +13,7 @@ public final class MatchedScene {
     private MatchedScene() {}
 
     /**
-     * Returns a scene with its lights multiplied, within the limits of scenes. Of a light whose color changes, the largest channel of the color
-     * stays, and the intensity takes the rest.
+     * Returns a scene with its lights {@linkplain #multiplied multiplied}.
      *
      * @param factors factors of lights of the scene
      */
@@ -33,9 +32,13 @@ public final class MatchedScene {
         return matched;
     }
 
-    private static Light multiplied(Light light, LightFactor factor) {
+    /**
+     * Returns a light with its light multiplied, within the limits of scenes. If its color changes, the largest channel of the color stays, and
+     * the intensity takes the rest; a black light stays black.
+     */
+    public static Light multiplied(Light light, LightFactor factor) {
         double max = SceneLimits.MAX_INTENSITY / light.maxFactor();
-        if (factor.isGray()) {
+        if (factor.isGray() || light.color().isBlack()) {
             return light.withIntensity(Math.min(max, light.intensity() * factor.red()));
         }
         Rgb color = light.color();

@@ -55,16 +55,23 @@ public final class LightImage {
                 scene.stage().withMaterials(scene.materials().stream()
                         .map(m -> m.glow().isBlack() && m.bulb().light().isEmpty() ? m : m.withGlow(Rgb.BLACK).withBulb(Bulb.NONE))
                         .toList());
-        World world = scene.world();
-        return new Scene(scene.picture(), scene.camera(), world.withAmbience(0).withBackground(Rgb.BLACK).withIntensity(0)
-                .withFog(world.fog().withAmbient(Rgb.BLACK)), stage,
-                scene.rig().withLights(lights));
+        return new Scene(scene.picture(), scene.camera(), unlit(scene.world()), stage, scene.rig().withLights(lights));
     }
 
-    /** Returns the scene by whose values a contribution is composed: without the dark environment, whose colors would need ray directions. */
+    /** Returns a world without light of its own; an environment stays, and is dark. */
+    private static World unlit(World world) {
+        return world.withAmbience(0).withBackground(Rgb.BLACK).withIntensity(0).withFog(world.fog().withAmbient(Rgb.BLACK));
+    }
+
+    /** Returns the world by whose values a contribution is composed: without the dark environment, whose colors would need ray directions. */
+    public static World darkWorld(World world) {
+        return unlit(world).withEnvironment(Optional.empty());
+    }
+
+    /** Returns the scene by whose values a contribution is composed, with its {@link #darkWorld}. */
     private static Scene composedScene(Scene scene, String light) {
         Scene one = scene(scene, light);
-        return one.withWorld(one.world().withEnvironment(Optional.empty()));
+        return one.withWorld(darkWorld(scene.world()));
     }
 
     /**

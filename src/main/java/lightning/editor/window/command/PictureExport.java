@@ -5,14 +5,12 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CancellationException;
 import javafx.scene.control.MenuItem;
 import lightning.base.text.Messages;
-import lightning.base.text.Quote;
 import lightning.base.work.HeapBudget;
+import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.editor.document.Command;
-import lightning.editor.document.OpenDocument;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.StatusMessage;
@@ -62,22 +60,12 @@ final class PictureExport {
             return;
         }
         ViewTransform view = model.picture().outputView();
-        String name = Quote.path(file.getFileName());
-        model.fileActivity().beginWriting(file);
-        OpenDocument document = model.editor().document();
-        model.files().runConcurrently(() -> {
-            document.inputs().check(file);
-            write(kind, file, cache, frame, view);
-            return file;
-        }, _ -> end(file, Messages.tr("Exported {0}", name)), failure -> {
-            end(file, failure instanceof CancellationException ? Messages.tr("Export of {0} canceled", name) : "");
-            if (!(failure instanceof CancellationException)) {
-                notices.showFailure(Messages.tr("The image could not be exported"), failure);
-            }
-        });
+        new BackgroundExport(model, notices).start(file, Messages.tr("The image could not be exported"),
+                (to, progress) -> write(kind, to, cache, frame, view, progress));
     }
 
-    private void write(ExportFormat kind, Path file, PixelCache cache, Frame frame, ViewTransform view) throws IOException {
+    private void write(ExportFormat kind, Path file, PixelCache cache, Frame frame, ViewTransform view, Progress progress)
+            throws IOException {
         if (kind.content().isEmpty()) {
             if (kind.format() == ImageFormat.EXR) {
                 ImageFile.writeExr(file, frame.film(), kind.bits(), SceneMetadata.of(cache.scene(), Optional.empty()));
@@ -88,13 +76,7 @@ final class PictureExport {
         }
         var layers = new LayeredExrWriter(cache, RenderOptions.DEFAULT.engines(), kind.content().get(), Optional.empty());
         try (var workers = new WorkerPool(WorkerPool.processorCount())) {
-            layers.write(file, HeapBudget.availableBytes() - MemoryEstimate.usedBytes(cache), workers,
-                    new FileProgressMessage(file, model.fileActivity(), model.files().windowExecutor(), message));
+            layers.write(file, HeapBudget.availableBytes() - MemoryEstimate.usedBytes(cache), workers, progress);
         }
-    }
-
-    private void end(Path file, String text) {
-        model.fileActivity().end(file);
-        message.show(text);
     }
 }

@@ -3,13 +3,11 @@ package lightning.editor.window.command;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.CancellationException;
 import javafx.scene.control.MenuItem;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.editor.document.Command;
 import lightning.editor.document.EditOutcome;
-import lightning.editor.document.OpenDocument;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.StatusMessage;
 import lightning.format.jen.JenFile;
@@ -56,27 +54,11 @@ final class ReviewActions {
             return;
         }
         ViewTransform view = model.picture().outputView();
-        OpenDocument document = model.editor().document();
-        String name = Quote.path(file.getFileName());
-        message.show(
-                Messages.tr("Writing {0}, about {1} MB", name, Math.max(1, Math.round(ReviewPage.estimatedBytes(cache.scene()) / 1e6))));
-        model.fileActivity().beginWriting(file);
-        model.files().runConcurrently(() -> {
-            document.inputs().check(file);
-            ReviewPage.write(file, document.name(), cache, RenderOptions.DEFAULT, view,
-                    new FileProgressMessage(file, model.fileActivity(), model.files().windowExecutor(), message));
-            return file;
-        }, _ -> end(file, Messages.tr("Exported {0}", name)), failure -> {
-            end(file, failure instanceof CancellationException ? Messages.tr("Export of {0} canceled", name) : "");
-            if (!(failure instanceof CancellationException)) {
-                notices.showFailure(Messages.tr("The page could not be written"), failure);
-            }
-        });
-    }
-
-    private void end(Path file, String text) {
-        model.fileActivity().end(file);
-        message.show(text);
+        message.show(Messages.tr("Writing {0}, about {1} MB", Quote.path(file.getFileName()),
+                Math.max(1, Math.round(ReviewPage.estimatedBytes(cache.scene()) / 1e6))));
+        String title = model.editor().document().name();
+        new BackgroundExport(model, notices).start(file, Messages.tr("The page could not be written"),
+                (to, progress) -> ReviewPage.write(to, title, cache, RenderOptions.DEFAULT, view, progress));
     }
 
     private void promptAndOpen() {
