@@ -58,7 +58,7 @@ record DocExample(String source, List<String> arguments, List<String> testArgume
     /** Returns whether it opens a window or waits for other processes. */
     boolean runsUntilStopped() {
         return arguments.getFirst().equals("edit") || arguments.getFirst().equals("serve")
-                || arguments.getFirst().equals("node") && arguments.contains("--bind");
+                || arguments.getFirst().equals("node") && arguments.contains("--bind") || arguments.contains("--live");
     }
 
     /** Returns whether exit code 1 is also accepted, because its check depends on times or compared files. */

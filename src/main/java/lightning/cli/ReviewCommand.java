@@ -41,7 +41,10 @@ import picocli.CommandLine.Option;
                     + "JSON file.",
             "",
             "With --apply, reads such a file, prints its notes, and writes the scene as the reviewer saw it. Changes of lights that no longer "
-                    + "exist are named and left out."},
+                    + "exist are named and left out.",
+            "",
+            "With --live, prints the address of a live page and runs until you stop it. With --allow-edits, the page's faders move the lights, "
+                    + "exact pictures follow, and -o names the scene that each change is saved to."},
         footer = {
             "Examples:",
             "  lightning review scenes/bird.jen -o bird.html --size 480x480"})
@@ -57,6 +60,8 @@ final class ReviewCommand implements Callable<Integer> {
     @Option(names = "--apply", paramLabel = "review.json", description = "Review to apply to the scene.")
     private @Nullable Path review;
     @Mixin
+    private LiveReviewOptions live;
+    @Mixin
     private PictureOptions picture;
     @Mixin
     private ThreadsOption threads;
@@ -67,22 +72,30 @@ final class ReviewCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        if (output == null && review == null) {
-            throw new BadInputException("review: expected -o page.html, or --apply review.json");
+        if (output == null && review == null && !live.isOn()) {
+            throw new BadInputException("review: expected -o page.html, --apply review.json, or --live");
+        }
+        live.check(review != null, output != null);
+        if (live.isOn() && console.report().isJson()) {
+            throw new BadInputException("review: --live does not take --json: it runs until it is stopped");
         }
         if (output != null) {
             PictureOutput.checkFile(output);
             boolean isPage = output.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(PAGE);
-            if (isPage != (review == null)) {
-                throw new BadInputException(review == null ? Console.text("%s: a review page is written to %s", output, PAGE)
-                        : Console.text("%s: with --apply, -o is a scene", output));
+            boolean writesPage = review == null && !live.isOn();
+            if (isPage != writesPage) {
+                throw new BadInputException(writesPage ? Console.text("%s: a review page is written to %s", output, PAGE)
+                        : Console.text("%s: with %s, -o is a scene", output, live.isOn() ? "--live" : "--apply"));
             }
         }
         JenDocument document = input.read(console);
         if (output != null) {
             InputFiles.of(input.path(), List.of(document.scene())).check(output);
         }
-        if (review == null) {
+        if (live.isOn()) {
+            new LiveReviewRun(console, input.path().getFileName().toString(), RenderOptions.DEFAULT.withThreads(threads.count()))
+                    .run(document.withScene(picture.apply(document.scene())), live, output);
+        } else if (review == null) {
             writePage(document.scene());
         } else {
             apply(document, review);

@@ -29,6 +29,8 @@ public enum Command {
             DisabledReasons::noPicture),
     OPEN_REVIEW(Messages.key("Open Review…"), Messages.key("Light the scene as a reviewer did in its page, and show the notes"),
             "mdi2c-comment-text-outline", "", DisabledReasons.unlessAnimating()),
+    LIVE_REVIEW(Messages.key("Live Review…"),
+            Messages.key("Show the picture in browsers while you work, with a fader for each light"), "mdi2c-cast", ""),
     QUIT(Messages.key("Quit"), Messages.key("Close Lightning, after a prompt for unsaved changes"), "mdi2e-exit-to-app", "Shortcut+Q"),
 
     UNDO(Messages.key("Undo"), Messages.key("Undo the last edit"), "mdi2u-undo", "Shortcut+Z",

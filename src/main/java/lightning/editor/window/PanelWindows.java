@@ -20,6 +20,7 @@ import lightning.editor.window.measure.EffectsPane;
 import lightning.editor.window.measure.SettingAccuracyPane;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.review.LiveReviewPane;
 import lightning.editor.window.widget.PanelWindow;
 
 /**
@@ -35,6 +36,7 @@ final class PanelWindows implements AutoCloseable {
                     m -> new EffectsPane(m.editor(), m.workbench(), m.accuracyModeProperty(), m.pictureDisplay().effectsProperty())),
             Command.COMPARE_SETTINGS, new PanelSpec(920, 470, m -> new SettingAccuracyPane(m.editor(), m.accuracyModeProperty())),
             Command.KEYS, new PanelSpec(880, 720, m -> new ShortcutsPane(m.commands())),
+            Command.LIVE_REVIEW, new PanelSpec(560, 420, LiveReviewPane::new),
             Command.MATCH_REFERENCE, new PanelSpec(860, 640, MatchPane::new),
             Command.LIGHT_LINKS, new PanelSpec(760, 520, m -> new LinkPane(m.editor(), m.files().windowExecutor())));
 

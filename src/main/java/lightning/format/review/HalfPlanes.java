@@ -12,19 +12,23 @@ import lightning.render.image.Film;
  * An image as text: halves of red, green and blue, row by row from the top left. All low bytes come first, then all high bytes, each as the
  * difference from the byte before (of the same channel), compressed by zlib, in Base64.
  */
-final class HalfPlanes {
+public final class HalfPlanes {
     private static final float MAX_HALF = 65504;
 
     private HalfPlanes() {}
 
     /** Returns the text of a film. Values beyond those of halves become the largest half. */
     static String encode(Film film) {
-        float[] rgb = film.toScanlines();
-        short[] halves = new short[rgb.length];
-        for (int i = 0; i < rgb.length; i++) {
-            halves[i] = Float.floatToFloat16(Math.clamp(rgb[i], -MAX_HALF, MAX_HALF));
+        return encode(halves(film.toScanlines()), 3);
+    }
+
+    /** Returns numbers as halves. Values beyond those of halves become the largest half. */
+    public static short[] halves(float[] numbers) {
+        short[] halves = new short[numbers.length];
+        for (int i = 0; i < numbers.length; i++) {
+            halves[i] = Float.floatToFloat16(Math.clamp(numbers[i], -MAX_HALF, MAX_HALF));
         }
-        return encode(halves, 3);
+        return halves;
     }
 
     /**
@@ -32,7 +36,7 @@ final class HalfPlanes {
      *
      * @param stride numbers between two of the same kind
      */
-    static String encode(short[] numbers, int stride) {
+    public static String encode(short[] numbers, int stride) {
         byte[] bytes = new byte[2 * numbers.length];
         for (int i = 0; i < numbers.length; i++) {
             int before = i < stride ? 0 : numbers[i - stride];

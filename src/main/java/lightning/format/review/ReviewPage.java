@@ -59,7 +59,7 @@ public final class ReviewPage {
         if (lights > MAX_LIGHTS) {
             throw new IOException("a review page has room for " + MAX_LIGHTS + " lights that shine, the scene has " + lights);
         }
-        byte[] page = page(data(title, cache, options, view, progress)).getBytes(StandardCharsets.UTF_8);
+        byte[] page = page(data(title, cache, options, view, progress), "'none'").getBytes(StandardCharsets.UTF_8);
         AtomicFile.write(file, out -> out.write(page));
     }
 
@@ -91,12 +91,19 @@ public final class ReviewPage {
         to.putArray("color").add(color.r()).add(color.g()).add(color.b());
     }
 
-    private static String page(ObjectNode data) throws IOException {
+    /** Returns a page that asks its server for a picture, and follows it ({@code live/}). */
+    public static String livePage() throws IOException {
+        return page(new JsonMapper().createObjectNode().put("live", true).put("version", VERSION), "'self'");
+    }
+
+    /** @param connect what the page may connect to, in the words of a content security policy */
+    private static String page(ObjectNode data, String connect) throws IOException {
         String style = resource("review.css");
         String script = resource("review.js");
         // A script of data ends at the next tag, so no character of it may begin one.
         String json = new JsonMapper().writeValueAsString(data).replace("<", "\\u003c");
         return resource("review.html").replace("{{style-hash}}", hash(style)).replace("{{script-hash}}", hash(script))
+                .replace("{{connect}}", connect)
                 .replace("{{style}}", style)
                 .replace("{{script}}", script).replace("{{data}}", json);
     }

@@ -13,7 +13,7 @@ import tools.jackson.databind.node.ObjectNode;
  * A view transform as a page applies it. One that treats channels alone is the smallest value of each code, so that codes are those of the
  * editor. One that mixes channels is a lattice over logarithms of red, green and blue with 16-bit codes; between its points colors are interpolated.
  */
-final class ReviewView {
+public final class ReviewView {
     /** Points along each side of the lattice. */
     private static final int SIDE = 65;
     /** Range of the lattice, stops from 1: below and above it colors are those at its end. */
@@ -23,7 +23,7 @@ final class ReviewView {
     private ReviewView() {}
 
     /** Returns the transform of a view, with its exposure in stops. */
-    static ObjectNode json(ViewTransform view) {
+    public static ObjectNode json(ViewTransform view) {
         ViewTransform shown = view.forOutput();
         ObjectNode node = JsonNodeFactory.instance.objectNode();
         node.put("title", shown.curve().title()).put("exposure", shown.exposure());

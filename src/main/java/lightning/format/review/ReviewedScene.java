@@ -33,7 +33,7 @@ public record ReviewedScene(Scene scene, List<String> notes) {
             if (light.isPresent()) {
                 changed = changed.withLight(changed(light.get(), change));
             } else if (change.name().equals(LightContributions.ENVIRONMENT) && scene.world().environment().isPresent()) {
-                changed = changed.withWorld(changed(changed.world(), change, notes));
+                changed = changed.withWorld(changed(changed.world(), change));
             } else {
                 notes.add(Messages.tr("there is no light {0} any more; its change was left out", Quote.of(change.name())));
             }
@@ -70,13 +70,10 @@ public record ReviewedScene(Scene scene, List<String> notes) {
         return color.max() > 1 ? color.times(1 / color.max()) : color;
     }
 
-    private static World changed(World world, Review.LightChange change, List<String> notes) {
-        if (change.solo()) {
-            notes.add(Messages.tr("solo of the environment was left out"));
-        }
+    private static World changed(World world, Review.LightChange change) {
         boolean isOn = !change.mute() && change.stops().isPresent();
         double intensity = isOn ? world.intensity() * Math.pow(2, change.stops().orElseThrow()) : 0;
-        return world.withIntensity(Math.min(intensity, SceneLimits.MAX_GROUP_INTENSITY));
+        return world.withIntensity(Math.min(intensity, SceneLimits.MAX_GROUP_INTENSITY)).withSolo(change.solo());
     }
 
     private static LightGroup changed(LightGroup group, Review.GroupChange change) {

@@ -24,7 +24,7 @@ import lightning.base.text.Quote;
 import org.jspecify.annotations.Nullable;
 
 /** Key and certificate shared by all members of a cluster, in a PKCS #12 file. Anyone with the file can join. */
-final class ClusterCertificate {
+public final class ClusterCertificate {
     /** The format requires a password; the file's permissions protect it. */
     static final char[] PASSWORD = "lightning".toCharArray();
     private static final int MAX_BYTES = 1 << 16;
@@ -36,7 +36,7 @@ final class ClusterCertificate {
      *
      * @throws JoinException if the file cannot be read, or does not hold exactly one key with its certificate
      */
-    static SSLContext sslContext(Path file) throws JoinException {
+    public static SSLContext sslContext(Path file) throws JoinException {
         try {
             KeyStore store = KeyStore.getInstance("PKCS12");
             RegularFile.check(file, "a certificate");

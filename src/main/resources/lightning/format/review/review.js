@@ -2,8 +2,11 @@
 (async () => {
   const byId = (id) => document.getElementById(id);
   const say = (text) => { byId("message").textContent = text; };
-  const data = JSON.parse(byId("data").textContent);
+  const embedded = JSON.parse(byId("data").textContent);
+  const isLive = embedded.live === true;
   const OFF = -8;
+  let data;
+  let lights = [];
 
   // Numbers of 16 bits as HalfPlanes writes them.
   async function numbers(text, stride) {
@@ -20,36 +23,32 @@
   }
 
   const state = { exposure: 0, groups: new Map(), notes: [], asSent: false };
-  const lights = data.lights.map((light) => ({ ...light, stops: 0, tint: [1, 1, 1], mute: false, solo: false }));
-  for (const light of lights) {
-    if (light.group && !state.groups.has(light.group)) {
-      state.groups.set(light.group, { name: light.group, stops: 0, mute: false, solo: false });
-    }
-  }
+  // The values at which a page begins: faders in their middle.
+  const ZERO = { stops: 0, tint: [1, 1, 1], mute: false, solo: false };
+  const find = (list, name) => list.find((item) => item.name === name);
+
+  // Values of an item; of a live page those that it has now, and those of its start.
+  const now = (item) => state.asSent ? item.start : item;
 
   function weight(light) {
-    if (state.asSent) {
-      return [1, 1, 1];
-    }
     const group = state.groups.get(light.group);
-    const solo = lights.some((l) => l.solo) || [...state.groups.values()].some((g) => g.solo);
-    const shines = !light.mute && !(group && group.mute) && (!solo || light.solo || Boolean(group && group.solo));
-    const stops = light.stops + (group ? group.stops : 0);
-    const off = light.stops <= OFF || Boolean(group && group.stops <= OFF);
-    const factor = shines && !off ? 2 ** stops : 0;
-    return light.tint.map((t) => t * factor);
+    const own = now(light);
+    const all = group ? now(group) : ZERO;
+    const solo = lights.some((l) => now(l).solo) || [...state.groups.values()].some((g) => now(g).solo);
+    const shines = !own.mute && !all.mute && (!solo || own.solo || all.solo);
+    const off = own.stops <= OFF || all.stops <= OFF;
+    const factor = shines && !off ? 2 ** (own.stops + all.stops) : 0;
+    // Layers of a live page are those of other intensities and colors.
+    return own.tint.map((t, c) => t * factor * light.scale[c]);
   }
 
   // The picture: a texture of one slice for each light and one for the rest, added and shown by the view transform.
   const canvas = byId("picture");
-  canvas.width = data.width;
-  canvas.height = data.height;
   const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, preserveDrawingBuffer: true });
   if (!gl || typeof DecompressionStream === "undefined") {
     say("This page needs a newer browser, with WebGL 2: Chrome 80, Firefox 113, Safari 16.4 or later.");
     return;
   }
-  const mixes = data.view.side !== undefined;
   const fragment = `#version 300 es
 precision highp float;
 precision highp int;
@@ -115,45 +114,49 @@ void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 -
   gl.useProgram(program);
   const uniform = (name) => gl.getUniformLocation(program, name);
 
+  const textures = new Map();
   function texture(unit, target) {
+    gl.deleteTexture(textures.get(unit) || null);
+    textures.set(unit, gl.createTexture());
     gl.activeTexture(gl.TEXTURE0 + unit);
-    gl.bindTexture(target, gl.createTexture());
+    gl.bindTexture(target, textures.get(unit));
     gl.texParameteri(target, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(target, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
   }
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-  const slices = lights.length + 1;
-  texture(0, gl.TEXTURE_2D_ARRAY);
-  gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl.RGB16F, data.width, data.height, slices);
-  for (let i = 0; i < slices; i++) {
-    say(`Reading light ${i + 1} of ${slices} …`);
-    const halves = await numbers(i < lights.length ? lights[i].pixels : data.rest, 3);
-    gl.activeTexture(gl.TEXTURE0);
-    gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, i, data.width, data.height, 1, gl.RGB, gl.HALF_FLOAT, halves);
-  }
   texture(1, gl.TEXTURE_2D);
-  texture(2, gl.TEXTURE_2D);
-  texture(3, gl.TEXTURE_3D);
-  if (mixes) {
-    const side = data.view.side;
-    gl.texImage3D(gl.TEXTURE_3D, 0, gl.RGB16UI, side, side, side, 0, gl.RGB_INTEGER, gl.UNSIGNED_SHORT, await numbers(data.view.lattice, 3));
-  } else {
-    const bytes = Uint8Array.from(atob(data.view.thresholds), (c) => c.charCodeAt(0));
-    gl.activeTexture(gl.TEXTURE2);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, 256, 1, 0, gl.RED, gl.FLOAT, new Float32Array(bytes.buffer));
-  }
   gl.uniform1i(uniform("layers"), 0);
   gl.uniform1i(uniform("weights"), 1);
   gl.uniform1i(uniform("thresholds"), 2);
   gl.uniform1i(uniform("lattice"), 3);
-  gl.uniform1i(uniform("count"), slices);
-  gl.uniform1i(uniform("height"), data.height);
-  gl.uniform1f(uniform("side"), mixes ? data.view.side : 0);
-  gl.uniform2f(uniform("stops"), data.view.minStop || 0, data.view.maxStop || 1);
   const gain = uniform("gain");
-  say(gl.getError() ? "The picture does not fit into the memory of this device's graphics." : "");
+
+  // Makes the textures of a picture, and of its view transform. Layers are arrays of halves.
+  function show(fresh, layers, lattice) {
+    canvas.width = fresh.width;
+    canvas.height = fresh.height;
+    texture(0, gl.TEXTURE_2D_ARRAY);
+    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl.RGB16F, fresh.width, fresh.height, layers.length);
+    layers.forEach((halves, i) => gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, i, fresh.width, fresh.height, 1, gl.RGB, gl.HALF_FLOAT, halves));
+    texture(2, gl.TEXTURE_2D);
+    texture(3, gl.TEXTURE_3D);
+    if (lattice) {
+      const side = fresh.view.side;
+      gl.texImage3D(gl.TEXTURE_3D, 0, gl.RGB16UI, side, side, side, 0, gl.RGB_INTEGER, gl.UNSIGNED_SHORT, lattice);
+    } else {
+      const bytes = Uint8Array.from(atob(fresh.view.thresholds), (c) => c.charCodeAt(0));
+      gl.activeTexture(gl.TEXTURE2);
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, 256, 1, 0, gl.RED, gl.FLOAT, new Float32Array(bytes.buffer));
+    }
+    gl.uniform1i(uniform("count"), layers.length);
+    gl.uniform1i(uniform("height"), fresh.height);
+    gl.uniform1f(uniform("side"), lattice ? fresh.view.side : 0);
+    gl.uniform2f(uniform("stops"), fresh.view.minStop || 0, fresh.view.maxStop || 1);
+    say(gl.getError() ? "The picture does not fit into the memory of this device's graphics." : "");
+  }
 
   function draw() {
+    const slices = lights.length + 1;
     const values = new Float32Array(4 * slices).fill(1);
     lights.forEach((light, i) => values.set(weight(light), 4 * i));
     gl.activeTexture(gl.TEXTURE1);
@@ -169,7 +172,7 @@ void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 -
   const coded = (v) => Math.round(255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055));
   const hex = (color) => "#" + color.map((v) => coded(Math.min(1, Math.max(0, v))).toString(16).padStart(2, "0")).join("");
   const normalized = (color) => { const max = Math.max(...color); return max > 0 ? color.map((v) => v / max) : [1, 1, 1]; };
-  const refreshes = [];
+  let refreshes = [];
 
   function element(kind, properties, ...children) {
     const made = Object.assign(document.createElement(kind), properties);
@@ -180,7 +183,7 @@ void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 -
   function toggle(text, name, item, key) {
     const button = element("button", { type: "button", textContent: text, title: name });
     button.setAttribute("aria-label", name);
-    button.addEventListener("click", () => { item[key] = !item[key]; changed(); });
+    button.addEventListener("click", () => { item[key] = !item[key]; edited(item); });
     refreshes.push(() => button.setAttribute("aria-pressed", String(item[key])));
     return button;
   }
@@ -192,8 +195,8 @@ void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 -
     const label = element("label", { htmlFor: id, textContent: item.name });
     const fader = element("input", { type: "range", id, min: String(OFF), max: "4", step: "0.05" });
     const value = element("output", { htmlFor: id });
-    fader.addEventListener("input", () => { item.stops = Number(fader.value); changed(); });
-    fader.addEventListener("dblclick", () => { item.stops = 0; changed(); });
+    fader.addEventListener("input", () => { item.stops = Number(fader.value); edited(item); });
+    fader.addEventListener("dblclick", () => { item.stops = 0; edited(item); });
     refreshes.push(() => {
       fader.value = String(item.stops);
       fader.setAttribute("aria-valuetext", stopsText(item.stops) + " stops");
@@ -207,7 +210,7 @@ void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 -
       chip.addEventListener("input", () => {
         const chosen = [1, 3, 5].map((at) => linear(parseInt(chip.value.slice(at, at + 2), 16)));
         item.tint = base.map((v, c) => v > 0 ? chosen[c] / v : 1);
-        changed();
+        edited(item);
       });
       refreshes.push(() => { chip.value = hex(base.map((v, c) => v * item.tint[c])); });
       row.append(chip);
@@ -216,13 +219,14 @@ void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 -
     }
     return row;
   }
-  const list = byId("lights");
-  for (const light of lights.filter((l) => !l.group)) {
-    list.append(strip(light, false));
-  }
-  for (const group of state.groups.values()) {
-    list.append(strip(group, true));
-    lights.filter((l) => l.group === group.name).forEach((light) => list.append(strip(light, false)));
+  function showStrips() {
+    refreshes = [];
+    const list = byId("lights");
+    list.replaceChildren(...lights.filter((l) => !l.group).map((light) => strip(light, false)));
+    for (const group of state.groups.values()) {
+      list.append(strip(group, true));
+      lights.filter((l) => l.group === group.name).forEach((light) => list.append(strip(light, false)));
+    }
   }
 
   // Notes.
@@ -239,9 +243,10 @@ void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 -
       const text = element("textarea", { value: note.text, maxLength: 2000 });
       text.setAttribute("aria-label", `Note ${i + 1}`);
       text.addEventListener("input", () => { note.text = text.value; byId("pins").children[i].title = text.value; });
+      text.addEventListener("change", () => send());
       const remove = element("button", { type: "button", textContent: "Delete" });
       remove.setAttribute("aria-label", `Delete note ${i + 1}`);
-      remove.addEventListener("click", () => { state.notes.splice(i, 1); showNotes(); });
+      remove.addEventListener("click", () => { state.notes.splice(i, 1); showNotes(); send(); });
       return element("li", {}, text, remove);
     }));
     if (focus) {
@@ -257,10 +262,11 @@ void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 -
 
   // Saving: absolute values, so that the picture does not depend on later edits of the scene.
   function review() {
-    const isChanged = (l) => l.stops !== 0 || l.mute || l.solo || l.tint && l.tint.some((t) => t !== 1);
+    const isChanged = (l) => l.stops !== l.start.stops || l.mute !== l.start.mute || l.solo !== l.start.solo
+      || l.tint && l.tint.some((t, c) => t !== l.start.tint[c]);
     const described = (item) => ({ name: item.name, stops: item.stops <= OFF ? null : item.stops, mute: item.mute, solo: item.solo });
     return {
-      lightning_review: data.version, scene: data.title, reviewer: byId("reviewer").value, exposure: state.exposure,
+      lightning_review: embedded.version, scene: data.title, reviewer: byId("reviewer").value, exposure: state.exposure,
       lights: lights.filter(isChanged).map((l) => ({ ...described(l), tint: l.tint, intensity: l.intensity, color: l.color })),
       groups: [...state.groups.values()].filter(isChanged).map(described),
       notes: state.notes.filter((n) => n.text.trim() !== ""),
@@ -277,12 +283,13 @@ void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 -
   byId("compare").addEventListener("click", () => { state.asSent = !state.asSent; changed(); });
   byId("reset").addEventListener("click", () => {
     for (const item of [...lights, ...state.groups.values()]) {
-      Object.assign(item, { stops: 0, mute: false, solo: false }, item.tint ? { tint: [1, 1, 1] } : {});
+      Object.assign(item, item.start);
+      edited(item);
     }
     state.exposure = 0;
-    changed();
+    edited(state);
   });
-  byId("exposure").addEventListener("input", () => { state.exposure = Number(byId("exposure").value); changed(); });
+  byId("exposure").addEventListener("input", () => { state.exposure = Number(byId("exposure").value); edited(state); });
 
   function changed() {
     refreshes.forEach((refresh) => refresh());
@@ -291,8 +298,200 @@ void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 -
     byId("compare").setAttribute("aria-pressed", String(state.asSent));
     draw();
   }
-  byId("title").textContent = data.title;
-  document.title = `${data.title} – review`;
-  changed();
-  document.body.dataset.ready = "yes";
+  // What a page's reader changed: an item of a light or a group, or the state for the exposure.
+  const unsent = new Set();
+  function edited(item) {
+    unsent.add(item);
+    changed();
+    send();
+  }
+
+  async function fromFile() {
+    data = embedded;
+    lights = data.lights.map((light) => ({ ...light, ...ZERO, start: ZERO, scale: [1, 1, 1] }));
+    for (const light of lights.filter((l) => l.group)) {
+      state.groups.set(light.group, { name: light.group, ...ZERO, tint: undefined, start: ZERO });
+    }
+    const layers = [];
+    for (const text of [...lights.map((light) => light.pixels), data.rest]) {
+      say(`Reading light ${layers.length + 1} of ${lights.length + 1} …`);
+      layers.push(await numbers(text, 3));
+    }
+    show(data, layers, data.view.side === undefined ? null : await numbers(data.view.lattice, 3));
+    begin();
+  }
+
+  function begin() {
+    showStrips();
+    byId("title").textContent = data.title;
+    document.title = `${data.title} – review`;
+    changed();
+    document.body.dataset.ready = "yes";
+  }
+
+  // Live pages: the server sends values of the scene at once, and names layers when they are ready.
+  const ownName = Math.random().toString(36).slice(2);
+  const loaded = new Map();
+  let isSending = false;
+  let mustSend = false;
+
+  // Values of a scene as this page's faders show them: stops from the start, and a color in place of a tint.
+  function faders(value, start) {
+    const from = start && start.intensity > 0 ? start.intensity : 1;
+    const stops = value.intensity > 0 ? Math.log2(value.intensity / from) : OFF;
+    return { stops: Math.max(OFF, stops), mute: value.mute, solo: value.solo, ...(value.color ? { tint: value.color } : {}) };
+  }
+
+  function item(old, value, start, more) {
+    const kept = { start: faders(start || value, start || value), from: (start || value).intensity || 1, ...more };
+    return old ? Object.assign(old, kept) : { name: value.name, ...faders(value, start || value), ...kept };
+  }
+
+  // Takes values of the scene. If changes stay in this page, only those that are new in the scene replace them.
+  const seen = new Map();
+  function isNew(key, value) {
+    const text = JSON.stringify(value);
+    const known = seen.get(key) === text;
+    seen.set(key, text);
+    return data.edits || !known;
+  }
+
+  function adopt(values) {
+    const items = [...values.lights.map((value) => [find(lights, value.name), value, "light " + value.name]),
+      ...values.groups.map((value) => [state.groups.get(value.name), value, "group " + value.name])];
+    for (const [target, value, key] of items) {
+      if (isNew(key, value) && target && !unsent.has(target)) {
+        Object.assign(target, faders(value, { intensity: target.from }));
+      }
+    }
+    if (isNew("exposure", values.exposure) && !unsent.has(state)) {
+      state.exposure = values.exposure - data.start.exposure;
+    }
+  }
+
+  async function layer(id) {
+    if (!loaded.has(id)) {
+      const answer = await fetch(`layer/${id}`);
+      if (!answer.ok) {
+        throw new Error("outdated");
+      }
+      loaded.set(id, await numbers(await answer.text(), 3));
+    }
+    return loaded.get(id);
+  }
+
+  const structure = () => JSON.stringify(lights.map((light) => [light.name, light.group]));
+  let isLoading = false;
+  let mustLoad = false;
+  async function load() {
+    mustLoad = true;
+    if (isLoading) {
+      return;
+    }
+    isLoading = true;
+    while (mustLoad) {
+      mustLoad = false;
+      try {
+        const answer = await fetch("data");
+        if (!answer.ok) {
+          continue;
+        }
+        const fresh = await answer.json();
+        const ids = [...fresh.lights.map((light) => light.layer), fresh.rest];
+        const layers = [];
+        for (const id of ids) {
+          layers.push(await layer(id));
+        }
+        const lattice = fresh.view.side === undefined ? null : await numbers(fresh.view.lattice, 3);
+        [...loaded.keys()].filter((id) => !ids.includes(id)).forEach((id) => loaded.delete(id));
+        const groups = new Map();
+        for (const value of fresh.state.groups.filter((g) => fresh.lights.some((light) => light.group === g.name))) {
+          groups.set(value.name, item(state.groups.get(value.name), value, find(fresh.start.groups, value.name), {}));
+        }
+        const names = structure();
+        lights = fresh.lights.map((part) => {
+          const value = find(fresh.state.lights, part.name);
+          const start = find(fresh.start.lights, part.name);
+          const from = (start || value).intensity || 1;
+          const group = groups.get(part.group);
+          const scale = part.color.map((c) => from * (group ? group.from : 1) / (part.intensity * c));
+          return item(find(lights, part.name), value, start, { group: part.group, scale, ...(part.environment ? {} : { color: [1, 1, 1] }) });
+        });
+        state.groups = groups;
+        fresh.view.exposure = fresh.start.exposure;
+        data = fresh;
+        adopt(fresh.state);
+        show(fresh, layers, lattice);
+        byId("mode").textContent = fresh.edits ? "Live: your changes move the scene" : "Live: your changes stay in this page";
+        if (names === structure()) {
+          changed();
+        } else {
+          begin();
+        }
+      } catch (e) {
+        // A newer picture replaced a layer meanwhile: the next event loads it.
+        if (e.message !== "outdated") {
+          throw e;
+        }
+        mustLoad = true;
+      }
+    }
+    isLoading = false;
+  }
+
+  // Sends what changed since the last time; one request at a time, so a drag never queues up.
+  async function send() {
+    if (!isLive || !data || !data.edits) {
+      unsent.clear();
+      return;
+    }
+    mustSend = true;
+    if (isSending) {
+      return;
+    }
+    isSending = true;
+    while (mustSend) {
+      mustSend = false;
+      const items = [...unsent];
+      unsent.clear();
+      const value = (i) => ({ name: i.name, intensity: i.stops <= OFF ? 0 : i.from * 2 ** i.stops, mute: i.mute, solo: i.solo });
+      const change = {
+        page: ownName, reviewer: byId("reviewer").value,
+        lights: items.filter((i) => lights.includes(i)).map((l) => ({ ...value(l), color: l.tint })),
+        groups: items.filter((i) => [...state.groups.values()].includes(i)).map(value),
+        notes: state.notes.filter((n) => n.text.trim() !== ""),
+        ...(items.includes(state) ? { exposure: data.start.exposure + state.exposure } : {}),
+      };
+      try {
+        const answer = await fetch("change", { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(change) });
+        say(answer.ok ? "" : await answer.text());
+      } catch (e) {
+        say("The change did not arrive: the connection is lost.");
+      }
+    }
+    isSending = false;
+  }
+
+  function connect() {
+    say("Waiting for the picture …");
+    const events = new EventSource("events");
+    events.addEventListener("picture", () => load());
+    events.addEventListener("state", (e) => {
+      const values = JSON.parse(e.data);
+      if (data && values.page !== ownName) {
+        adopt(values);
+        changed();
+      }
+    });
+    events.addEventListener("end", () => { events.close(); byId("mode").textContent = "The live review has ended."; });
+    events.addEventListener("error", () => { byId("mode").textContent = "The connection is lost; trying again …"; });
+    events.addEventListener("open", () => load());
+  }
+
+  if (isLive) {
+    byId("mode").hidden = false;
+    connect();
+  } else {
+    await fromFile();
+  }
 })();

@@ -13,7 +13,7 @@ import org.openqa.selenium.logging.LogType;
 import org.openqa.selenium.logging.LoggingPreferences;
 
 /** Chromium without a display that opens a page; skips the test where it is not installed. */
-final class Browser implements AutoCloseable {
+public final class Browser implements AutoCloseable {
     private static final Path CHROMIUM = Path.of("/usr/bin/chromium");
     private static final Path DRIVER = Path.of("/usr/bin/chromedriver");
 
@@ -28,7 +28,12 @@ final class Browser implements AutoCloseable {
      *
      * @param downloads folder for saved files
      */
-    static Browser open(Path page, Path downloads, int width, int height) {
+    public static Browser open(Path page, Path downloads, int width, int height) {
+        return open(page.toUri().toString(), downloads, width, height);
+    }
+
+    /** Opens the page of an address as {@link #open(Path, Path, int, int)} does. */
+    public static Browser open(String address, Path downloads, int width, int height) {
         Assumptions.assumeTrue(Files.isExecutable(CHROMIUM) && Files.isExecutable(DRIVER), "chromium and chromedriver are not installed");
         var options = new ChromeOptions();
         options.setBinary(CHROMIUM.toString());
@@ -43,13 +48,13 @@ final class Browser implements AutoCloseable {
         var service = new ChromeDriverService.Builder().usingDriverExecutable(DRIVER.toFile()).build();
         var browser = new Browser(new ChromeDriver(service, options));
         browser.driver.manage().window().setSize(new Dimension(width, height));
-        browser.driver.get(page.toUri().toString());
+        browser.driver.get(address);
         browser.waitFor("return document.body.dataset.ready === 'yes'");
         return browser;
     }
 
     /** Waits until a script returns true, at most a minute. */
-    void waitFor(String script) {
+    public void waitFor(String script) {
         long end = System.nanoTime() + 60_000_000_000L;
         while (!Boolean.TRUE.equals(run(script))) {
             if (System.nanoTime() > end) {
@@ -60,17 +65,17 @@ final class Browser implements AutoCloseable {
         }
     }
 
-    ChromeDriver driver() {
+    public ChromeDriver driver() {
         return driver;
     }
 
     /** Runs a script in the page and returns its value. */
-    Object run(String script, Object... arguments) {
+    public Object run(String script, Object... arguments) {
         return driver.executeScript(script, arguments);
     }
 
     /** Returns red, green and blue of all shown pixels, row by row from the top left. */
-    int[] pixels() {
+    public int[] pixels() {
         List<?> values = (List<?>) run("""
                 const canvas = document.getElementById("picture");
                 const gl = canvas.getContext("webgl2");
@@ -87,14 +92,14 @@ final class Browser implements AutoCloseable {
     }
 
     /** Returns all messages of the browser: errors of the script, and refusals of the security policy. */
-    List<String> messages() {
+    public List<String> messages() {
         return driver.manage().logs().get(LogType.BROWSER).getAll().stream().map(entry -> entry.getMessage())
                 // Reading pixels back is slow, and Chromium says so.
                 .filter(message -> !message.contains("GPU stall due to ReadPixels")).toList();
     }
 
     /** Returns the addresses of all requests. */
-    List<String> requests() {
+    public List<String> requests() {
         return driver.manage().logs().get(LogType.PERFORMANCE).getAll().stream().map(entry -> entry.getMessage())
                 .filter(message -> message.contains("Network.requestWillBeSent\""))
                 .map(message -> message.replaceAll("(?s).*\"url\":\"([^\"]*)\".*", "$1"))

@@ -1,0 +1,142 @@
+package lightning.format.review.live;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What the server of live reviews answers to clients that are no pages. */
+class LiveServerTest {
+    private static final String CHANGE = "{\"page\":\"p\",\"reviewer\":\"\",\"lights\":[],\"groups\":[],\"notes\":[]}";
+
+    private final List<LiveChange> changes = new ArrayList<>();
+    private final HttpClient client = HttpClient.newHttpClient();
+    private LiveReview review;
+
+    @BeforeEach
+    void start() throws IOException {
+        review = LiveReview.start("studio.jen", LiveAddress.LOCAL, true, changes::add);
+    }
+
+    @AfterEach
+    void close() {
+        review.close();
+        client.close();
+    }
+
+    private HttpResponse<String> send(String url, String method, String body) throws Exception {
+        HttpRequest.BodyPublisher publisher =
+                body.isEmpty() ? HttpRequest.BodyPublishers.noBody() : HttpRequest.BodyPublishers.ofString(body);
+        return client.send(HttpRequest.newBuilder(URI.create(url)).method(method, publisher).build(), HttpResponse.BodyHandlers.ofString());
+    }
+
+    @Test
+    void address_isOfThisComputerOnly() {
+        assertThat(review.url()).startsWith("http://127.0.0.1:");
+    }
+
+    @Test
+    void addresses_ofTwoReviewsDiffer() throws IOException {
+        try (LiveReview other = LiveReview.start("studio.jen", LiveAddress.LOCAL, true, changes::add)) {
+            String token = URI.create(review.url()).getPath();
+            assertThat(token).hasSizeGreaterThanOrEqualTo(34).isNotEqualTo(URI.create(other.url()).getPath());
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "data", "events", "layer/0", "x/", "%2e%2e/data"})
+    void pathWithoutToken_isUnknown(String path) throws Exception {
+        String root = review.url().substring(0, review.url().indexOf('/', 8) + 1);
+        assertThat(send(root + path, "GET", "").statusCode()).isEqualTo(404);
+        assertThat(send(root + "a".repeat(32) + "/" + path, "GET", "").statusCode()).isEqualTo(404);
+    }
+
+    @Test
+    void page_mayConnectToItsServerOnly() throws Exception {
+        HttpResponse<String> page = send(review.url(), "GET", "");
+        assertThat(page.body()).contains("default-src 'none'").contains("connect-src 'self'").doesNotContain("{{");
+        assertThat(page.headers().firstValue("Cache-Control")).contains("no-store");
+        assertThat(page.headers().firstValue("Referrer-Policy")).contains("no-referrer");
+    }
+
+    @Test
+    void data_isUnknownBeforeTheFirstPicture() throws Exception {
+        assertThat(send(review.url() + "data", "GET", "").statusCode()).isEqualTo(404);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"PUT,data", "POST,data", "GET,change", "DELETE,''"})
+    void otherMethod_isRefused(String method, String path) throws Exception {
+        assertThat(send(review.url() + path, method, method.equals("GET") ? "" : "x").statusCode()).isEqualTo(405);
+    }
+
+    @Test
+    void change_isReceived() throws Exception {
+        String body = CHANGE.replace("\"lights\":[]",
+                "\"lights\":[{\"name\":\"sun\",\"intensity\":2.5,\"color\":[1,0.5,0],\"mute\":true,\"solo\":false}]");
+        assertThat(send(review.url() + "change", "POST", body).statusCode()).isEqualTo(204);
+        assertThat(changes.getFirst().state().lights()).containsExactly(
+                new LiveState.LightValue("sun", 2.5, new lightning.base.math.Rgb(1, 0.5, 0), true, false));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {
+        "", "x", "[]", "{}", "{\"lights\":1}",
+        "{\"page\":\"p\",\"reviewer\":\"\",\"lights\":[{}],\"groups\":[],\"notes\":[]}",
+        "{\"page\":\"p\",\"reviewer\":\"\",\"lights\":[{\"name\":\"a\",\"intensity\":-1,\"color\":[1,1,1],\"mute\":true,\"solo\":false}],\"groups\":[],\"notes\":[]}",
+        "{\"page\":\"p\",\"reviewer\":\"\",\"lights\":[{\"name\":\"a\",\"intensity\":1e300,\"color\":[1,1,1],\"mute\":true,\"solo\":false}],\"groups\":[],\"notes\":[]}",
+        "{\"page\":\"p\",\"reviewer\":\"\",\"lights\":[{\"name\":\"a\",\"intensity\":1,\"color\":[2,1,1],\"mute\":true,\"solo\":false}],\"groups\":[],\"notes\":[]}",
+        "{\"page\":\"p\",\"reviewer\":\"\",\"lights\":[],\"groups\":[],\"notes\":[{\"x\":2,\"y\":0,\"text\":\"a\"}]}",
+        "{\"page\":\"p\",\"reviewer\":\"\",\"lights\":[],\"groups\":[],\"notes\":[],\"exposure\":1e9}"})
+    void wrongChange_getsOneSentence(String body) throws Exception {
+        HttpResponse<String> answer = send(review.url() + "change", "POST", body);
+        assertThat(answer.statusCode()).isEqualTo(400);
+        assertThat(answer.body()).startsWith("change: ").doesNotContain("Exception").doesNotContain("\n");
+        assertThat(changes).isEmpty();
+    }
+
+    @Test
+    void hugeChange_isRefused() throws Exception {
+        assertThat(send(review.url() + "change", "POST", " ".repeat(2 << 20)).statusCode()).isEqualTo(413);
+    }
+
+    @Test
+    void change_isForbiddenUnlessAllowed() throws Exception {
+        try (LiveReview readOnly = LiveReview.start("studio.jen", LiveAddress.LOCAL, false, changes::add)) {
+            assertThat(send(readOnly.url() + "change", "POST", CHANGE).statusCode()).isEqualTo(403);
+            assertThat(changes).isEmpty();
+        }
+    }
+
+    @Test
+    void otherComputers_needACertificate() {
+        assertThatThrownBy(() -> LiveReview.start("x", new LiveAddress("0.0.0.0", 0, Optional.empty()), false, changes::add))
+                .isInstanceOf(IOException.class).hasMessageContaining("needs a certificate");
+    }
+
+    @Test
+    void unknownAddress_getsOneSentence() {
+        assertThatThrownBy(() -> LiveReview.start("x", new LiveAddress("no such host", 0, Optional.empty()), false, changes::add))
+                .isInstanceOf(IOException.class).hasMessageContaining("found 'no such host'");
+    }
+
+    @Test
+    void usedPort_getsOneSentence() {
+        int port = URI.create(review.url()).getPort();
+        assertThatThrownBy(() -> LiveReview.start("x", new LiveAddress("127.0.0.1", port, Optional.empty()), false, changes::add))
+                .isInstanceOf(IOException.class).hasMessageContaining("cannot listen");
+    }
+}
