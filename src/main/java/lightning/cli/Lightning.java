@@ -143,7 +143,7 @@ public final class Lightning {
 
     private static CommandLine createShotCommand(Console console) {
         return new CommandLine(new ShotCommand()).addSubcommand(new ShotRenderCommand(console))
-                .addSubcommand(new ShotRelightCommand(console));
+                .addSubcommand(new ShotRelightCommand(console)).addSubcommand(new ShotLightsCommand(console));
     }
 
     private static CommandLine createCommands(Console console, KeptRenderer renderer, Set<String> names) {

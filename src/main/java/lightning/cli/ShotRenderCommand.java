@@ -13,7 +13,6 @@ import lightning.base.text.DecimalNumber;
 import lightning.base.work.HeapBudget;
 import lightning.base.work.WorkerPool;
 import lightning.cli.option.FrameRange;
-import lightning.cli.option.FramesOption;
 import lightning.cli.option.LayerOptions;
 import lightning.cli.option.PictureOptions;
 import lightning.cli.option.ResidentOption;
@@ -27,9 +26,8 @@ import lightning.cli.output.PictureOutput;
 import lightning.cli.output.ProgressBar;
 import lightning.cli.report.ShotRenderReport;
 import lightning.format.jen.InputFiles;
-import lightning.format.jen.JenDocument;
-import lightning.format.jen.JenFile;
 import lightning.format.layer.FrameTime;
+import lightning.format.sequence.SequenceReader;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
@@ -52,7 +50,10 @@ import picocli.CommandLine.Option;
             "",
             "-o frames writes frames/SCENE-0001.png and so on, -o out/bird.exr writes out/bird-0001.exr. Image files appear only when "
                     + "complete; finished ones remain if the command is canceled, and --resume continues after them. -o bird.mp4 "
-                    + "writes a video at the shot's frame rate (mp4, mov, mkv or webm; needs ffmpeg)."},
+                    + "writes a video at the shot's frame rate (mp4, mov, mkv or webm; needs ffmpeg).",
+            "",
+            "A sequence in place of the scene (.json) is several shots with one light rig. -o frames writes frames/SHOT-0001.png "
+                    + "and so on, -o out/a.exr writes out/SHOT-0001.exr; --shots chooses some of them."},
         footer = {
             "Examples:",
             "  lightning shot render scenes/dusk.jen -o frames",
@@ -60,6 +61,9 @@ import picocli.CommandLine.Option;
             "  lightning shot render scenes/dusk.jen -o a.exr --layers --cryptomatte a.exr",
             "  lightning shot render scenes/dusk.jen -o dusk.mp4 --view filmic"})
 final class ShotRenderCommand implements Callable<Integer> {
+    /** Added to the name of a shot for the files of its mattes. */
+    private static final String MATTES = "mattes";
+
     private final Console console;
 
     @Mixin
@@ -71,7 +75,7 @@ final class ShotRenderCommand implements Callable<Integer> {
     @Mixin
     private ThreadsOption threads;
     @Mixin
-    private FramesOption frames;
+    private ShotParts chosen;
     @Mixin
     private LayerOptions layers;
     @Mixin
@@ -92,10 +96,11 @@ final class ShotRenderCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         Optional<MovieFormat> movie = MovieFormat.of(output.file());
-        String stem = JenFile.stem(input.path().getFileName().toString());
-        FrameFiles files = FrameFiles.of(output.file(), stem);
-        Optional<FrameFiles> mattes = layers.mattes().map(file -> FrameFiles.of(file, stem));
+        if (movie.isPresent() && SequenceReader.isSequence(input.path())) {
+            throw new BadInputException("a video has one shot; a sequence is rendered to numbered images");
+        }
         if (movie.isEmpty()) {
+            FrameFiles files = FrameFiles.of(output.file(), "a");
             output.checkFormat(files.file(0));
             layers.checkFormats(files.file(0));
         } else if (layers.usedOption().isPresent()) {
@@ -105,19 +110,40 @@ final class ShotRenderCommand implements Callable<Integer> {
         } else {
             Ffmpeg.require();
         }
-        JenDocument document = input.read(console);
-        ShotFrames shot = frames.of(document, input.path());
-        FrameRange range = shot.range();
-        Scene scene = picture.apply(document.scene());
-        shot.check(scene);
-        InputFiles inputs = output.withViewFile(input.inputs(scene));
+        ShotParts.Parts shots = chosen.read(input.path(), picture, console);
+        ShotParts.Part first = shots.parts().getFirst();
+        int skipped = 0;
         if (movie.isPresent()) {
-            PictureOutput.checkFile(output.file(), inputs);
-            writeMovie(shot, scene, range, movie.get());
-            report(shot, output.file().toString(), 0);
-            return ExitCode.OK;
+            PictureOutput.checkFile(output.file(), inputs(first));
+            writeMovie(first.frames(), first.scene(), first.frames().range(), movie.get());
         }
-        files.createFolder();
+        for (ShotParts.Part part : movie.isPresent() ? List.<ShotParts.Part>of() : shots.parts()) {
+            FrameFiles files = FrameFiles.of(output.file(), part.name());
+            Optional<FrameFiles> mattes = layers.mattes().map(file -> FrameFiles.of(file, part.name()));
+            if (shots.areOfSequence()) {
+                String stem = mattes.isPresent() && files.equals(mattes.get()) ? part.name() : part.name() + "-" + MATTES;
+                mattes = mattes.map(to -> named(to, stem));
+                files = named(files, part.name());
+            }
+            files.createFolder();
+            skipped += renderMissing(part.frames(), part.scene(), inputs(part), files, mattes);
+        }
+        report(first.frames().shot().rate(), movie.isPresent() ? output.file().toString() : null, skipped);
+        return ExitCode.OK;
+    }
+
+    private InputFiles inputs(ShotParts.Part part) {
+        return output.withViewFile(InputFiles.of(part.file(), List.of(part.scene())));
+    }
+
+    private static FrameFiles named(FrameFiles files, String stem) {
+        return new FrameFiles(files.folder(), stem, files.extension());
+    }
+
+    /** Renders the frames whose files are missing, or all; returns the number of the others. */
+    private int renderMissing(ShotFrames shot, Scene scene, InputFiles inputs, FrameFiles files, Optional<FrameFiles> mattes)
+            throws Exception {
+        FrameRange range = shot.range();
         List<Integer> missing = new ArrayList<>();
         for (int number = range.first(); number <= range.last(); number++) {
             int frame = number;
@@ -133,18 +159,17 @@ final class ShotRenderCommand implements Callable<Integer> {
         if (!missing.isEmpty()) {
             render(shot, scene, missing, files, mattes);
         }
-        if (missing.size() < range.count()) {
-            int existing = range.count() - missing.size();
+        int existing = range.count() - missing.size();
+        if (existing > 0) {
             console.print("%s already rendered",
                     missing.isEmpty() ? Console.count(existing, "frame") : existing + " of " + Console.count(range.count(), "frame"));
         }
-        report(shot, null, range.count() - missing.size());
-        return ExitCode.OK;
+        return existing;
     }
 
-    private void report(ShotFrames shot, @Nullable String file, int skipped) {
-        console.report().setResult(new ShotRenderReport(file, shot.shot().rate(), skipped, counts[0], milliseconds[0], counts[1],
-                milliseconds[1], reports));
+    private void report(double rate, @Nullable String file, int skipped) {
+        console.report().setResult(
+                new ShotRenderReport(file, rate, skipped, counts[0], milliseconds[0], counts[1], milliseconds[1], reports));
     }
 
     private void render(ShotFrames shot, Scene scene, List<Integer> frames, FrameFiles files, Optional<FrameFiles> mattes)

@@ -22,6 +22,7 @@ import lightning.cli.report.RaysReport;
 import lightning.cli.report.RelightReport;
 import lightning.cli.report.RenderReport;
 import lightning.cli.report.ReviewReport;
+import lightning.cli.report.ShotLightsReport;
 import lightning.cli.report.ShotRelightReport;
 import lightning.cli.report.ShotRenderReport;
 import lightning.cli.report.TourReport;
@@ -196,7 +197,8 @@ class JsonReportTest {
         List<Class<?>> records = new ArrayList<>(List.of(BenchReport.class, CheckReport.class, CompareReport.class, ConversionReport.class,
                 EffectsReport.class, ErrorReport.class, ExplainReport.class, JsonOutput.class, MatchReport.class, RaysReport.class,
                 RelightReport.class,
-                RenderReport.class, ReviewReport.class, ShotRelightReport.class, ShotRenderReport.class, TourReport.class));
+                RenderReport.class, ReviewReport.class, ShotLightsReport.class, ShotRelightReport.class, ShotRenderReport.class,
+                TourReport.class));
         for (int i = 0; i < records.size(); i++) {
             Stream.of(records.get(i).getDeclaredClasses()).filter(Class::isRecord).forEach(records::add);
             for (RecordComponent field : records.get(i).getRecordComponents()) {

@@ -19,6 +19,11 @@ public record ShotFrames(Shot shot, FrameRange range) {
     static ShotFrames of(JenDocument document, Path file, @Nullable FrameRange requested) throws BadInputException {
         Shot shot = document.shot().orElseThrow(() -> new BadInputException(Console.text(
                 "%s: has no shot block (see docs/jen-format.md)", file)));
+        return of(shot, requested);
+    }
+
+    /** Returns the selected frames of a shot, as above. */
+    static ShotFrames of(Shot shot, @Nullable FrameRange requested) throws BadInputException {
         FrameRange range = requested == null ? new FrameRange(shot.first(), shot.last()) : requested;
         if (range.count() > FrameRange.MAX_FRAMES) {
             throw new BadInputException(

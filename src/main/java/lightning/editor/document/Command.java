@@ -158,6 +158,8 @@ public enum Command {
             "mdi2f-file-export-outline", "", DisabledReasons.unlessAnimating()),
 
     TIMELINE(Messages.key("Timeline"), Messages.key("Show the shot's keyframes below the views"), "mdi2c-chart-timeline", "F3"),
+    SEQUENCE(Messages.key("Sequence…"), Messages.key("Light several shots with one rig, on a contact sheet"), "mdi2v-view-grid-outline",
+            ""),
     FILM_STRIP(Messages.key("Filmstrip"), Messages.key("Show a thumbnail of each frame, updated with every edit"),
             "mdi2f-filmstrip-box-multiple", "Shift+F3"),
     NEW_SHOT(Messages.key("New Shot"), Messages.key("Add a shot with frames, to animate lights, camera and objects"),

@@ -68,7 +68,8 @@ final class EditorMenu extends MenuBar {
         Menu shape = menu(Messages.tr("Object"), Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, SEPARATOR,
                 Command.SHOW_SHAPE, Command.MAKE_LIGHT, Command.LIGHTS_OF_GLOW);
         Menu shot =
-                menu(Messages.tr("Shot"), Command.TIMELINE, Command.FILM_STRIP, SEPARATOR, Command.NEW_SHOT, Command.DELETE_SHOT, SEPARATOR,
+                menu(Messages.tr("Shot"), Command.TIMELINE, Command.FILM_STRIP, Command.SEQUENCE, SEPARATOR, Command.NEW_SHOT,
+                        Command.DELETE_SHOT, SEPARATOR,
                         Command.PLAY_SHOT,
                         Command.FIRST_FRAME,
                         Command.PREVIOUS_FRAME, Command.NEXT_FRAME, Command.LAST_FRAME, Command.PREVIOUS_KEY, Command.NEXT_KEY, SEPARATOR,

@@ -21,6 +21,7 @@ import lightning.editor.window.measure.SettingAccuracyPane;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.review.LiveReviewPane;
+import lightning.editor.window.sequence.SequencePane;
 import lightning.editor.window.widget.PanelWindow;
 
 /**
@@ -38,7 +39,8 @@ final class PanelWindows implements AutoCloseable {
             Command.KEYS, new PanelSpec(880, 720, m -> new ShortcutsPane(m.commands())),
             Command.LIVE_REVIEW, new PanelSpec(560, 420, LiveReviewPane::new),
             Command.MATCH_REFERENCE, new PanelSpec(860, 640, MatchPane::new),
-            Command.LIGHT_LINKS, new PanelSpec(760, 520, m -> new LinkPane(m.editor(), m.files().windowExecutor())));
+            Command.SEQUENCE, new PanelSpec(860, 640, SequencePane::new),
+            Command.LIGHT_LINKS, new PanelSpec(760, 520, m -> new LinkPane(m.editor(), m.files())));
 
     private final EditorModel model;
     private final Supplier<Window> owner;

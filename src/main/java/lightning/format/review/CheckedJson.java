@@ -21,9 +21,18 @@ public record CheckedJson(String source) {
 
     /** Returns an array of at most 10 000 entries. */
     public JsonNode array(JsonNode node, String field) throws IOException {
+        return array(node, "", field);
+    }
+
+    /**
+     * Returns an array of at most 10 000 entries.
+     *
+     * @param at place of {@code node}, with a point at its end
+     */
+    public JsonNode array(JsonNode node, String at, String field) throws IOException {
         JsonNode value = node.path(field);
         if (!value.isArray() || value.size() > MAX_ENTRIES) {
-            throw failure(field + ": expected an array of at most " + MAX_ENTRIES + " entries");
+            throw failure(at + field + ": expected an array of at most " + MAX_ENTRIES + " entries");
         }
         return value;
     }

@@ -95,7 +95,8 @@ public final class LiveReviewPane extends VBox {
         address.setId("live-address");
         address.setPromptText(Messages.tr("This computer only"));
         address.setAccessibleText(Messages.tr("Address for other computers"));
-        address.setTooltip(new Tooltip(Messages.tr("Address of this computer for others, such as 192.168.1.5 or 192.168.1.5:8443; empty for none")));
+        address.setTooltip(
+                new Tooltip(Messages.tr("Address of this computer for others, such as 192.168.1.5 or 192.168.1.5:8443; empty for none")));
         address.setPrefColumnCount(14);
         certificate.setId("live-certificate");
         certificate.setPromptText(Messages.tr("Certificate"));
@@ -245,7 +246,8 @@ public final class LiveReviewPane extends VBox {
         }
         newest.put(change.page(), change);
         showNotes();
-        boolean hasValues = !change.state().lights().isEmpty() || !change.state().groups().isEmpty() || change.state().exposure().isPresent();
+        boolean hasValues =
+                !change.state().lights().isEmpty() || !change.state().groups().isEmpty() || change.state().exposure().isPresent();
         if (!hasValues) {
             return;
         }
