@@ -18,7 +18,7 @@ import lightning.render.relight.tile.RenderOptions;
  *
  * <p>L are the contributions of the lights, R is all other light, T is the reference, and e its scale: 1, or unknown if its exposure or white
  * balance is free. Then the mean brightness of the lights stays. A pixel's weight w is its own, divided by the square of the reference's
- * luminance plus a twentieth of its mean: relative differences count, as eyes see them.
+ * luminance plus a twentieth of its mean: relative differences count, as eyes see them. Pixels with finer samples do not count.
  */
 public final class LightMatch {
     private static final double[] LUMINANCE = {0.2126, 0.7152, 0.0722};
@@ -43,6 +43,7 @@ public final class LightMatch {
     private LightMatch(PixelCache cache, RenderOptions options, ReferenceImage reference, MatchSettings settings, Progress progress) {
         images = MatchImages.of(cache, options, settings.lights(), progress);
         PixelMeans.Means target = images.grid().of(reference.film(), reference.weights());
+        images.skipped().stream().forEach(i -> target.weights()[i] = 0);
         weights = new double[target.weights().length];
         double sum = 0;
         double total = 0;

@@ -400,6 +400,9 @@ void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 -
         const ids = [...fresh.lights.map((light) => light.layer), fresh.rest];
         const layers = [];
         for (const id of ids) {
+          if (!loaded.has(id)) {
+            say(`Reading light ${layers.length + 1} of ${ids.length} …`);
+          }
           layers.push(await layer(id));
         }
         const lattice = fresh.view.side === undefined ? null : await numbers(fresh.view.lattice, 3);

@@ -127,7 +127,7 @@ public final class LiveReviewPane extends VBox {
         notes.setAccessibleText(Messages.tr("Notes of reviewers"));
         notes.setPlaceholder(new Label(Messages.tr("Notes of reviewers appear here")));
         VBox.setVgrow(notes, Priority.ALWAYS);
-        getChildren().addAll(head, where, row(url, copy), state, notes);
+        getChildren().addAll(head, where, row(url, copy), row(state), notes);
         counter.setCycleCount(Animation.INDEFINITE);
         show();
         VisibilityListener.attach(this, this::subscribe);

@@ -152,7 +152,7 @@ public final class SequencePane extends VBox {
         message.setWrapText(true);
         message.setMinHeight(Region.USE_PREF_SIZE);
         details = details();
-        getChildren().addAll(row(open, create, addShot, fileName), row(followsScene, moment), scroll, details, message);
+        getChildren().addAll(row(open, create, addShot, fileName), row(followsScene, moment), scroll, details, row(message));
         showSequence();
         VisibilityListener.attach(this, this::subscribe);
     }
