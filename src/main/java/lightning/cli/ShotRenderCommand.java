@@ -111,6 +111,7 @@ final class ShotRenderCommand implements Callable<Integer> {
         Scene scene = picture.apply(document.scene());
         shot.check(scene);
         InputFiles inputs = output.withViewFile(input.inputs(scene));
+        output.printViewNotes(console);
         if (movie.isPresent()) {
             PictureOutput.checkFile(output.file(), inputs);
             writeMovie(shot, scene, range, movie.get());
