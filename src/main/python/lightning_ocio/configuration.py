@@ -51,16 +51,22 @@ class Configuration:
         if not self.config.hasRole(ocio.ROLE_SCENE_LINEAR):
             raise ConfigurationError("has no role scene_linear, the color space of rendered light")
         steps = ocio.GroupTransform()
-        try:
-            steps.appendTransform(ocio.Config.GetProcessorFromBuiltinColorSpace(
-                LINEAR_REC709, self.config, ocio.ROLE_SCENE_LINEAR).createGroupTransform())
-        except ocio.Exception:
-            self.note = ASSUMED_REC709
+        if not self.shows_data(display, view):
+            try:
+                steps.appendTransform(ocio.Config.GetProcessorFromBuiltinColorSpace(
+                    LINEAR_REC709, self.config, ocio.ROLE_SCENE_LINEAR).createGroupTransform())
+            except ocio.Exception:
+                self.note = ASSUMED_REC709
         try:
             steps.appendTransform(ocio.DisplayViewTransform(ocio.ROLE_SCENE_LINEAR, display, view))
             return self.config.getProcessor(steps).getOptimizedCPUProcessor(ocio.OPTIMIZATION_LOSSLESS)
         except ocio.Exception as error:
             raise ConfigurationError("this view cannot be used: " + reason(error)) from error
+
+    def shows_data(self, display: str, view: str) -> bool:
+        """Returns whether a view shows the numbers of an image as they are, such as Raw."""
+        space = self.config.getColorSpace(self.config.getDisplayViewColorSpaceName(display, view))
+        return space is not None and space.isData()
 
 
 def reason(error: Exception) -> str:

@@ -2,10 +2,13 @@ package lightning.cli.output;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Optional;
 import lightning.base.file.AtomicFile;
+import lightning.base.text.Quote;
 import lightning.base.work.HeapBudget;
 import lightning.base.work.WorkerPool;
+import lightning.format.exr.ExrPrimaries;
 import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
 import lightning.format.jen.InputFiles;
@@ -30,6 +33,15 @@ public abstract sealed class PictureOutput permits SinglePictureOutput, StepPict
     @Option(names = "--bits", paramLabel = "N",
             description = "Bits per channel: PNG 8 or 16, EXR 16 (half) or 32 (float) (default: the smaller number).")
     private @Nullable Integer bits;
+
+    private ExrPrimaries primaries = ExrPrimaries.REC_709;
+
+    @Option(names = "--primaries", paramLabel = "NAME",
+            description = "Primaries of a written .exr: rec709 or acescg (ACEScg) (default: rec709).")
+    private void setPrimaries(String word) {
+        primaries = Arrays.stream(ExrPrimaries.values()).filter(p -> p.word().equals(word)).findFirst().orElseThrow(
+                () -> new ParameterException(command.commandLine(), "--primaries: expected rec709 or acescg, found " + Quote.of(word)));
+    }
 
     private @Nullable Double exposure;
 
@@ -68,6 +80,14 @@ public abstract sealed class PictureOutput permits SinglePictureOutput, StepPict
     /** Checks the options against the format of a file's extension. */
     public void checkFormat(Path picture) throws IOException {
         ImageFormat.of(picture).requireBitDepth(picture, bits(picture));
+        if (primaries != ExrPrimaries.REC_709 && ImageFormat.of(picture) != ImageFormat.EXR) {
+            throw new IOException(Quote.path(picture) + ": --primaries " + primaries.word() + " needs an .exr file");
+        }
+    }
+
+    /** Returns the color space of an OpenEXR file. */
+    public ExrPrimaries primaries() {
+        return primaries;
     }
 
     /** Returns the bits per channel of a file. */
@@ -125,7 +145,7 @@ public abstract sealed class PictureOutput permits SinglePictureOutput, StepPict
      */
     public void write(Scene scene, Film film, Path picture, Optional<FrameTime> time, WorkerPool workers) throws IOException {
         if (ImageFormat.of(picture) == ImageFormat.EXR) {
-            ImageFile.writeExr(picture, film, bits(picture), SceneMetadata.of(scene, time));
+            ImageFile.writeExr(picture, film, bits(picture), SceneMetadata.of(scene, time), primaries);
         } else {
             ImageFile.write(picture, film, view(scene), bits(picture), workers);
         }
