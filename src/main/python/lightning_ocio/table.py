@@ -141,7 +141,7 @@ def light_of(stops: array) -> array:
 
 
 def exact(processor, light: array, least: float = 0.0, most: float = 1.0) -> array:
-    """Returns the values that a conversion gives, limited; those that are no numbers become 0."""
+    """Returns the values that a conversion gives, limited; NaN becomes 0."""
     shown = array("f", light)
     processor.applyRGB(shown)
     return array("f", (min(max(v, least), most) if not math.isnan(v) else 0.0 for v in shown))

@@ -49,7 +49,7 @@ public record PythonConverter(Path python, Path script, Duration limit, PythonPa
                 limit, library);
     }
 
-    /** What is done with the written folder. */
+    /** Reader of the written folder. */
     public interface Use<T, E extends Exception> {
         T read(Path folder) throws IOException, E;
     }

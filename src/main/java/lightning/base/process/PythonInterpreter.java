@@ -20,7 +20,7 @@ final class PythonInterpreter {
      * Returns the interpreter.
      *
      * @param chosen value of the variable; null or empty for none
-     * @param library package that the message asks for
+     * @param library package that the message names
      * @throws IOException if there is none; the message asks for it
      */
     static Path find(@Nullable String chosen, SearchPath path, PythonPackage library) throws IOException {

@@ -25,7 +25,7 @@ public record OcioConfig(String source, List<Display> displays) {
      */
     public record Display(String name, List<String> views, String defaultView) {}
 
-    /** What the converter writes. */
+    /** The file of the converter. */
     record Listing(List<Display> displays) {}
 
     /**

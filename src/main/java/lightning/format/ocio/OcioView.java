@@ -25,7 +25,7 @@ public record OcioView(String display, String view, CubeLut table, byte[] cube, 
     private static final int MAX_NAME_LENGTH = 60;
 
     /**
-     * What the converter says about a table. Errors are the largest of the three channels, in steps of 8 bits.
+     * Properties of a table. Errors are the largest of the three channels, in steps of 8 bits.
      *
      * @param note         what was assumed; empty if nothing was
      * @param low          stops below middle gray that are shown as black
@@ -69,9 +69,10 @@ public record OcioView(String display, String view, CubeLut table, byte[] cube, 
         return ViewTransform.DEFAULT.withLut(Optional.of(table));
     }
 
-    /** Writes the table as a .cube file. */
-    public void write(Path file) throws IOException {
+    /** Writes the table as a .cube file; returns the view with the table of this file. */
+    public OcioView write(Path file) throws IOException {
         AtomicFile.of(file).write(cube);
+        return new OcioView(display, view, table.withFile(file), cube, facts);
     }
 
     /** Returns the name of the table's file next to a scene, such as {@code bird.sRGB-Film.cube}. */

@@ -34,7 +34,7 @@ class ExrPrimariesTest {
         return ImageFile.read(file);
     }
 
-    /** The published matrix of ACEScg from linear sRGB (Bradford), as colour-science and OpenColorIO have it. */
+    /** The published matrix of ACEScg from linear sRGB (Bradford), as OpenColorIO has it. */
     @Test
     void rec709Red_hasPublishedAcescg() {
         float[][] red = ExrPrimaries.ACESCG.convert(new float[][] {{1}, {0}, {0}});

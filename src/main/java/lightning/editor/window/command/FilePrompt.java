@@ -69,7 +69,7 @@ public interface FilePrompt {
         var scenes = filter("Scenes", JenFile.EXTENSION);
         var files = new FileChooser.ExtensionFilter(Messages.tr("Scenes and files of other programs"),
                 Stream.concat(Stream.of(JenFile.EXTENSION), SceneImporter.extensions().stream()).map(ending -> "*" + ending).toList());
-        var configs = new FileChooser.ExtensionFilter("OpenColorIO (*.ocio, *.ocioz)", "*.ocio", "*.ocioz");
+        var configs = new FileChooser.ExtensionFilter(Messages.tr("OpenColorIO configurations"), "*.ocio", "*.ocioz");
         var tables = filter("LUTs", CubeLutReader.EXTENSION);
         return new FilePrompt() {
             @Override

@@ -1,6 +1,6 @@
 package lightning.editor.window.command;
 
-import java.nio.file.Path;
+import java.io.IOException;
 import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
 import lightning.base.work.Progress;
@@ -12,7 +12,6 @@ import lightning.format.jen.JenFile;
 import lightning.format.ocio.OcioConfig;
 import lightning.format.ocio.OcioReference;
 import lightning.format.ocio.OcioView;
-import lightning.render.image.CubeLut;
 
 /** Command that shows the picture with a view of OpenColorIO, through a table that is made in the background. */
 final class OcioActions {
@@ -20,6 +19,8 @@ final class OcioActions {
     private final FilePrompt prompt;
     private final EditorDialogs notices;
     private final Preferences preferences;
+    /** Number of requested views; an earlier one that ends late is not shown. */
+    private int requests;
 
     private OcioActions(EditorModel model, FilePrompt prompt, EditorDialogs notices, Preferences preferences) {
         this.model = model;
@@ -27,9 +28,6 @@ final class OcioActions {
         this.notices = notices;
         this.preferences = preferences;
     }
-
-    /** Table of a view, and what is said about it. */
-    private record Baked(CubeLut table, OcioView view) {}
 
     /** Registers the command. */
     static void register(EditorModel model, FilePrompt prompt, EditorDialogs notices, Preferences preferences) {
@@ -46,25 +44,25 @@ final class OcioActions {
         OcioConfig config = chooser.config().get();
         OcioConfig.Choice choice = chooser.choice();
         boolean isKept = chooser.keepsTable();
-        model.files().runConcurrently(() -> bake(config, choice, isKept, document), baked -> {
-            ColorTableActions.set(model, preferences, baked.table(),
-                    new OcioReference(config.source(), config.display(choice) + "/" + config.view(choice)), isKept);
-            String note = baked.view().facts().note();
-            model.editor().message()
-                    .show(Messages.tr("Shows {0}; error in steps of 8 bits: {1} on average, at most {2}", baked.view().title(),
-                            rounded(baked.view().facts().meanError()), rounded(baked.view().facts().largestError()))
-                            + (note.isEmpty() ? "" : "; " + note));
+        int request = ++requests;
+        model.editor().message().show(Messages.tr("Making the LUT of {0}…", config.view(choice)));
+        model.files().runConcurrently(() -> bake(config, choice, isKept, document), view -> {
+            if (request == requests) {
+                show(view, new OcioReference(config.source(), config.display(choice) + "/" + config.view(choice)), isKept);
+            }
         }, failure -> notices.showFailure(Messages.tr("The OpenColorIO view could not be used"), failure));
     }
 
-    private static Baked bake(OcioConfig config, OcioConfig.Choice choice, boolean isKept, OpenDocument document) throws Exception {
+    private static OcioView bake(OcioConfig config, OcioConfig.Choice choice, boolean isKept, OpenDocument document) throws IOException {
         OcioView view = OcioView.bake(config, choice, Progress.NONE);
-        if (!isKept) {
-            return new Baked(view.table(), view);
-        }
-        Path file = document.proposedFile(view.fileName(JenFile.stem(document.name())));
-        view.write(file);
-        return new Baked(view.table().withFile(file), view);
+        return isKept ? view.write(document.proposedFile(view.fileName(JenFile.stem(document.name())))) : view;
+    }
+
+    private void show(OcioView view, OcioReference reference, boolean isKept) {
+        ColorTableActions.set(model, preferences, view.table(), reference, isKept);
+        OcioView.Facts facts = view.facts();
+        model.editor().message().show(Messages.tr("Shows {0}; error in steps of 8 bits: {1} on average, at most {2}", view.title(),
+                rounded(facts.meanError()), rounded(facts.largestError())) + (facts.note().isEmpty() ? "" : "; " + facts.note()));
     }
 
     private static double rounded(double steps) {

@@ -39,7 +39,7 @@ final class OcioChooser extends GridPane {
      * Creates the fields and reads the proposed configuration.
      *
      * @param proposal configuration and view that are chosen first; the configuration may be empty
-     * @param browse   asks for a file
+     * @param browse   opens a file dialog
      * @param canKeep  true if the scene has a file
      */
     OcioChooser(FileThread files, OcioReference proposal, Supplier<Optional<Path>> browse, boolean canKeep) {
