@@ -33,7 +33,7 @@ import picocli.CommandLine.Parameters;
         footer = {
             "Examples:",
             "  lightning ocio ocio://default",
-            "  lightning ocio ocio://default --bake \"sRGB - Display/Un-tone-mapped\" -o look.cube"})
+            "  lightning ocio ocio://default --bake \"sRGB - Display/Raw\" -o raw.cube"})
 final class OcioCommand implements Callable<Integer> {
     private final Console console;
 

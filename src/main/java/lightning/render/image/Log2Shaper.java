@@ -30,6 +30,11 @@ public record Log2Shaper(double min, double max) {
         }
     }
 
+    /** Returns the linear value that becomes 1. */
+    public double white() {
+        return MIDDLE_GRAY * StrictMath.pow(2, max);
+    }
+
     /** Returns the encoded value, 0 to 1; NaN and values up to 0 give 0. */
     public double encode(double linear) {
         // NaN is not above 0.

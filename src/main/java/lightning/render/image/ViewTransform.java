@@ -106,6 +106,11 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
         return lut.isPresent() && curve != DisplayCurve.FALSE;
     }
 
+    /** Returns the linear value after exposure above which a channel is clamped: white of the curve, or the upper end of the logarithm. */
+    public double white() {
+        return usedShaper().map(Log2Shaper::white).orElse(curve.white());
+    }
+
     private Optional<Log2Shaper> usedShaper() {
         return !hasLut() ? Optional.empty() : shaper.isPresent() ? shaper : lut.orElseThrow().log();
     }
@@ -245,7 +250,8 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
         int codes = !mixesChannels() ? codes(r, g, b)
                 : curve == DisplayCurve.ACES2 && !hasLut() ? Aces2Table.packed(r, g, b) : mixedCodes(r, g, b);
         if (marksClipping) {
-            boolean over = r > curve.white() || g > curve.white() || b > curve.white();
+            double white = white();
+            boolean over = r > white || g > white || b > white;
             return 0xFF000000 | (over ? CLIPPED_MARK : codes == 0 ? BLACK_MARK : codes);
         }
         return 0xFF000000 | codes;

@@ -97,4 +97,14 @@ class Log2ShaperTest {
         assertThatThrownBy(() -> CubeLutReader.read(file)).isInstanceOf(IOException.class).hasMessageContaining(
                 "log.cube, line 1: expected a logarithm such as log2:-9,12 after # LIGHTNING_SHAPER, found '" + shaper + "'");
     }
+
+    /** 0.18 · 2² = 0.72, the upper end of the logarithm; sRGB alone clips at 1. */
+    @Test
+    void lightAboveTheLogarithm_isClipped() {
+        CubeLut table = new CubeLut(Path.of("any"), false, 2, new float[] {0, 0, 0, 1, 1, 1}, new float[3], new float[] {1, 1, 1});
+        ViewTransform view = ViewTransform.DEFAULT.withLut(Optional.of(table)).withShaper(Optional.of(new Log2Shaper(-2, 2)));
+        Film film = Film.ofScanlines(2, 1, new float[] {0.7f, 0, 0, 0.73f, 0, 0});
+        assertThat(Clipping.of(film, view).clippedPixels()).isOne();
+        assertThat(Clipping.of(film, ViewTransform.DEFAULT).clippedPixels()).isZero();
+    }
 }
