@@ -52,6 +52,7 @@ module lightning {
     opens lightning.cli to info.picocli;
     opens lightning.cli.option to info.picocli;
     opens lightning.cli.output to info.picocli;
+    opens lightning.format.ocio to tools.jackson.databind;
     opens lightning.format.json to tools.jackson.databind;
     opens lightning.cli.report to tools.jackson.databind;
     opens lightning.bench.accuracy to tools.jackson.databind;

@@ -33,7 +33,7 @@ import org.junit.jupiter.api.io.TempDir;
 class ExamplesTest {
     /** Messages for optional programs that are not installed. */
     private static final Pattern MISSING_PROGRAM =
-            Pattern.compile("program povray not found|needs ffmpeg, which is not installed|USD files need ");
+            Pattern.compile("program povray not found|needs ffmpeg, which is not installed|USD files need |OpenColorIO views need ");
     /** User files that examples read. */
     private static final List<String> PICTURES = List.of("before.png", "after.png", "before.pfm", "after.pfm");
 

@@ -54,6 +54,7 @@ public final class Lightning {
         COMMANDS.put("bench", (console, _) -> new BenchCommand(console));
         COMMANDS.put("check", (console, _) -> new CheckCommand(console));
         COMMANDS.put("compare", (console, _) -> new CompareCommand(console));
+        COMMANDS.put("ocio", (console, _) -> new OcioCommand(console));
         COMMANDS.put("help", (console, _) -> new HelpCommand(console));
         COMMANDS.put("completion", (console, _) -> new CompletionCommand(console));
     }

@@ -118,6 +118,7 @@ final class RelightCommand implements Callable<Integer> {
         int last = edited.size();
         InputFiles inputs =
                 output.withViewFile(InputFiles.of(input.path(), Stream.concat(Stream.of(document.scene()), edited.stream()).toList()));
+        output.printViewNotes(console);
         pictures.check(last, inputs);
         if (mattes.isPresent()) {
             mattes.get().check(last, inputs);

@@ -84,6 +84,7 @@ final class RenderCommand implements Callable<Integer> {
         }
         Scene scene = picture.apply(input.read(console).scene());
         InputFiles inputs = output.withViewFile(input.inputs(scene));
+        output.printViewNotes(console);
         inputs.check(output.file());
         if (layers.mattes().isPresent()) {
             inputs.check(layers.mattes().get());

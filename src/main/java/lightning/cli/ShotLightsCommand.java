@@ -129,19 +129,16 @@ final class ShotLightsCommand implements Callable<Integer> {
             }
         });
         Set<String> needless = new HashSet<>();
-        found.forEach((name, difference) -> {
-            if (difference.steps <= steps) {
-                needless.add(name);
+        Difference alone = new Difference();
+        for (Map.Entry<String, Difference> entry : found.entrySet()) {
+            if (entry.getValue().steps <= steps) {
+                needless.add(entry.getKey());
+                alone = entry.getValue();
             }
-        });
-        Difference together = new Difference();
+        }
+        Difference together = needless.size() > 1 ? new Difference() : alone;
         if (needless.size() > 1) {
             forEachFrame(shots.parts(), (renderer, cache, part, frame, bar) -> add(together, renderer, cache, needless, part, frame, bar));
-        } else {
-            needless.forEach(name -> {
-                together.linear = found.get(name).linear;
-                together.steps = found.get(name).steps;
-            });
         }
         print(found, needless, together, shots.areOfSequence());
         if (output != null) {

@@ -135,6 +135,7 @@ final class ShotRelightCommand implements Callable<Integer> {
         List<FrameFiles> groups = groups(files, revisions.size());
         InputFiles inputs = output.withViewFile(InputFiles.of(input.path(),
                 Stream.concat(Stream.of(document.scene()), revisions.stream().map(ShotRevision::scene)).toList()));
+        output.printViewNotes(console);
         for (FrameFiles group : groups) {
             for (int frame = shot.range().first(); frame <= shot.range().last(); frame++) {
                 PictureOutput.checkFile(group.file(frame), inputs);

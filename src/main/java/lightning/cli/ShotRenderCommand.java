@@ -113,6 +113,7 @@ final class ShotRenderCommand implements Callable<Integer> {
         ShotParts.Parts shots = chosen.read(input.path(), picture, console);
         ShotParts.Part first = shots.parts().getFirst();
         int skipped = 0;
+        output.printViewNotes(console);
         if (movie.isPresent()) {
             PictureOutput.checkFile(output.file(), inputs(first));
             writeMovie(first.frames(), first.scene(), first.frames().range(), movie.get());

@@ -18,6 +18,7 @@ import lightning.cli.report.EffectsReport;
 import lightning.cli.report.ErrorReport;
 import lightning.cli.report.JsonOutput;
 import lightning.cli.report.MatchReport;
+import lightning.cli.report.OcioReport;
 import lightning.cli.report.RaysReport;
 import lightning.cli.report.RelightReport;
 import lightning.cli.report.RenderReport;
@@ -195,7 +196,8 @@ class JsonReportTest {
     void everyField_isDocumented() throws IOException {
         String page = Files.readString(Path.of("docs/json.md"));
         List<Class<?>> records = new ArrayList<>(List.of(BenchReport.class, CheckReport.class, CompareReport.class, ConversionReport.class,
-                EffectsReport.class, ErrorReport.class, ExplainReport.class, JsonOutput.class, MatchReport.class, RaysReport.class,
+                EffectsReport.class, ErrorReport.class, ExplainReport.class, JsonOutput.class, MatchReport.class, OcioReport.class,
+                RaysReport.class,
                 RelightReport.class,
                 RenderReport.class, ReviewReport.class, ShotLightsReport.class, ShotRelightReport.class, ShotRenderReport.class,
                 TourReport.class));

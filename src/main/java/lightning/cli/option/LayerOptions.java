@@ -93,14 +93,15 @@ public final class LayerOptions {
                 // All frames of a shot have the same layers, because compositing programs read them from the first one.
                 ExrContent.Layers choice =
                         !layers ? ExrContent.Layers.NONE : time.isPresent() ? ExrContent.Layers.ALL : ExrContent.Layers.LIT;
-                writeExr(picture.get(), cache, engines, new ExrContent(type, choice, grouped, sameFile ? levels : 0), time, workers,
+                writeExr(picture.get(), cache, engines, new ExrContent(type, choice, grouped, sameFile ? levels : 0, output.primaries()),
+                        time, workers,
                         console);
             } else {
                 output.write(cache.scene(), cache.film(), picture.get(), time, workers);
             }
         }
         if (matteFile.isPresent() && !sameFile) {
-            writeExr(matteFile.get(), cache, engines, ExrContent.mattes(levels), time, workers, console);
+            writeExr(matteFile.get(), cache, engines, ExrContent.mattes(levels, output.primaries()), time, workers, console);
         }
     }
 

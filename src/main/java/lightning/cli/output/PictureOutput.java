@@ -2,10 +2,13 @@ package lightning.cli.output;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Optional;
 import lightning.base.file.AtomicFile;
+import lightning.base.text.Quote;
 import lightning.base.work.HeapBudget;
 import lightning.base.work.WorkerPool;
+import lightning.format.exr.ExrPrimaries;
 import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
 import lightning.format.jen.InputFiles;
@@ -31,6 +34,15 @@ public abstract sealed class PictureOutput permits SinglePictureOutput, StepPict
             description = "Bits per channel: PNG 8 or 16, EXR 16 (half) or 32 (float) (default: the smaller number).")
     private @Nullable Integer bits;
 
+    private ExrPrimaries primaries = ExrPrimaries.REC_709;
+
+    @Option(names = "--primaries", paramLabel = "NAME",
+            description = "Primaries of a written .exr: rec709 or acescg (ACEScg) (default: rec709).")
+    private void setPrimaries(String word) {
+        primaries = Arrays.stream(ExrPrimaries.values()).filter(p -> p.word().equals(word)).findFirst().orElseThrow(
+                () -> new ParameterException(command.commandLine(), "--primaries: expected rec709 or acescg, found " + Quote.of(word)));
+    }
+
     private @Nullable Double exposure;
 
     @Option(names = "--exposure", paramLabel = "STOPS",
@@ -48,14 +60,15 @@ public abstract sealed class PictureOutput permits SinglePictureOutput, StepPict
 
     @Option(names = "--view", paramLabel = "VIEW", converter = ViewConverter.class,
             description = "View transform, for PNG and XPM: srgb, 1998 (linear, no curve), filmic, aces, aces2 or agx (highlight roll-off), false "
-                    + "(false color, one color per stop), a .cube LUT, a transform with a LUT: filmic+look.cube, or a logarithm with a "
-                    + "LUT: log2:-10,6.5+look.cube (default: the scene's).")
-    private @Nullable ViewTransform view;
+                    + "(false color, one color per stop), a .cube LUT, a transform with a LUT: filmic+look.cube, a logarithm with a "
+                    + "LUT: log2:-10,6.5+look.cube, or a view of OpenColorIO: ocio:DISPLAY/VIEW or ocio:config.ocio#DISPLAY/VIEW "
+                    + "(default: the scene's).")
+    private @Nullable ViewChoice view;
 
     /** Returns the view transform of a scene's image: the options', else the scene's. */
     public ViewTransform view(Scene scene) {
         ViewTransform ofScene = SceneView.of(scene);
-        return (view == null ? ofScene : view).withExposure(exposure == null ? ofScene.exposure() : exposure);
+        return (view == null ? ofScene : view.transform()).withExposure(exposure == null ? ofScene.exposure() : exposure);
     }
 
     /** Checks that the output can be written, before a long computation. */
@@ -67,6 +80,14 @@ public abstract sealed class PictureOutput permits SinglePictureOutput, StepPict
     /** Checks the options against the format of a file's extension. */
     public void checkFormat(Path picture) throws IOException {
         ImageFormat.of(picture).requireBitDepth(picture, bits(picture));
+        if (primaries != ExrPrimaries.REC_709 && ImageFormat.of(picture) != ImageFormat.EXR) {
+            throw new IOException(Quote.path(picture) + ": --primaries " + primaries.word() + " needs an .exr file");
+        }
+    }
+
+    /** Returns the color space of an OpenEXR file. */
+    public ExrPrimaries primaries() {
+        return primaries;
     }
 
     /** Returns the bits per channel of a file. */
@@ -86,7 +107,14 @@ public abstract sealed class PictureOutput permits SinglePictureOutput, StepPict
 
     /** Adds the lookup table of the view to the files that the command reads. */
     public InputFiles withViewFile(InputFiles inputs) {
-        return view == null || view.lut().isEmpty() ? inputs : inputs.with(view.lut().get().file());
+        return view == null || view.transform().lut().isEmpty() ? inputs : inputs.with(view.transform().lut().get().file());
+    }
+
+    /** Prints what there is to say about the accuracy of the view. */
+    public void printViewNotes(Console console) {
+        if (view != null) {
+            view.notes().forEach(note -> console.warn("%s", note));
+        }
     }
 
     /** Returns the memory in bytes available for rendering, after subtracting what writing the image needs. */
@@ -117,7 +145,7 @@ public abstract sealed class PictureOutput permits SinglePictureOutput, StepPict
      */
     public void write(Scene scene, Film film, Path picture, Optional<FrameTime> time, WorkerPool workers) throws IOException {
         if (ImageFormat.of(picture) == ImageFormat.EXR) {
-            ImageFile.writeExr(picture, film, bits(picture), SceneMetadata.of(scene, time));
+            ImageFile.writeExr(picture, film, bits(picture), SceneMetadata.of(scene, time), primaries);
         } else {
             ImageFile.write(picture, film, view(scene), bits(picture), workers);
         }

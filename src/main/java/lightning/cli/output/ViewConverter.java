@@ -3,11 +3,16 @@ package lightning.cli.output;
 import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
-import lightning.base.text.DecimalNumber;
+import lightning.base.file.FileErrorMessage;
 import lightning.base.text.Quote;
+import lightning.base.work.Progress;
 import lightning.format.image.CubeLutReader;
+import lightning.format.ocio.OcioReference;
+import lightning.format.ocio.OcioView;
 import lightning.render.image.CubeLut;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.Log2Shaper;
@@ -17,11 +22,28 @@ import picocli.CommandLine.TypeConversionException;
 
 /**
  * Parser of view transforms: a curve, a .cube file, or both with a plus sign. A logarithm instead of the curve needs a file: {@code
- * log2:-10,6.5+look.cube}.
+ * log2:-10,6.5+look.cube}. Or a view of OpenColorIO: {@code ocio:DISPLAY/VIEW}.
  */
-public final class ViewConverter implements ITypeConverter<ViewTransform> {
+final class ViewConverter implements ITypeConverter<ViewChoice> {
     @Override
-    public ViewTransform convert(String text) {
+    public ViewChoice convert(String text) {
+        return OcioReference.isReference(text) ? ocio(text) : new ViewChoice(transform(text), List.of());
+    }
+
+    private static ViewChoice ocio(String text) {
+        try {
+            OcioView view = OcioView.bake(OcioReference.parse(text, System.getenv(OcioReference.VARIABLE)), Progress.NONE);
+            List<String> notes = new ArrayList<>(List.of(view.title() + ": " + view.errorText()));
+            if (!view.facts().note().isEmpty()) {
+                notes.add(view.title() + ": " + view.facts().note());
+            }
+            return new ViewChoice(view.transform(), notes);
+        } catch (IOException e) {
+            throw new TypeConversionException(FileErrorMessage.of(e));
+        }
+    }
+
+    private static ViewTransform transform(String text) {
         int plus = text.indexOf('+');
         String word = plus < 0 ? text : text.substring(0, plus);
         Optional<DisplayCurve> curve = Arrays.stream(DisplayCurve.values()).filter(c -> c.word().equals(word)).findFirst();
@@ -36,20 +58,23 @@ public final class ViewConverter implements ITypeConverter<ViewTransform> {
                 throw new TypeConversionException("expected a .cube file after " + word + ", such as " + word + "+look.cube");
             }
         }
-        return plus < 0 ? view : view.withLut(Optional.of(table(text.substring(plus + 1))));
+        if (plus < 0) {
+            return view;
+        }
+        CubeLut table = table(text.substring(plus + 1));
+        if (table.log().isPresent()) {
+            throw new TypeConversionException(Quote.path(table.file()) + " is made for " + table.log().get().text()
+                    + " and replaces the transform; use it without " + word + "+");
+        }
+        return view.withLut(Optional.of(table));
     }
 
     private static Log2Shaper shaper(String word) {
         if (word.equals(Log2Shaper.WORD)) {
             return Log2Shaper.DEFAULT;
         }
-        double[] stops = Arrays.stream(word.substring(Log2Shaper.WORD.length() + 1).split(",", -1))
-                .mapToDouble(v -> DecimalNumber.parse(v).orElse(Double.NaN)).toArray();
-        if (stops.length != 2) {
-            throw new TypeConversionException("expected two numbers of stops such as log2:-6.5,6.5, found " + Quote.of(word));
-        }
         try {
-            return new Log2Shaper(stops[0], stops[1]);
+            return Log2Shaper.parse(word);
         } catch (IllegalArgumentException e) {
             throw new TypeConversionException(e.getMessage());
         }
@@ -58,7 +83,7 @@ public final class ViewConverter implements ITypeConverter<ViewTransform> {
     private static CubeLut table(String file) {
         if (!file.endsWith(CubeLutReader.EXTENSION)) {
             throw new TypeConversionException(
-                    "expected srgb, 1998, filmic, aces, aces2, agx, false or a .cube file, found " + Quote.of(file));
+                    "expected srgb, 1998, filmic, aces, aces2, agx, false, ocio:DISPLAY/VIEW or a .cube file, found " + Quote.of(file));
         }
         try {
             return CubeLutReader.read(Path.of(file));

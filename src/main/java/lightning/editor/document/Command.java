@@ -243,6 +243,8 @@ public enum Command {
     SCOPES(Messages.key("Scopes…"), Messages.key("Show histogram and waveform of the displayed render"), "mdi2c-chart-histogram"),
     CURVE(Messages.key("View Transform"), Messages.key("Choose the tone mapping of the display"), "mdi2c-chart-bell-curve"),
     COLOR_TABLE(Messages.key("Load LUT…"), Messages.key("Apply a .cube LUT after the view transform, or remove it"), "mdi2c-cube-outline"),
+    OCIO_VIEW(Messages.key("OpenColorIO View…"), Messages.key("Choose a display and a view of an OpenColorIO configuration"),
+            "mdi2p-palette-outline"),
     MARK_CLIPPING(Messages.key("Show Clipping"), Messages.key("Mark pixels that are clipped at white or black"), "mdi2c-circle-off-outline",
             "Shortcut+Shift+K"),
     SHADOWS(Messages.key("Shadows"), Messages.key("Show shadows in the render"), "mdi2b-box-shadow"),

@@ -37,13 +37,13 @@ public final class ExrColorReader {
 
     /**
      * Reads colors, or gray values of a file with luminance alone. Those of a file with other chromaticities than Rec. 709 are converted, so that its white becomes white (Bradford).
-     * Colors outside Rec. 709 get negative components.
+     * A file without chromaticities is ACEScg if its header or the word {@code acescg} in its name says so. Colors outside Rec. 709 get negative components.
      *
      * @param sink receives each pixel as {@link ExrReader#read}, as red, green and blue
      * @throws IOException as {@link ExrReader#read}, or if the chromaticities are no color space
      */
     public static void read(ExrReader reader, ExrReader.PixelConsumer sink) throws IOException {
-        Optional<Matrix3> matrix = toWorkingSpace(reader.header());
+        Optional<Matrix3> matrix = toWorkingSpace(reader.header(), reader.fileName());
         if (matrix.isEmpty()) {
             reader.read(channels(reader.header()), sink);
             return;
@@ -52,9 +52,9 @@ public final class ExrColorReader {
         float[] converted = new float[COLORS.size()];
         reader.read(channels(reader.header()), (x, y, rgb) -> {
             // Infinities of different signs would cancel to NaN.
-            double red = finite(rgb[RED]);
-            double green = finite(rgb[GREEN]);
-            double blue = finite(rgb[BLUE]);
+            double red = ExrPrimaries.finite(rgb[RED]);
+            double green = ExrPrimaries.finite(rgb[GREEN]);
+            double blue = ExrPrimaries.finite(rgb[BLUE]);
             for (int c = 0; c < converted.length; c++) {
                 int row = converted.length * c;
                 converted[c] = (float) (m[row] * red + m[row + 1] * green + m[row + 2] * blue);
@@ -63,15 +63,15 @@ public final class ExrColorReader {
         });
     }
 
-    /** Returns the value, or the largest finite one in place of infinity. */
-    private static double finite(float value) {
-        return Math.clamp(value, -Float.MAX_VALUE, Float.MAX_VALUE);
-    }
-
-    /** Returns the matrix to the working space; empty if the file is in it or does not say. */
-    static Optional<Matrix3> toWorkingSpace(ExrHeader header) throws IOException {
-        if (!(header.attributes().get("chromaticities") instanceof ExrAttribute.Chromaticities colors)
-                || colors.equals(ExrAttribute.Chromaticities.REC_709)) {
+    /**
+     * Returns the matrix to the working space; empty if the file is in it or does not say. Chromaticities decide; without them, {@link
+     * ExrPrimaries#declared}.
+     */
+    static Optional<Matrix3> toWorkingSpace(ExrHeader header, String fileName) throws IOException {
+        if (!(header.attributes().get("chromaticities") instanceof ExrAttribute.Chromaticities colors)) {
+            return ExrPrimaries.declared(header.attributes(), fileName).flatMap(ExrPrimaries::toRec709);
+        }
+        if (colors.equals(ExrAttribute.Chromaticities.REC_709)) {
             return Optional.empty();
         }
         double[] xy = colors.values().stream().mapToDouble(Float::doubleValue).toArray();

@@ -22,6 +22,7 @@ public final class ExrReader implements AutoCloseable {
     /** Maximum uncompressed bytes of a chunk, so that a small damaged file cannot request more. */
     private static final long MAX_CHUNK_BYTES = 1L << 28;
 
+    private final String fileName;
     private final FileChannel file;
     private final ExrPart part;
 
@@ -31,6 +32,7 @@ public final class ExrReader implements AutoCloseable {
      * @throws IOException if it is not an OpenEXR file, or of an unsupported kind; the message says which
      */
     public ExrReader(Path path) throws IOException {
+        fileName = String.valueOf(path.getFileName());
         file = FileChannel.open(path);
         try {
             part = readHeader(INITIAL_HEADER_BYTES);
@@ -51,6 +53,11 @@ public final class ExrReader implements AutoCloseable {
             }
             return readHeader(MAX_HEADER_BYTES);
         }
+    }
+
+    /** Returns the file's name without its folder. */
+    String fileName() {
+        return fileName;
     }
 
     /** Returns the header, with the size of the display window. The image size is not validated. */

@@ -11,11 +11,14 @@ import lightning.base.file.RegularFile;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
 import lightning.render.image.CubeLut;
+import lightning.render.image.Log2Shaper;
 
 /**
  * Reader for {@code .cube} LUTs (Cube LUT Specification 1.0, Adobe, 2013): {@code TITLE}, {@code LUT_1D_SIZE} or {@code
  * LUT_3D_SIZE}, {@code DOMAIN_MIN}, {@code DOMAIN_MAX}, then three numbers per line, red fastest. {@code LUT_1D_INPUT_RANGE}
  * and {@code LUT_3D_INPUT_RANGE} of other programs set the same domain for all channels of one table; their files may have curves before a lattice.
+ *
+ * <p>The comment {@code # LIGHTNING_SHAPER log2:-9,12} says that the table is made for a logarithm of linear light.
  */
 public final class CubeLutReader {
     /** Maximum file size in bytes: 64 MiB. */
@@ -25,11 +28,13 @@ public final class CubeLutReader {
             List.of("TITLE", "LUT_1D_SIZE", "LUT_3D_SIZE", "DOMAIN_MIN", "DOMAIN_MAX", "LUT_1D_INPUT_RANGE", "LUT_3D_INPUT_RANGE");
     /** File extension of LUTs. */
     public static final String EXTENSION = ".cube";
+    private static final String SHAPER = "# LIGHTNING_SHAPER ";
     private static final double MAX_VALUE = 1e9;
     private static final int MAX_QUOTED_LENGTH = 40;
 
     private final Path file;
     private int line;
+    private Optional<Log2Shaper> log = Optional.empty();
     private final Table curves = new Table();
     private final Table lattice = new Table();
 
@@ -100,10 +105,13 @@ public final class CubeLutReader {
                 throw problem("DOMAIN_MIN below DOMAIN_MAX in each channel", table.min[c] + " and " + table.max[c]);
             }
         }
-        return new CubeLut(file, table == lattice, table.size, table.colors, table.min, table.max, shaper);
+        return new CubeLut(file, table == lattice, table.size, table.colors, table.min, table.max, shaper, log);
     }
 
     private void readLine(String text) throws IOException {
+        if (text.startsWith(SHAPER)) {
+            readShaper(text.substring(SHAPER.length()).strip());
+        }
         if (text.isEmpty() || text.startsWith("#")) {
             return;
         }
@@ -123,6 +131,14 @@ public final class CubeLutReader {
             case "LUT_1D_INPUT_RANGE" -> readRange(words, curves);
             case "LUT_3D_INPUT_RANGE" -> readRange(words, lattice);
             default -> readColor(words, text);
+        }
+    }
+
+    private void readShaper(String text) throws IOException {
+        try {
+            log = Optional.of(Log2Shaper.parse(text));
+        } catch (IllegalArgumentException e) {
+            throw problem("a logarithm such as log2:-9,12 after " + SHAPER.strip(), quoted(text));
         }
     }
 

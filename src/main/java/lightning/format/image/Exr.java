@@ -3,6 +3,7 @@ package lightning.format.image;
 import java.io.IOException;
 import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import lightning.format.exr.ExrAttribute;
@@ -10,6 +11,7 @@ import lightning.format.exr.ExrChannel;
 import lightning.format.exr.ExrChunk;
 import lightning.format.exr.ExrColorReader;
 import lightning.format.exr.ExrHeader;
+import lightning.format.exr.ExrPrimaries;
 import lightning.format.exr.ExrReader;
 import lightning.format.exr.ExrType;
 import lightning.format.exr.ExrWriter;
@@ -21,19 +23,36 @@ final class Exr {
 
     private Exr() {}
 
-    static void write(SeekableByteChannel file, Film film, ExrType type, Map<String, ExrAttribute> attributes) throws IOException {
+    /**
+     * Writes a film.
+     *
+     * @param primaries color space of the file; Rec. 709 adds no attributes
+     */
+    static void write(SeekableByteChannel file, Film film, ExrType type, Map<String, ExrAttribute> given, ExrPrimaries primaries)
+            throws IOException {
+        Map<String, ExrAttribute> attributes = new LinkedHashMap<>(given);
+        if (primaries != ExrPrimaries.REC_709) {
+            attributes.putAll(primaries.attributes());
+        }
         List<ExrChannel> channels = COLORS.stream().map(name -> new ExrChannel(name, type)).toList();
         ExrHeader header = new ExrHeader(film.width(), film.height(), channels, attributes);
         int[] channelIndices = COLORS.stream().mapToInt(name -> header.channels().indexOf(new ExrChannel(name, type))).toArray();
         ExrWriter writer = new ExrWriter(file, header);
+        float[][] pixels = new float[3][film.width()];
         for (int c = 0; c < header.chunkCount(); c++) {
             ExrChunk chunk = new ExrChunk(header, c);
             for (int y = 0; y < header.lineCount(c); y++) {
                 int line = c * ExrHeader.LINES_PER_CHUNK + y;
                 for (int x = 0; x < film.width(); x++) {
-                    chunk.put(channelIndices[0], x, y, film.red(x, line));
-                    chunk.put(channelIndices[1], x, y, film.green(x, line));
-                    chunk.put(channelIndices[2], x, y, film.blue(x, line));
+                    pixels[0][x] = film.red(x, line);
+                    pixels[1][x] = film.green(x, line);
+                    pixels[2][x] = film.blue(x, line);
+                }
+                float[][] converted = primaries.convert(pixels);
+                for (int x = 0; x < film.width(); x++) {
+                    for (int color = 0; color < 3; color++) {
+                        chunk.put(channelIndices[color], x, y, converted[color][x]);
+                    }
                 }
             }
             writer.writeChunk(c, chunk.compress());

@@ -8,6 +8,7 @@ import lightning.base.file.AtomicFile;
 import lightning.base.text.Quote;
 import lightning.base.work.WorkerPool;
 import lightning.format.exr.ExrAttribute;
+import lightning.format.exr.ExrPrimaries;
 import lightning.format.exr.ExrType;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
@@ -59,9 +60,20 @@ public final class ImageFile {
      * @throws IOException as {@link #write(Path, Film, ViewTransform)}, and as {@link ImageFormat#requireBitDepth}
      */
     public static void writeExr(Path file, Film film, int bits, Map<String, ExrAttribute> attributes) throws IOException {
+        writeExr(file, film, bits, attributes, ExrPrimaries.REC_709);
+    }
+
+    /**
+     * Writes a film as OpenEXR in another color space.
+     *
+     * @param primaries color space of the file; their attributes replace those of {@code attributes}
+     * @throws IOException as above
+     */
+    public static void writeExr(Path file, Film film, int bits, Map<String, ExrAttribute> attributes, ExrPrimaries primaries)
+            throws IOException {
         ImageFormat.EXR.requireBitDepth(file, bits);
-        AtomicFile.of(file)
-                .writeRandomAccess(to -> Exr.write(to, film, bits == Short.SIZE ? ExrType.HALF : ExrType.FLOAT, attributes));
+        AtomicFile.of(file).writeRandomAccess(
+                to -> Exr.write(to, film, bits == Short.SIZE ? ExrType.HALF : ExrType.FLOAT, attributes, primaries));
     }
 
     /**

@@ -12,6 +12,7 @@ import lightning.base.text.Quote;
 import lightning.base.work.WorkerPool;
 import lightning.format.exr.ExrHeader;
 import lightning.format.exr.ExrMetadata;
+import lightning.format.exr.ExrPrimaries;
 import lightning.format.exr.ExrType;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
@@ -78,7 +79,7 @@ public enum ImageFormat {
         @Override
         void write(Path file, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException {
             AtomicFile.of(file).writeRandomAccess(to -> Exr.write(to, film, bits == Short.SIZE ? ExrType.HALF : ExrType.FLOAT,
-                    ExrMetadata.common()));
+                    ExrMetadata.common(), ExrPrimaries.REC_709));
         }
 
         @Override

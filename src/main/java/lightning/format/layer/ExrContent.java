@@ -1,5 +1,6 @@
 package lightning.format.layer;
 
+import lightning.format.exr.ExrPrimaries;
 import lightning.format.exr.ExrType;
 
 /**
@@ -9,8 +10,9 @@ import lightning.format.exr.ExrType;
  * @param layers layers, with surface data
  * @param grouped whether the lights of a light group share their layers
  * @param matteLevels ids that the mattes of a pixel have room for, even; 0 for no mattes
+ * @param primaries color space of the image and its layers
  */
-public record ExrContent(ExrType type, Layers layers, boolean grouped, int matteLevels) {
+public record ExrContent(ExrType type, Layers layers, boolean grouped, int matteLevels, ExrPrimaries primaries) {
     /** Choice of layers. */
     public enum Layers {
         /** None. */
@@ -32,6 +34,11 @@ public record ExrContent(ExrType type, Layers layers, boolean grouped, int matte
         }
     }
 
+    /** Creates content in Rec. 709. */
+    public ExrContent(ExrType type, Layers layers, boolean grouped, int matteLevels) {
+        this(type, layers, grouped, matteLevels, ExrPrimaries.REC_709);
+    }
+
     /** Returns layers without mattes. */
     public static ExrContent layers(ExrType type) {
         return new ExrContent(type, Layers.LIT, false, 0);
@@ -39,6 +46,11 @@ public record ExrContent(ExrType type, Layers layers, boolean grouped, int matte
 
     /** Returns the image in halves, and mattes. */
     public static ExrContent mattes(int levels) {
-        return new ExrContent(ExrType.HALF, Layers.NONE, false, levels);
+        return mattes(levels, ExrPrimaries.REC_709);
+    }
+
+    /** Returns the image in halves of a color space, and mattes. */
+    public static ExrContent mattes(int levels, ExrPrimaries primaries) {
+        return new ExrContent(ExrType.HALF, Layers.NONE, false, levels, primaries);
     }
 }

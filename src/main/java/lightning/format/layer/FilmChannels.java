@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 import lightning.format.exr.ExrAttribute;
 import lightning.format.exr.ExrChannel;
+import lightning.format.exr.ExrPrimaries;
 import lightning.format.exr.ExrType;
 import lightning.render.engine.Engine;
 import lightning.render.image.Film;
@@ -14,7 +15,7 @@ import lightning.render.image.Film;
  *
  * @param type HALF or FLOAT
  */
-record FilmChannels(Film film, ExrType type) implements ChannelSource {
+record FilmChannels(Film film, ExrType type, ExrPrimaries primaries) implements ChannelSource {
     @Override
     public List<ExrChannel> channels() {
         return Stream.of("R", "G", "B").map(name -> new ExrChannel(name, type)).toList();
@@ -27,6 +28,7 @@ record FilmChannels(Film film, ExrType type) implements ChannelSource {
 
     @Override
     public TileWriter writer(Engine engine) {
-        return (tile, _, sink) -> sink.putColors(0, new float[][] {film.red(tile), film.green(tile), film.blue(tile)});
+        return (tile, _, sink) -> sink.putColors(0,
+                primaries.convert(new float[][] {film.red(tile), film.green(tile), film.blue(tile)}));
     }
 }

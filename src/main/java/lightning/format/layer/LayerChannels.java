@@ -10,6 +10,7 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.format.exr.ExrAttribute;
 import lightning.format.exr.ExrChannel;
+import lightning.format.exr.ExrPrimaries;
 import lightning.format.exr.ExrType;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.PixelCache;
@@ -28,6 +29,7 @@ final class LayerChannels implements ChannelSource {
     private final PixelCache cache;
     private final Film film;
     private final ExrType type;
+    private final ExrPrimaries primaries;
     private final EngineChoice engines;
     private final List<LightSet> sets;
     /** Whether each set of lights has a layer of its reflections. */
@@ -42,11 +44,13 @@ final class LayerChannels implements ChannelSource {
      * @param cache cache of a finished image
      * @param type HALF or FLOAT; halves have no residual layer
      * @param all true for layers of lights that are off too
+     * @param primaries color space of the layers
      * @param grouped true for layers of light groups in place of their lights
      */
-    LayerChannels(PixelCache cache, EngineChoice engines, ExrType type, boolean all, boolean grouped) {
+    LayerChannels(PixelCache cache, EngineChoice engines, ExrType type, ExrPrimaries primaries, boolean all, boolean grouped) {
         this.cache = cache;
         this.type = type;
+        this.primaries = primaries;
         film = cache.film();
         this.engines = engines;
         sets = LightSet.of(cache.scene(), all, grouped);
@@ -103,12 +107,13 @@ final class LayerChannels implements ChannelSource {
         return (tile, centers, sink) -> {
             LayerSum layerSum = new LayerSum(Film.TILE_PIXELS);
             for (int k = 0; k < layers.size(); k++) {
-                float[][] layer = layerPixels(painter, layers.get(k), tile, centers);
+                float[][] layer = primaries.convert(layerPixels(painter, layers.get(k), tile, centers));
                 layerSum.add(layer);
                 sink.putColors(3 * k, layer);
             }
             if (isExact()) {
-                sink.putColors(3 * layers.size(), layerSum.residual(new float[][] {film.red(tile), film.green(tile), film.blue(tile)}));
+                sink.putColors(3 * layers.size(), layerSum
+                        .residual(primaries.convert(new float[][] {film.red(tile), film.green(tile), film.blue(tile)})));
             }
         };
     }

@@ -14,6 +14,7 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.format.exr.ExrAttribute;
 import lightning.format.exr.ExrChannel;
+import lightning.format.exr.ExrPrimaries;
 import lightning.format.exr.ExrType;
 import lightning.render.cache.PixelCache;
 import lightning.render.engine.EngineChoice;
@@ -35,7 +36,8 @@ public final class LayerPlanes {
     public LayerPlanes(PixelCache cache, EngineChoice engines) {
         this.engines = engines;
         film = cache.film();
-        sources = List.of(new FilmChannels(film, ExrType.FLOAT), new LayerChannels(cache, engines, ExrType.FLOAT, false, false),
+        sources = List.of(new FilmChannels(film, ExrType.FLOAT, ExrPrimaries.REC_709),
+                new LayerChannels(cache, engines, ExrType.FLOAT, ExrPrimaries.REC_709, false, false),
                 new SurfaceChannels(cache, ExrType.FLOAT));
         channels = sources.stream().flatMap(source -> source.channels().stream()).map(ExrChannel::name).toList();
     }

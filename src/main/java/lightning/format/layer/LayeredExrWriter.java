@@ -52,10 +52,11 @@ public final class LayeredExrWriter {
     public LayeredExrWriter(PixelCache cache, EngineChoice engines, ExrContent content, Optional<FrameTime> frame) {
         this.engines = engines;
         film = cache.film();
-        sources.add(new FilmChannels(film, content.type()));
+        sources.add(new FilmChannels(film, content.type(), content.primaries()));
         if (content.layers() != ExrContent.Layers.NONE) {
-            LayerChannels layers = new LayerChannels(cache, engines, content.type(), content.layers() == ExrContent.Layers.ALL,
-                    content.grouped());
+            LayerChannels layers =
+                    new LayerChannels(cache, engines, content.type(), content.primaries(), content.layers() == ExrContent.Layers.ALL,
+                            content.grouped());
             sources.add(layers);
             sources.add(new SurfaceChannels(cache, content.type()));
             layerCount = layers.layerNames().size();
@@ -69,6 +70,7 @@ public final class LayeredExrWriter {
             sources.add(mattes);
         }
         Map<String, ExrAttribute> attributes = new LinkedHashMap<>(SceneMetadata.of(cache.scene(), frame));
+        attributes.putAll(content.primaries().attributes());
         sources.forEach(source -> attributes.putAll(source.attributes()));
         header = new ExrHeader(film.width(), film.height(), sources.stream().flatMap(source -> source.channels().stream()).toList(),
                 attributes);

@@ -12,7 +12,7 @@ public record Clipping(long clippedPixels, long totalPixels, double brightest) {
     /** Counts the pixels that a view transform clamps at white. */
     public static Clipping of(Film film, ViewTransform view) {
         float gain = view.gain();
-        double white = view.curve().white();
+        double white = view.white();
         long clipped = 0;
         float brightest = 0;
         for (int y = 0; y < film.height(); y++) {

@@ -23,6 +23,7 @@ public final class CubeLut {
     private final float[] min;
     private final double[] scale;
     private final Optional<CubeLut> shaper;
+    private final Optional<Log2Shaper> log;
 
     /**
      * @param lattice true if {@code colors} is {@code float[3 * size³]}, red first and fastest, then green, then blue; otherwise
@@ -30,12 +31,17 @@ public final class CubeLut {
      * @param min     lower bound of each channel's domain, below {@code max}
      */
     public CubeLut(Path file, boolean lattice, int size, float[] colors, float[] min, float[] max) {
-        this(file, lattice, size, colors, min, max, Optional.empty());
+        this(file, lattice, size, colors, min, max, Optional.empty(), Optional.empty());
     }
 
-    /** @param shaper curves that change a color before this table does; empty for none */
-    public CubeLut(Path file, boolean lattice, int size, float[] colors, float[] min, float[] max, Optional<CubeLut> shaper) {
+    /**
+     * @param shaper curves that change a color before this table does; empty for none
+     * @param log    logarithm of linear light that the table is made for; empty if the view decides what the table gets
+     */
+    public CubeLut(Path file, boolean lattice, int size, float[] colors, float[] min, float[] max, Optional<CubeLut> shaper,
+            Optional<Log2Shaper> log) {
         this.shaper = shaper;
+        this.log = log;
         this.file = file;
         this.is3d = lattice;
         this.size = size;
@@ -47,9 +53,30 @@ public final class CubeLut {
         }
     }
 
-    /** Returns the source file. */
+    private CubeLut(Path file, CubeLut other) {
+        this.file = file;
+        is3d = other.is3d;
+        size = other.size;
+        colors = other.colors;
+        min = other.min;
+        scale = other.scale;
+        shaper = other.shaper;
+        log = other.log;
+    }
+
+    /** Returns the source file; one that does not exist if the table was made in memory. */
     public Path file() {
         return file;
+    }
+
+    /** Returns this table with another file. */
+    public CubeLut withFile(Path other) {
+        return new CubeLut(other, this);
+    }
+
+    /** Returns the logarithm of linear light that the table is made for; empty if the view decides what the table gets. */
+    public Optional<Log2Shaper> log() {
+        return log;
     }
 
     /** Returns the size as text, for example {@code 33 × 33 × 33}. */

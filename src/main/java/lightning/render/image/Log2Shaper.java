@@ -1,6 +1,9 @@
 package lightning.render.image;
 
 import java.math.BigDecimal;
+import java.util.Arrays;
+import lightning.base.text.DecimalNumber;
+import lightning.base.text.Quote;
 
 /**
  * Logarithmic encoding of linear light before a lookup table, as OpenColorIO's configurations use it: stops around middle gray, scaled to
@@ -27,11 +30,30 @@ public record Log2Shaper(double min, double max) {
         }
     }
 
+    /** Returns the linear value that becomes 1. */
+    public double white() {
+        return MIDDLE_GRAY * StrictMath.pow(2, max);
+    }
+
     /** Returns the encoded value, 0 to 1; NaN and values up to 0 give 0. */
     public double encode(double linear) {
         // NaN is not above 0.
         double stops = linear > 0 ? StrictMath.log(linear / MIDDLE_GRAY) / StrictMath.log(2) : Double.NEGATIVE_INFINITY;
         return Math.clamp((stops - min) / (max - min), 0, 1);
+    }
+
+    /**
+     * Returns the shaper of a text such as {@code log2:-6.5,6.5}.
+     *
+     * @throws IllegalArgumentException if the text is no shaper; the message is a sentence
+     */
+    public static Log2Shaper parse(String text) {
+        double[] stops = !text.startsWith(WORD + ":") ? new double[0] : Arrays.stream(text.substring(WORD.length() + 1).split(",", -1))
+                .mapToDouble(v -> DecimalNumber.parse(v).orElse(Double.NaN)).toArray();
+        if (stops.length != 2) {
+            throw new IllegalArgumentException("expected two numbers of stops such as log2:-6.5,6.5, found " + Quote.of(text));
+        }
+        return new Log2Shaper(stops[0], stops[1]);
     }
 
     /** Returns the shaper in the syntax of options: {@code log2:-6.5,6.5}. */

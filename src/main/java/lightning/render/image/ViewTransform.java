@@ -17,7 +17,8 @@ import lightning.render.image.aces.Aces2Table;
  * @param exposure      stops, −64 to 64; one more doubles the brightness
  * @param lut           lookup table applied after the curve, if any; {@link DisplayCurve#LINEAR} is not clamped before it; ignored
  *                      for false colors
- * @param shaper        logarithm that replaces the curve before the lookup table, if any; ignored without a table
+ * @param shaper        logarithm that replaces the curve before the lookup table, if any; that of the table by default; ignored without
+ *                      a table
  * @param marksClipping true if clipped pixels are shown in {@link #CLIPPED_MARK} and {@link #BLACK_MARK}; ignored for false colors
  */
 @RecordBuilder
@@ -105,14 +106,24 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
         return lut.isPresent() && curve != DisplayCurve.FALSE;
     }
 
+    /** Returns the linear value after exposure above which a channel is clamped: white of the curve, or the upper end of the logarithm. */
+    public double white() {
+        return usedShaper().map(Log2Shaper::white).orElse(curve.white());
+    }
+
+    private Optional<Log2Shaper> usedShaper() {
+        return !hasLut() ? Optional.empty() : shaper.isPresent() ? shaper : lut.orElseThrow().log();
+    }
+
     private boolean mixesChannels() {
         return hasLut() || curve.mixesChannels();
     }
 
     /** Returns the display values of linear values after exposure. */
     private double[] values(float red, float green, float blue) {
-        if (hasLut() && shaper.isPresent()) {
-            Log2Shaper log = shaper.get();
+        Optional<Log2Shaper> used = usedShaper();
+        if (used.isPresent()) {
+            Log2Shaper log = used.get();
             return applyLut(log.encode(red), log.encode(green), log.encode(blue));
         }
         if (curve.mixesChannels()) {
@@ -239,7 +250,8 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
         int codes = !mixesChannels() ? codes(r, g, b)
                 : curve == DisplayCurve.ACES2 && !hasLut() ? Aces2Table.packed(r, g, b) : mixedCodes(r, g, b);
         if (marksClipping) {
-            boolean over = r > curve.white() || g > curve.white() || b > curve.white();
+            double white = white();
+            boolean over = r > white || g > white || b > white;
             return 0xFF000000 | (over ? CLIPPED_MARK : codes == 0 ? BLACK_MARK : codes);
         }
         return 0xFF000000 | codes;
@@ -267,7 +279,7 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
 
     /** Returns a description, for example {@code Filmic (Hable), look.cube, +0.5 stops}. */
     public String description() {
-        return (hasLut() && shaper.isPresent() ? shaper.get().text() : curve.title())
+        return usedShaper().map(Log2Shaper::text).orElse(curve.title())
                 + lut.map(table -> ", " + Quote.path(table.file().getFileName())).orElse("") + (exposure == 0 ? ""
                         : ", " + (exposure > 0 ? "+" : "") + BigDecimal.valueOf(exposure).stripTrailingZeros().toPlainString() + " stops");
     }

@@ -20,6 +20,7 @@ import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.format.exr.ExrChannel;
+import lightning.format.exr.ExrPrimaries;
 import lightning.format.exr.ExrReader;
 import lightning.format.exr.ExrType;
 import lightning.render.image.Film;
@@ -164,6 +165,26 @@ class LayeredExrWriterTest {
             float[] group = grouped.sum(List.of("soft_diffuse"));
             for (int i = 0; i < sum.length; i++) {
                 assertThat(group[i]).isCloseTo(sum[i], within(20 * 0x1p-23f * sum[i]));
+            }
+        }
+    }
+
+    @Test
+    void acescgLayers_sumToTheAcescgImage() throws IOException {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1)); TryFolder files = new TryFolder();
+                WorkerPool workers = new WorkerPool(1)) {
+            renderer.render(StudioScene.withFourLights(30, 24), Progress.NONE);
+            Path path = files.file("acescg.exr");
+            new LayeredExrWriter(renderer.cache(), renderer.options().engines(),
+                    new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, false, 0, ExrPrimaries.ACESCG), Optional.empty())
+                    .write(path, Long.MAX_VALUE, workers, Progress.NONE);
+            ExrValues acescg = new ExrValues(path);
+            float[] sum = acescg.sum(acescg.list("lightning/sum"));
+            float[] rec709 = renderer.film().toScanlines();
+            for (int i = 0; i < sum.length; i += 3) {
+                float[][] expected =
+                        ExrPrimaries.ACESCG.convert(new float[][] {{rec709[i]}, {rec709[i + 1]}, {rec709[i + 2]}});
+                assertThat(new float[] {sum[i], sum[i + 1], sum[i + 2]}).containsExactly(expected[0][0], expected[1][0], expected[2][0]);
             }
         }
     }

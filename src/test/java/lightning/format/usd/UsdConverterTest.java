@@ -10,7 +10,6 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
-import lightning.base.file.SearchPath;
 import lightning.base.work.Progress;
 import lightning.format.mesh.MeshException;
 import org.junit.jupiter.api.Test;
@@ -78,19 +77,5 @@ class UsdConverterTest {
         var polls = new AtomicInteger();
         assertThatThrownBy(() -> convert("sleep 100", Duration.ofMinutes(1), Progress.cancellation(() -> polls.incrementAndGet() > 2)))
                 .isInstanceOf(CancellationException.class);
-    }
-
-    @Test
-    void interpreter_isChosenOrFoundOrAskedFor() throws Exception {
-        Path python = program("");
-        SearchPath path = SearchPath.of(folder.toString());
-        assertThat(PythonInterpreter.find(null, path)).isEqualTo(python);
-        assertThat(PythonInterpreter.find("", path)).isEqualTo(python);
-        assertThat(PythonInterpreter.find(python.toString(), SearchPath.of(null))).isEqualTo(python);
-        assertThat(PythonInterpreter.find("python3", path)).isEqualTo(python);
-        assertThatThrownBy(() -> PythonInterpreter.find(null, SearchPath.of(null))).isInstanceOf(IOException.class)
-                .hasMessage("USD files need Python with the package usd-core; install Python 3, then run: pip install usd-core");
-        assertThatThrownBy(() -> PythonInterpreter.find("/nowhere/python", path)).isInstanceOf(IOException.class)
-                .hasMessage("LIGHTNING_PYTHON names '/nowhere/python', which is not a program");
     }
 }

@@ -93,7 +93,7 @@ class UsdLimitsTest {
         Path scratch = Files.createDirectory(folder.resolve("tmp"));
         var builder = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Djava.io.tmpdir=" + scratch, "-cp", System.getProperty("java.class.path"), StageHolder.class.getName(), stage.toString());
-        builder.environment().put(PythonInterpreter.VARIABLE, PythonPrograms.require("pxr"));
+        builder.environment().put("LIGHTNING_PYTHON", PythonPrograms.require("pxr"));
         Process lightning = builder.start();
         List<ProcessHandle> converters = List.of();
         try {

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class Log2ShaperTest {
     @TempDir
@@ -74,5 +75,36 @@ class Log2ShaperTest {
         ViewTransform view = ViewTransform.DEFAULT.withShaper(Optional.of(Log2Shaper.DEFAULT));
         assertThat(view.pack(0.18f, 0.5f, 1)).isEqualTo(ViewTransform.DEFAULT.pack(0.18f, 0.5f, 1));
         assertThat(view.description()).isEqualTo("sRGB");
+    }
+
+    @Test
+    void commentOfFile_setsLogarithm() throws IOException {
+        String table = "LUT_1D_SIZE 2\n1 1 1\n0 0 0\n";
+        CubeLut plain = CubeLutReader.read(Files.writeString(folder.resolve("plain.cube"), "# any comment\n" + table));
+        CubeLut log = CubeLutReader.read(Files.writeString(folder.resolve("log.cube"), "# LIGHTNING_SHAPER log2:-10,6.5\n" + table));
+        assertThat(plain.log()).isEmpty();
+        assertThat(log.log()).contains(new Log2Shaper(-10, 6.5));
+        ViewTransform expected = ViewTransform.DEFAULT.withLut(Optional.of(plain)).withShaper(Optional.of(new Log2Shaper(-10, 6.5)));
+        ViewTransform found = new ViewTransform(0, DisplayCurve.AGX).withLut(Optional.of(log));
+        assertThat(found.pack(0.1f, 0.5f, 3)).isEqualTo(expected.pack(0.1f, 0.5f, 3));
+        assertThat(found.description()).isEqualTo("log2:-10,6.5, log.cube");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"log2", "log2:1", "log2:2,1", "log2:a,b", "log3:-1,1", "x"})
+    void invalidCommentOfFile_isRejected(String shaper) throws IOException {
+        Path file = Files.writeString(folder.resolve("log.cube"), "# LIGHTNING_SHAPER " + shaper + "\nLUT_1D_SIZE 2\n1 1 1\n0 0 0\n");
+        assertThatThrownBy(() -> CubeLutReader.read(file)).isInstanceOf(IOException.class).hasMessageContaining(
+                "log.cube, line 1: expected a logarithm such as log2:-9,12 after # LIGHTNING_SHAPER, found '" + shaper + "'");
+    }
+
+    /** 0.18 · 2² = 0.72, the upper end of the logarithm; sRGB alone clips at 1. */
+    @Test
+    void lightAboveTheLogarithm_isClipped() {
+        CubeLut table = new CubeLut(Path.of("any"), false, 2, new float[] {0, 0, 0, 1, 1, 1}, new float[3], new float[] {1, 1, 1});
+        ViewTransform view = ViewTransform.DEFAULT.withLut(Optional.of(table)).withShaper(Optional.of(new Log2Shaper(-2, 2)));
+        Film film = Film.ofScanlines(2, 1, new float[] {0.7f, 0, 0, 0.73f, 0, 0});
+        assertThat(Clipping.of(film, view).clippedPixels()).isOne();
+        assertThat(Clipping.of(film, ViewTransform.DEFAULT).clippedPixels()).isZero();
     }
 }

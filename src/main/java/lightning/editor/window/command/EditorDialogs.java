@@ -48,6 +48,7 @@ public final class EditorDialogs {
     static final ButtonType REPLACE = new ButtonType(Messages.tr("Replace"), ButtonData.YES);
     static final ButtonType SAVE_AS = new ButtonType(Messages.tr("Save As…"), ButtonData.OTHER);
     static final ButtonType RELOAD = new ButtonType(Messages.tr("Reload File"), ButtonData.NO);
+    static final ButtonType APPLY = new ButtonType(Messages.tr("Apply"), ButtonData.OK_DONE);
     static final ButtonType COPY = new ButtonType(Messages.tr("Copy"), ButtonData.OTHER);
     private static final ButtonType LATER = new ButtonType(Messages.tr("Not Now"), ButtonData.CANCEL_CLOSE);
     private static final double WIDTH = 560;
@@ -136,6 +137,15 @@ public final class EditorDialogs {
         onShown.accept(cards);
         alert.showAndWait();
         return cards.chosen();
+    }
+
+    /** Asks for a view of OpenColorIO; returns false if canceled. */
+    boolean askOcioView(OcioChooser chooser) {
+        Alert alert = alert(Alert.AlertType.CONFIRMATION, Messages.tr("Show the image with a view of OpenColorIO"), "", APPLY,
+                ButtonType.CANCEL);
+        alert.getDialogPane().setContent(chooser);
+        alert.getDialogPane().lookupButton(APPLY).disableProperty().bind(chooser.isIncomplete());
+        return alert.showAndWait().filter(APPLY::equals).isPresent();
     }
 
     /** Lists what an import left out or changed. */

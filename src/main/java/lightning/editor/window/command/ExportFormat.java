@@ -2,6 +2,7 @@ package lightning.editor.window.command;
 
 import java.util.Optional;
 import lightning.base.text.Messages;
+import lightning.format.exr.ExrPrimaries;
 import lightning.format.exr.ExrType;
 import lightning.format.image.ImageFormat;
 import lightning.format.layer.ExrContent;
@@ -13,6 +14,8 @@ enum ExportFormat {
     LAYERS_FLOAT(Messages.key("Layers as OpenEXR, 32-bit Float…"), ImageFormat.EXR, 32, ExrContent.layers(ExrType.FLOAT)),
     MATTES(Messages.key("Mattes as OpenEXR, Cryptomatte…"), ImageFormat.EXR, 16, ExrContent.mattes(ExrContent.DEFAULT_MATTE_LEVELS)),
     EXR(Messages.key("Image as OpenEXR, 32-bit Float…"), ImageFormat.EXR, 32, null),
+    ACESCG(Messages.key("Image as OpenEXR, ACEScg…"), ImageFormat.EXR, 32,
+            new ExrContent(ExrType.FLOAT, ExrContent.Layers.NONE, false, 0, ExrPrimaries.ACESCG)),
     HDR(Messages.key("Image as Radiance HDR…"), ImageFormat.HDR, 8, null),
     PNG(Messages.key("Image as PNG, 16-bit…"), ImageFormat.PNG, 16, null);
 

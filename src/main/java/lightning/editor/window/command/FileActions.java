@@ -81,6 +81,7 @@ public final class FileActions {
         model.commands().setAction(Command.QUIT, quit);
         RigActions.register(model.commands(), editor, model.files(), prompt, notices);
         ColorTableActions.register(model, prompt, notices, preferences);
+        OcioActions.register(model, prompt, notices, preferences);
         refreshRecent();
     }
 

@@ -54,6 +54,11 @@ public interface FilePrompt {
         return sceneToOpen(folder);
     }
 
+    /** Prompts for a configuration of OpenColorIO to read. */
+    default Optional<Path> configToOpen(Path folder) {
+        return sceneToOpen(folder);
+    }
+
     /** Prompts for an asset to copy next to the scene. */
     default Optional<Path> assetToOpen(String title, FileKind kind, Path folder) {
         return sceneToOpen(folder);
@@ -64,6 +69,7 @@ public interface FilePrompt {
         var scenes = filter("Scenes", JenFile.EXTENSION);
         var files = new FileChooser.ExtensionFilter(Messages.tr("Scenes and files of other programs"),
                 Stream.concat(Stream.of(JenFile.EXTENSION), SceneImporter.extensions().stream()).map(ending -> "*" + ending).toList());
+        var configs = new FileChooser.ExtensionFilter(Messages.tr("OpenColorIO configurations"), "*.ocio", "*.ocioz");
         var tables = filter("LUTs", CubeLutReader.EXTENSION);
         return new FilePrompt() {
             @Override
@@ -98,6 +104,11 @@ public interface FilePrompt {
             @Override
             public Optional<Path> tableToOpen(Path folder) {
                 return path(chooser(Messages.tr("Load LUT"), folder, tables), c -> c.showOpenDialog(owner));
+            }
+
+            @Override
+            public Optional<Path> configToOpen(Path folder) {
+                return path(chooser(Messages.tr("Open"), folder, configs), c -> c.showOpenDialog(owner));
             }
 
             @Override

@@ -24,7 +24,8 @@ public final class ViewMenuItems {
         for (DisplayCurve curve : DisplayCurve.values()) {
             menuItems.add(curve(actions, items, curve));
         }
-        menuItems.addAll(List.of(new SeparatorMenuItem(), items.item(Command.COLOR_TABLE), items.item(Command.MARK_CLIPPING),
+        menuItems.addAll(List.of(new SeparatorMenuItem(), items.item(Command.COLOR_TABLE),
+                items.item(Command.OCIO_VIEW), items.item(Command.MARK_CLIPPING),
                 new SeparatorMenuItem(),
                 items.item(Command.SHADOWS), items.item(Command.REFLECTIONS), items.item(Command.LIT_TEXTURES)));
         return menuItems;

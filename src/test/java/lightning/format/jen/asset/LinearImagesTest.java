@@ -56,6 +56,16 @@ class LinearImagesTest {
                 .containsExactly(1e-5f, 3, 70_000, 0.1f, 0, 0);
     }
 
+    /** Rec. 709 has no color for a pure green of ACEScg: its red and blue are below 0. */
+    @Test
+    void textureWithAcescgInItsName_isConverted() throws Exception {
+        exr("sky_acescg.exr", 2, 1, 0.5f, 0.5f, 0.5f, 0, 1, 0);
+        EnvironmentMap map = read("world { environment \"sky_acescg.exr\" }").scene().world().environment().orElseThrow().map();
+        assertThat(map.channel(0, 0, 0)).isCloseTo(0.5f, org.assertj.core.api.Assertions.within(1e-6f));
+        assertThat(map.channel(1, 0, 0)).isZero();
+        assertThat(map.channel(1, 0, 1)).isCloseTo(1.1408f, org.assertj.core.api.Assertions.within(1e-4f));
+    }
+
     /** The data of 2×1 pixels are the right half of the second line of a window of 4×2 pixels. */
     @Test
     void environmentOfCroppedOpenExr_fillsItsDisplayWindowWithBlack() throws Exception {
