@@ -11,6 +11,8 @@ import javafx.stage.Stage;
 import lightning.base.work.Await;
 import lightning.editor.document.FileThread;
 import lightning.editor.window.model.Preferences;
+import lightning.render.image.CubeLut;
+import lightning.sample.PythonPrograms;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -91,6 +93,30 @@ class StartupSessionTest {
                 () -> WaitForAsyncUtils
                         .asyncFx(() -> startupSession.model().editor().message().textProperty().get().contains("file not found"))
                         .get());
+        assertThat(startupSession.model().picture().viewProperty().get().lut()).isEmpty();
+    }
+
+    @Test
+    void viewOfOpenColorIo_afterRestart_isMadeAgain() throws Exception {
+        PythonPrograms.require("PyOpenColorIO");
+        var preferences = new Preferences(folder.resolve("own"), Runnable::run);
+        preferences.set("ocio.config", "ocio://default");
+        preferences.set("ocio.view", "sRGB - Display/Un-tone-mapped");
+        preferences.save();
+        show("16 12");
+        WaitForAsyncUtils.waitFor(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS, () -> WaitForAsyncUtils
+                .asyncFx(() -> startupSession.model().picture().viewProperty().get().lut().flatMap(CubeLut::log).isPresent()).get());
+    }
+
+    @Test
+    void missingConfigurationOfOpenColorIo_showsMessage() throws Exception {
+        PythonPrograms.require("PyOpenColorIO");
+        var preferences = new Preferences(folder.resolve("own"), Runnable::run);
+        preferences.set("ocio.config", folder.resolve("gone.ocio"));
+        preferences.save();
+        show("16 12");
+        WaitForAsyncUtils.waitFor(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS, () -> WaitForAsyncUtils
+                .asyncFx(() -> startupSession.model().editor().message().textProperty().get().contains("gone.ocio: file not found")).get());
         assertThat(startupSession.model().picture().viewProperty().get().lut()).isEmpty();
     }
 }
