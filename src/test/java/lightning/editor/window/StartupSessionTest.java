@@ -41,8 +41,11 @@ class StartupSessionTest {
     @AfterEach
     void close() throws Exception {
         FxToolkit.setupFixture(() -> {
-            startupSession.close();
-            stage.close();
+            // None if the test was skipped.
+            if (startupSession != null) {
+                startupSession.close();
+                stage.close();
+            }
         });
         thread.close();
     }
