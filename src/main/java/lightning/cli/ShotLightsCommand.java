@@ -34,7 +34,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** Lists what each light changes in the frames of a shot or a sequence, and leaves out those that change too little to be seen. */
+/** Lists the difference that each light makes in the frames of a shot or a sequence, and leaves out lights without a visible one. */
 @Command(name = "lights", abbreviateSynopsis = true, header = "List the lights that a shot or a sequence does not need.",
         description = {
             "Renders each frame with all lights and without each one, and prints the largest difference of a pixel in any frame: linear, and in "

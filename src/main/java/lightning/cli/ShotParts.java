@@ -36,7 +36,7 @@ final class ShotParts {
      */
     record Part(String name, Path file, Scene scene, ShotFrames frames) {}
 
-    /** What the parts are of. */
+    /** Chosen shots of a scene or of a sequence. */
     record Parts(List<Part> parts, boolean areOfSequence) {}
 
     /**

@@ -4,9 +4,9 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What lights change in the frames of a shot or a sequence.
+ * Differences that lights make in the frames of a shot or a sequence.
  *
- * @param lights             all lights, those that change least first
+ * @param lights             all lights; the least difference comes first
  * @param needless           names of the lights that can be left out
  * @param togetherSteps      largest difference without all of these, steps of 8 bits; absent if there are none
  * @param togetherDifference the same as a linear value
@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 public record ShotLightsReport(List<LightDifference> lights, List<String> needless, @Nullable Integer togetherSteps,
         @Nullable Double togetherDifference, @Nullable String output) {
     /**
-     * What a light changes.
+     * Difference that a light makes.
      *
      * @param maxDifferenceLinear largest difference of a channel in any pixel of any frame, linear
      * @param maxSteps            largest difference of the displayed picture, steps of 8 bits

@@ -27,7 +27,7 @@
   const ZERO = { stops: 0, tint: [1, 1, 1], mute: false, solo: false };
   const find = (list, name) => list.find((item) => item.name === name);
 
-  // Values of an item; of a live page those that it has now, and those of its start.
+  // Values of an item: its present ones, or those of the start.
   const now = (item) => state.asSent ? item.start : item;
 
   function weight(light) {
@@ -347,7 +347,7 @@ void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 -
     return old ? Object.assign(old, kept) : { name: value.name, ...faders(value, start || value), ...kept };
   }
 
-  // Takes values of the scene. If changes stay in this page, only those that are new in the scene replace them.
+  // Takes values of the scene. If changes stay in this page, only new values of the scene replace them.
   const seen = new Map();
   function isNew(key, value) {
     const text = JSON.stringify(value);

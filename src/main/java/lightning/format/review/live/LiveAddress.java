@@ -10,7 +10,7 @@ import javax.net.ssl.SSLContext;
 import lightning.base.text.Quote;
 
 /**
- * Where a live review listens.
+ * Network address of a live review.
  *
  * @param host address of a network interface; a loopback address for this computer only
  * @param port 1 to 65535, 0 for any free one

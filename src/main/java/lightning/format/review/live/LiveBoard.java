@@ -13,7 +13,7 @@ final class LiveBoard {
     private @Nullable LivePicture previous;
 
     /**
-     * What a connection has to send.
+     * News for a connection.
      *
      * @param state JSON of the state if it is new
      * @param isNewPicture true if there is a picture that was not announced

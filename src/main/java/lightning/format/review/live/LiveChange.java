@@ -4,9 +4,9 @@ import java.util.List;
 import lightning.format.review.Review;
 
 /**
- * What a reviewer did in a live page.
+ * Change of a reviewer in a live page.
  *
- * @param page     random name of the page, which tells reviewers apart
+ * @param page     random name of the page, to distinguish reviewers
  * @param reviewer name that the reviewer entered; may be empty
  * @param state    changed values
  * @param notes    all notes of the page

@@ -21,7 +21,7 @@ import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
 
 /**
- * Layers of a live page: the light of each light, also of those that are off, and the rest of the picture. The rest is what is missing from the
+ * Layers of a live page: the light of each light, also of one that is off, and the rest of the picture. The rest is what is missing from the
  * exact picture, so the page shows it in the state of the scene. Immutable.
  *
  * @param base  the scene whose lights the layers are: all are on, none is black

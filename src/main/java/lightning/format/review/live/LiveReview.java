@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A review page that follows a scene while it is edited. The owner of the scene reports its states and its exact pictures; pages get values at
- * once, and layers of lights when they are ready. Whoever knows the address can read, and edit the lights if the owner allowed it. Thread-safe.
+ * once, and layers of lights when they are ready. A person who knows the address can read, and edit the lights if the owner allowed it. Thread-safe.
  */
 public final class LiveReview implements AutoCloseable {
     private static final int TOKEN_BYTES = 24;

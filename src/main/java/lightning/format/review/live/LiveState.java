@@ -12,7 +12,7 @@ import lightning.scene.light.LightGroup;
 import lightning.scene.value.SceneLimits;
 
 /**
- * What the faders of a live page show: values of the scene, never differences. From a page it contains only what changed there.
+ * Values of the faders of a live page: those of the scene, never differences. Those from a page are only the changed ones.
  *
  * @param exposure stops; empty if it did not change
  */

@@ -50,7 +50,7 @@ class SequencePaneTest extends EditorFixture {
         Files.writeString(folder.resolve("a.jen"), SHOT.replace("%s", "4"));
         Files.writeString(folder.resolve("b.jen"), SHOT.replace("%s", "6"));
         Files.writeString(folder.resolve("rig.jen"), "jen 1\nlight lamp point { at 1 2 3  intensity 2 }\n");
-        // Tests of a class share their editor: another name tells that this one is open.
+        // Tests of a class share their editor: another name shows that this one is open.
         name = "seq" + ++opened + ".json";
         file = Files.writeString(folder.resolve(name), """
                 {"lightning_sequence": 1, "rig": "rig.jen", "shots": [

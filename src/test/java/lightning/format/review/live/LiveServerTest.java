@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the server of live reviews answers to clients that are no pages. */
+/** Answers of the server of live reviews to clients that are no pages. */
 class LiveServerTest {
     private static final String CHANGE = "{\"page\":\"p\",\"reviewer\":\"\",\"lights\":[],\"groups\":[],\"notes\":[]}";
 
