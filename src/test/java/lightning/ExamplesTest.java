@@ -67,6 +67,17 @@ class ExamplesTest {
                 }
                 """);
         Files.copy(folder.resolve("house.jen"), folder.resolve("shot.jen"));
+        Files.writeString(folder.resolve("door.jen"), """
+                jen 1
+                camera { from 0 1 4  to 0 0 0 }
+                sphere ball { }
+                light key point { at 1 2 3 }
+                shot { frames 1 8  light key { intensity { 1 1  8 2 } } }
+                """);
+        Files.writeString(folder.resolve("sequence.json"), """
+                {"lightning_sequence": 1, "rig": "door.jen", "shots": [{"name": "wide", "scene": "door.jen"},
+                  {"name": "close", "scene": "door.jen", "set": ["key.color=1 0.5 0.5"]}]}
+                """);
         for (String picture : PICTURES) {
             runSuccessfully("render", "scenes/bird.jen", "-o", picture, "--size", "30x20");
         }

@@ -111,7 +111,9 @@ public final class ContactSheet implements AutoCloseable {
                 report(index, renderers.computeIfAbsent(index, _ -> new Renderer(options())), scene, progress, true);
                 shown.put(index, scene);
             }
-        } catch (IllegalArgumentException | OutOfMemoryError e) {
+        } catch (CancellationException e) {
+            throw e;
+        } catch (RuntimeException | OutOfMemoryError e) {
             onFailure.accept(index, e);
         }
     }

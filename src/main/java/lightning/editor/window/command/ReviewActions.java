@@ -3,6 +3,7 @@ package lightning.editor.window.command;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import javafx.scene.control.MenuItem;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
@@ -68,6 +69,7 @@ final class ReviewActions {
 
     private void apply(Path file, Review review) {
         Scene before = model.editor().scene();
+        Optional<PixelCache> cache = model.workbench().cache();
         String reviewer = review.reviewer().isBlank() ? Quote.path(file.getFileName()) : review.reviewer();
         boolean refused = model.editor().editOrReport(scene -> EditOutcome.of(() -> ReviewedScene.of(scene, review).scene())
                 .named(Messages.tr("Review of {0}", reviewer))).isPresent();
@@ -87,5 +89,7 @@ final class ReviewActions {
             notices.showNotes(Messages.tr("Review of {0}: notes with their pixels. Undo restores the lights.", reviewer), lines);
         }
         ForcedLiveUpdate.render(model.editor());
+        Scene after = model.editor().scene();
+        cache.ifPresent(picture -> new ReviewLooks(model).save(picture, before, after, reviewer));
     }
 }

@@ -2,7 +2,6 @@ package lightning.editor.window.cue;
 
 import static java.util.Objects.requireNonNull;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -36,6 +35,7 @@ import lightning.editor.document.cue.Lighting;
 import lightning.editor.document.cue.LightingBlend;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.command.ForcedLiveUpdate;
+import lightning.editor.window.model.ComparedLooks;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.TracedPicture;
@@ -135,6 +135,7 @@ public final class CuePane extends VBox {
     /** Lists the looks and starts to observe the editor. */
     private Subscription subscribe() {
         return Subscription.combine(editor.documentProperty().subscribe(_ -> loadCues()),
+                editor.comparedLooksProperty().subscribe(_ -> takeComparison()),
                 editor.looksVersionProperty().subscribe(_ -> loadCues()),
                 editor.editorStateProperty().map(EditorState::untitled).subscribe(_ -> loadCues()),
                 editor.editorStateProperty().subscribe(state -> saveReason.set(saveDisabledReason(state))),
@@ -147,8 +148,18 @@ public final class CuePane extends VBox {
     }
 
     private CueFolder folder() {
-        Path scene = editor.document().file();
-        return editor.untitledLooks().map(folder -> CueFolder.ofUntitled(scene, folder)).orElseGet(() -> new CueFolder(scene));
+        return editor.looksFolder();
+    }
+
+    /** Chooses the two looks that are to be compared, if there are any. */
+    private void takeComparison() {
+        ComparedLooks looks = editor.comparedLooksProperty().get();
+        if (looks != null) {
+            editor.comparedLooksProperty().set(null);
+            a = looks.a();
+            b = looks.b();
+            updateChoice();
+        }
     }
 
     private <T> void runFileTask(FileThread.FileTask<T> work, Consumer<T> onDone) {

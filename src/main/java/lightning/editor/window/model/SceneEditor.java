@@ -12,12 +12,14 @@ import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleIntegerProperty;
+import javafx.beans.property.SimpleObjectProperty;
 import lightning.base.text.Messages;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.document.EditorState;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.document.Selection;
 import lightning.editor.document.Workbench;
+import lightning.editor.document.cue.CueFolder;
 import lightning.editor.document.manipulation.PreviewCamera;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
@@ -32,6 +34,7 @@ public final class SceneEditor {
     private final BooleanProperty materialShown = new SimpleBooleanProperty();
     private final IntegerProperty savedLooks = new SimpleIntegerProperty();
     private final IntegerProperty looksVersion = new SimpleIntegerProperty();
+    private final ObjectProperty<@Nullable ComparedLooks> comparedLooks = new SimpleObjectProperty<>();
     private final StatusMessage message = new StatusMessage();
     private final SceneSelection selection;
     private final Workbench workbench;
@@ -100,6 +103,23 @@ public final class SceneEditor {
     /** Returns the folder for the looks of the open scene if it has no file of its own; empty if it has one. */
     public Optional<Path> untitledLooks() {
         return workbench.untitledLooks();
+    }
+
+    /** Returns the folder of the looks of the open scene. */
+    public CueFolder looksFolder() {
+        Path scene = document().file();
+        return untitledLooks().map(folder -> CueFolder.ofUntitled(scene, folder)).orElseGet(() -> new CueFolder(scene));
+    }
+
+    /** Two looks that the panel of looks shall show beside each other; null if it has done so. */
+    public ObjectProperty<@Nullable ComparedLooks> comparedLooksProperty() {
+        return comparedLooks;
+    }
+
+    /** Shows two looks, which have just been saved, beside each other. */
+    public void compareLooks(ComparedLooks looks) {
+        comparedLooks.set(looks);
+        reloadLooks();
     }
 
     /** Reports a saved or deleted look. */

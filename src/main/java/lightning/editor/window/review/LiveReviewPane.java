@@ -221,7 +221,8 @@ public final class LiveReviewPane extends VBox {
             return;
         }
         int pages = review.pages();
-        state.setText(pages == 0 ? Messages.tr("No page is open") : pages == 1 ? Messages.tr("One page is open")
+        state.setText(!review.problem().isEmpty() ? review.problem() : pages == 0 ? Messages.tr("No page is open")
+                : pages == 1 ? Messages.tr("One page is open")
                 : Messages.tr("{0} pages are open", pages));
     }
 

@@ -55,5 +55,14 @@ record Lesson(String title, String summary, List<Step> steps) {
                                     (start, now) -> now.hasOtherLights(start)),
                             new Step(Messages.key("Press {0} to undo. Or open an image that the picture shall resemble."),
                                     List.of(Command.UNDO),
+                                    (_, now) -> now.hasRun(Command.UNDO)))),
+            new Lesson(Messages.key("Share your light"), Messages.key("Show the picture in a browser, with a fader for each light"),
+                    List.of(
+                            new Step(Messages.key("Choose File > Live Review…"), List.of(),
+                                    (_, now) -> now.hasRun(Command.LIVE_REVIEW)),
+                            new Step(Messages.key(
+                                    "Click Start Review and Copy, and open the address in a browser. Then move a light here: the page follows."),
+                                    List.of(), (start, now) -> now.hasOtherLights(start)),
+                            new Step(Messages.key("Press {0} to undo. The review ends when you close its panel."), List.of(Command.UNDO),
                                     (_, now) -> now.hasRun(Command.UNDO)))));
 }

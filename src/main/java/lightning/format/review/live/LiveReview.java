@@ -10,6 +10,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
+import lightning.base.text.Messages;
 import lightning.base.work.DedicatedThread;
 import lightning.base.work.Progress;
 import lightning.render.cache.PixelCache;
@@ -34,6 +35,7 @@ public final class LiveReview implements AutoCloseable {
     private final String url;
     private final ExecutorService thread = DedicatedThread.lowPriorityExecutor("lightning-live-review");
     private final AtomicReference<Object> newest = new AtomicReference<>();
+    private volatile String problem = "";
     private @Nullable LiveLayers layers;
     private @Nullable LiveState start;
 
@@ -68,6 +70,11 @@ public final class LiveReview implements AutoCloseable {
         return url;
     }
 
+    /** Returns why pages do not show the newest picture; empty if they do, or soon will. */
+    public String problem() {
+        return problem;
+    }
+
     /** Returns the number of pages that are open. */
     public int pages() {
         return server.pages();
@@ -97,8 +104,12 @@ public final class LiveReview implements AutoCloseable {
                 if (newest.get() == token) {
                     publish(cache, options, view, Progress.cancellation(() -> newest.get() != token));
                 }
+                problem = "";
             } catch (CancellationException | InterruptedException e) {
                 // A newer picture comes, or the review has ended.
+            } catch (OutOfMemoryError e) {
+                layers = null;
+                problem = Messages.tr("Not enough memory for the lights of this picture; choose a smaller one");
             }
         });
     }

@@ -1,0 +1,55 @@
+package lightning.editor.window.command;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.function.Predicate;
+import javafx.scene.Node;
+import javafx.scene.control.ToggleButton;
+import lightning.editor.document.Command;
+import lightning.editor.document.cue.CueFolder;
+import lightning.editor.window.EditorFixture;
+import lightning.editor.window.OwnEditor;
+import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import org.junit.jupiter.api.Test;
+
+/** Reviews that are opened in the editor. */
+class ReviewActionsTest extends EditorFixture {
+    private Path review(String reviewer, Light lamp) throws IOException {
+        return Files.writeString(folder.resolve("review.json"),
+                """
+                        {"lightning_review": 1, "scene": "x", "reviewer": "REVIEWER", "exposure": 0, "groups": [], "notes": [], "lights": [
+                          {"name": "lamp", "stops": 1, "tint": [1, 1, 1], "intensity": INTENSITY, "color": [1, 1, 1], "mute": false, "solo": false}]}
+                        """
+                        .replace("REVIEWER", reviewer).replace("INTENSITY", Double.toString(lamp.intensity())));
+    }
+
+    private void open(Path file) {
+        answer = file;
+        robot.interact(() -> model().commands().run(Command.OPEN_REVIEW));
+    }
+
+    @Test
+    @OwnEditor
+    void review_isAnEditAndTwoLooksBesideEachOther() throws IOException {
+        Scene before = model().editor().scene();
+        Light lamp = light("lamp");
+        open(review("A: \\\"<b>", lamp));
+        waitFor("the lamp is as reviewed", () -> light("lamp").intensity() == 2 * lamp.intensity());
+        waitFor("both looks are chosen", () -> isChosen("cue-a-Before the review of A_ __b_") && isChosen("cue-b-Review of A_ __b_"));
+        CueFolder looks = model().editor().looksFolder();
+        assertThat(looks.list(before.stage())).extracting("name").contains("Before the review of A_ __b_", "Review of A_ __b_");
+        assertThat(looks.list(before.stage()).stream().filter(cue -> cue.name().startsWith("Review")).findFirst().orElseThrow().lighting()
+                .orElseThrow().rig().light("lamp").orElseThrow().intensity()).isEqualTo(2 * lamp.intensity());
+        robot.interact(() -> model().commands().run(Command.UNDO));
+        assertThat(model().editor().scene()).isEqualTo(before);
+    }
+
+    private boolean isChosen(String id) {
+        return robot.lookup((Predicate<Node>) node -> id.equals(node.getId())).tryQuery().map(node -> ((ToggleButton) node).isSelected())
+                .orElse(false);
+    }
+}
