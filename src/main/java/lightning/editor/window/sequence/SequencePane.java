@@ -2,124 +2,75 @@ package lightning.editor.window.sequence;
 
 import static java.util.Objects.requireNonNull;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
-import javafx.animation.PauseTransition;
 import javafx.scene.control.Button;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
-import javafx.scene.control.TextArea;
-import javafx.scene.control.TextField;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
-import javafx.util.Duration;
-import javafx.util.StringConverter;
 import javafx.util.Subscription;
-import lightning.base.file.AtomicFile;
-import lightning.base.file.ChangedFileException;
-import lightning.base.file.FileState;
 import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
-import lightning.base.text.Quote;
 import lightning.editor.loop.ContactSheet;
 import lightning.editor.window.command.PathPrompt;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.VisibilityListener;
-import lightning.format.jen.JenException;
+import lightning.format.jen.JenFile;
 import lightning.format.sequence.LoadedSequence;
 import lightning.format.sequence.Sequence;
 import lightning.scene.Scene;
-import lightning.scene.shot.AnimatedScene;
-import lightning.scene.shot.Shot;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Contact sheet of a sequence. All shots are lit by the lights of the open scene, or by those of the rig's file; each edit shows in all shots. The
  * selected shot has fields for its own values and notes.
  */
-public final class SequencePane extends VBox {
+public final class SequencePane extends VBox implements SequenceFile.Listener {
     private static final String EXTENSION = "json";
 
     private final EditorModel model;
     private final SceneEditor editor;
-    private final Button addShot = new Button(Messages.tr("Add Shot…"));
+    private final SequenceFile file;
+    private final Button addShot;
     private final Label fileName = new Label();
     private final CheckBox followsScene = new CheckBox(Messages.tr("Light With the Open Scene"));
-    private final ChoiceBox<Moment> moment = new ChoiceBox<>();
+    private final ChoiceBox<SheetMoment> moment = new ChoiceBox<>();
     private final FlowPane cards = new FlowPane();
-    private final Label shotName = new Label();
-    private final TextArea overrides = new TextArea();
-    private final TextField note = new TextField();
-    private final Label lightName = new Label();
-    private final TextField lightNote = new TextField();
+    private final ShotDetails details = new ShotDetails(this::changeShot, this::changeLightNote);
     private final Label message = new Label();
-    private final VBox details;
     private final Map<String, ShotCard> byName = new LinkedHashMap<>();
-    private final PauseTransition autosave = new PauseTransition(Duration.seconds(1));
-    private @Nullable LoadedSequence loaded;
     private @Nullable ContactSheet sheet;
     private @Nullable PathPrompt prompt;
-    /** File as it was read or last saved. */
-    private FileState known = FileState.MISSING;
-    private boolean isChanged;
-    private boolean isSaving;
-    private boolean isUpdating;
     private String selected = "";
-
-    /** Frame of each shot that its picture shows. */
-    private enum Moment {
-        FIRST, MIDDLE, LAST;
-
-        private int frame(Shot shot) {
-            return switch (this) {
-                case FIRST -> shot.first();
-                case MIDDLE -> shot.first() + (shot.last() - shot.first()) / 2;
-                case LAST -> shot.last();
-            };
-        }
-
-        private String title() {
-            return switch (this) {
-                case FIRST -> Messages.tr("First Frame");
-                case MIDDLE -> Messages.tr("Middle Frame");
-                case LAST -> Messages.tr("Last Frame");
-            };
-        }
-    }
 
     public SequencePane(EditorModel model) {
         this.model = model;
         editor = model.editor();
+        file = new SequenceFile(model.files(), this);
         setId("sequence");
         getStyleClass().add("cues");
-        var open = new Button(Messages.tr("Open Sequence…"));
-        open.setId("sequence-open");
-        open.setMinWidth(Region.USE_PREF_SIZE);
-        open.setOnAction(_ -> prompt().fileToOpen(Messages.tr("Open Sequence"), EXTENSION).ifPresent(this::open));
-        var create = new Button(Messages.tr("New Sequence…"));
-        create.setId("sequence-new");
-        create.setMinWidth(Region.USE_PREF_SIZE);
+        Button open = button("sequence-open", Messages.tr("Open Sequence…"),
+                () -> prompt().fileToOpen(Messages.tr("Open Sequence"), EXTENSION).ifPresent(this::open));
+        Button create = button("sequence-new", Messages.tr("New Sequence…"), this::create);
         create.setTooltip(new Tooltip(Messages.tr("Start a sequence whose rig and first shot are the open scene")));
-        create.setOnAction(_ -> create());
-        addShot.setId("sequence-add");
-        addShot.setMinWidth(Region.USE_PREF_SIZE);
-        addShot.setOnAction(_ -> prompt().fileToOpen(Messages.tr("Add Shot"), "jen").ifPresent(this::add));
-        autosave.setOnFinished(_ -> save());
+        addShot = button("sequence-add", Messages.tr("Add Shot…"),
+                () -> prompt().fileToOpen(Messages.tr("Add Shot"), "jen").ifPresent(file::add));
         fileName.setId("sequence-file");
         fileName.getStyleClass().add("pane-note");
         followsScene.setId("sequence-follows");
@@ -127,19 +78,9 @@ public final class SequencePane extends VBox {
         followsScene.selectedProperty().subscribe(this::showPictures);
         moment.setId("sequence-moment");
         moment.setAccessibleText(Messages.tr("Frame of the pictures"));
-        moment.getItems().setAll(Moment.values());
-        moment.setConverter(new StringConverter<>() {
-            @Override
-            public String toString(Moment value) {
-                return value.title();
-            }
-
-            @Override
-            public Moment fromString(String text) {
-                throw new UnsupportedOperationException();
-            }
-        });
-        moment.setValue(Moment.MIDDLE);
+        moment.getItems().setAll(SheetMoment.values());
+        moment.setConverter(SheetMoment.TITLES);
+        moment.setValue(SheetMoment.MIDDLE);
         moment.valueProperty().subscribe(this::showPictures);
         cards.setId("sequence-cards");
         cards.getStyleClass().add("cue-gallery");
@@ -151,39 +92,21 @@ public final class SequencePane extends VBox {
         message.getStyleClass().add("pane-note");
         message.setWrapText(true);
         message.setMinHeight(Region.USE_PREF_SIZE);
-        details = details();
         getChildren().addAll(row(open, create, addShot, fileName), row(followsScene, moment), scroll, details, row(message));
         showSequence();
         VisibilityListener.attach(this, this::subscribe);
     }
 
-    private VBox details() {
-        overrides.setId("sequence-overrides");
-        overrides.setPromptText("key.intensity=2");
-        overrides.setPrefRowCount(3);
-        overrides.setAccessibleText(Messages.tr("Values of the shot, one in each line"));
-        overrides.textProperty().subscribe(text -> changeShot(shot -> shot.withOverrides(text.lines().map(String::strip)
-                .filter(line -> !line.isEmpty()).toList())));
-        note.setId("sequence-note");
-        note.setPromptText(Messages.tr("Note about the shot"));
-        note.setAccessibleText(Messages.tr("Note about the shot"));
-        note.textProperty().subscribe(text -> changeShot(shot -> shot.withNote(text)));
-        lightNote.setId("sequence-light-note");
-        lightNote.setAccessibleText(Messages.tr("Note about the selected light"));
-        lightNote.textProperty().subscribe(text -> {
-            String light = editor.selection().lightName();
-            if (!isUpdating && loaded != null && !light.isEmpty()) {
-                change(loaded.sequence().withLightNote(light, text));
-            }
-        });
-        HBox.setHgrow(note, Priority.ALWAYS);
-        HBox.setHgrow(lightNote, Priority.ALWAYS);
-        shotName.setMinWidth(Region.USE_PREF_SIZE);
-        lightName.setMinWidth(Region.USE_PREF_SIZE);
-        return new VBox(4, row(shotName, note), overrides, row(lightName, lightNote));
+    private static Button button(String id, String text, Runnable action) {
+        var button = new Button(text);
+        button.setId(id);
+        button.setMinWidth(Region.USE_PREF_SIZE);
+        button.setOnAction(_ -> action.run());
+        return button;
     }
 
-    private static HBox row(Region... nodes) {
+    /** Returns a row of controls. */
+    static HBox row(Region... nodes) {
         var row = new HBox(nodes);
         row.getStyleClass().add("mixer-tools");
         return row;
@@ -206,32 +129,35 @@ public final class SequencePane extends VBox {
             if (followsScene.isSelected()) {
                 showPictures();
             }
-        }), editor.editorStateProperty().subscribe(_ -> showLightNote()), this::save, () -> {
-            if (sheet != null) {
-                sheet.close();
-                sheet = null;
+        }), editor.editorStateProperty().subscribe(_ -> showLightNote()), file::save, this::closeSheet);
+    }
+
+    private void closeSheet() {
+        if (sheet != null) {
+            sheet.close();
+            sheet = null;
+        }
+    }
+
+    private ContactSheet newSheet() {
+        return new ContactSheet(ShotCard.WIDTH, ShotCard.HEIGHT, (i, picture) -> inWindow(i, card -> card.show(picture)),
+                (i, failure) -> inWindow(i, card -> card.setProblem(ErrorMessage.of(failure))));
+    }
+
+    /** Changes the card of a shot, on the window's thread. */
+    private void inWindow(int index, Consumer<ShotCard> change) {
+        model.files().windowExecutor().execute(() -> {
+            LoadedSequence open = file.loaded();
+            if (open != null && index < open.shots().size()) {
+                Optional.ofNullable(byName.get(open.shots().get(index).name())).ifPresent(change);
             }
         });
     }
 
-    private Optional<ShotCard> card(int index) {
-        return loaded == null || index >= loaded.shots().size() ? Optional.empty()
-                : Optional.ofNullable(byName.get(loaded.shots().get(index).name()));
-    }
-
     /** Opens a sequence; the one that is open stays if it cannot be read. */
-    void open(Path file) {
+    void open(Path path) {
         message.setText("");
-        save();
-        model.files().runInOrder(() -> Opened.read(file), this::show, failure -> message.setText(ErrorMessage.of(failure)));
-    }
-
-    /** A sequence and the state of its file. */
-    private record Opened(LoadedSequence sequence, FileState state) {
-        private static Opened read(Path file) throws IOException, JenException {
-            FileState state = FileState.of(file);
-            return new Opened(LoadedSequence.read(file), state);
-        }
+        file.open(path);
     }
 
     private void create() {
@@ -239,178 +165,95 @@ public final class SequencePane extends VBox {
             message.setText(Messages.tr("Save the scene first: the sequence names its file"));
             return;
         }
-        Path scene = editor.document().file();
-        String stem = scene.getFileName().toString().replaceFirst("\\.[^.]*$", "");
-        prompt().fileToSave(Messages.tr("New Sequence"), stem + Sequence.EXTENSION, EXTENSION).ifPresent(file -> {
-            String name = relative(file, scene);
-            var sequence = new Sequence(name, false, List.of(new Sequence.Entry(stem, name, Optional.empty(), List.of(), "")),
-                    new LinkedHashMap<>());
-            model.files().runInOrder(() -> {
-                sequence.write(AtomicFile.of(file));
-                return Opened.read(file);
-            }, this::show, failure -> message.setText(ErrorMessage.of(failure)));
-        });
+        prompt().fileToSave(Messages.tr("New Sequence"), JenFile.stem(editor.document().name()) + Sequence.EXTENSION, EXTENSION)
+                .ifPresent(chosen -> file.create(chosen, editor.document().file()));
     }
 
-    private static String relative(Path file, Path scene) {
-        Path folder = ParentFolder.of(file.toAbsolutePath().normalize());
-        Path target = scene.toAbsolutePath().normalize();
-        return folder.getRoot() != null && folder.getRoot().equals(target.getRoot())
-                ? folder.relativize(target).toString().replace('\\', '/')
-                : target.toString();
-    }
-
-    private void add(Path scene) {
-        LoadedSequence open = loaded;
-        if (open == null) {
-            return;
-        }
-        String stem = scene.getFileName().toString().replaceFirst("\\.[^.]*$", "");
-        String name = stem;
-        for (int i = 2; open.sequence().shot(name).isPresent(); i++) {
-            name = stem + " " + i;
-        }
-        List<Sequence.Entry> shots = new ArrayList<>(open.sequence().shots());
-        shots.add(new Sequence.Entry(name, relative(open.file(), scene), Optional.empty(), List.of(), ""));
-        var extended = new Sequence(open.sequence().rig(), open.sequence().sharesWorld(), shots, open.sequence().lightNotes());
-        FileState before = known;
-        model.files().runInOrder(() -> {
-            extended.write(AtomicFile.of(open.file()).ifUnchanged(before));
-            return Opened.read(open.file());
-        }, this::show, failure -> message.setText(reason(open, failure)));
-    }
-
-    private static String reason(LoadedSequence sequence, Throwable failure) {
-        return failure instanceof ChangedFileException
-                ? Messages.tr("{0} was changed by another program; open it again", Quote.path(sequence.file().getFileName()))
-                : ErrorMessage.of(failure);
-    }
-
-    /** Saves changes that are not saved yet: a second after the last one, and when the window closes. */
-    private void save() {
-        autosave.stop();
-        LoadedSequence open = loaded;
-        if (open == null || !isChanged || isSaving) {
-            return;
-        }
-        isChanged = false;
-        isSaving = true;
-        FileState before = known;
-        model.files().runInOrder(() -> open.sequence().write(AtomicFile.of(open.file()).ifUnchanged(before)), state -> {
-            isSaving = false;
-            if (loaded != null && loaded.file().equals(open.file())) {
-                known = state;
-                showFile();
-                // What changed meanwhile.
-                save();
-            }
-        }, failure -> {
-            isSaving = false;
-            isChanged = true;
-            showFile();
-            message.setText(reason(open, failure));
-        });
-    }
-
-    private void show(Opened opened) {
-        LoadedSequence sequence = opened.sequence();
-        loaded = sequence;
-        known = opened.state();
-        isChanged = false;
+    @Override
+    public void opened(LoadedSequence sequence) {
         selected = sequence.shots().getFirst().name();
-        Path open = editor.document().file().toAbsolutePath().normalize();
-        Path rig = ParentFolder.of(sequence.file()).resolve(sequence.sequence().rig()).toAbsolutePath().normalize();
-        followsScene.setSelected(open.equals(rig));
+        Path rig = ParentFolder.of(sequence.file()).resolve(sequence.sequence().rig());
+        followsScene.setSelected(normalized(editor.document().file()).equals(normalized(rig)));
         showSequence();
         if (sheet != null) {
             // The pictures of another sequence are of other scenes.
-            sheet.close();
+            closeSheet();
             sheet = newSheet();
         }
         showPictures();
     }
 
-    private ContactSheet newSheet() {
-        return new ContactSheet(ShotCard.WIDTH, ShotCard.HEIGHT,
-                (i, picture) -> model.files().windowExecutor().execute(() -> card(i).ifPresent(card -> card.show(picture))),
-                (i, failure) -> model.files().windowExecutor()
-                        .execute(() -> card(i).ifPresent(card -> card.setProblem(ErrorMessage.of(failure)))));
+    private static Path normalized(Path path) {
+        return path.toAbsolutePath().normalize();
+    }
+
+    @Override
+    public void titleChanged() {
+        fileName.setText(file.title());
+    }
+
+    @Override
+    public void failed(String text) {
+        message.setText(text);
     }
 
     private void showSequence() {
         byName.clear();
-        if (loaded != null) {
-            for (Sequence.Entry entry : loaded.sequence().shots()) {
+        LoadedSequence open = file.loaded();
+        if (open != null) {
+            for (Sequence.Entry entry : open.sequence().shots()) {
                 byName.put(entry.name(), new ShotCard(entry, () -> select(entry.name())));
             }
         }
         cards.getChildren().setAll(byName.values());
-        details.setDisable(loaded == null);
-        addShot.setDisable(loaded == null);
-        followsScene.setDisable(loaded == null);
-        moment.setDisable(loaded == null);
-        message.setText(loaded == null ? Messages.tr("Several shots with the lights of one scene: open a sequence, or start one") : "");
-        showFile();
+        for (Region control : List.of(details, addShot, followsScene, moment)) {
+            control.setDisable(open == null);
+        }
+        message.setText(open == null ? Messages.tr("Several shots with the lights of one scene: open a sequence, or start one") : "");
         select(selected);
-    }
-
-    private void showFile() {
-        fileName.setText(loaded == null ? "" : Quote.path(loaded.file().getFileName()) + (isChanged ? " *" : ""));
     }
 
     private void select(String name) {
         selected = name;
         byName.forEach((shot, card) -> card.setSelected(shot.equals(name)));
-        Optional<Sequence.Entry> entry = loaded == null ? Optional.empty() : loaded.sequence().shot(name);
-        isUpdating = true;
-        shotName.setText(entry.map(Sequence.Entry::name).orElse(Messages.tr("Shot")));
-        overrides.setText(entry.map(shot -> String.join("\n", shot.overrides())).orElse(""));
-        note.setText(entry.map(Sequence.Entry::note).orElse(""));
-        isUpdating = false;
+        LoadedSequence open = file.loaded();
+        details.show(open == null ? null : open.sequence().shot(name).orElse(null));
         showLightNote();
     }
 
     private void showLightNote() {
         String light = editor.selection().lightName();
-        isUpdating = true;
-        lightName.setText(light.isEmpty() ? Messages.tr("Light") : light);
-        lightNote.setDisable(light.isEmpty());
-        String text = loaded == null ? "" : loaded.sequence().lightNotes().getOrDefault(light, "");
-        if (!lightNote.getText().equals(text)) {
-            lightNote.setText(text);
-        }
-        lightNote.setPromptText(Messages.tr("Note about the light, for all shots"));
-        isUpdating = false;
+        LoadedSequence open = file.loaded();
+        details.showLight(light, open == null ? "" : open.sequence().lightNotes().getOrDefault(light, ""));
     }
 
     private void changeShot(UnaryOperator<Sequence.Entry> change) {
-        if (!isUpdating && loaded != null) {
-            change(loaded.sequence().with(selected, change));
-            loaded.sequence().shot(selected).ifPresent(entry -> requireNonNull(byName.get(selected)).show(entry));
+        LoadedSequence open = file.loaded();
+        if (open != null) {
+            Sequence changed = open.sequence().with(selected, change);
+            file.change(changed);
+            changed.shot(selected).ifPresent(entry -> requireNonNull(byName.get(selected)).show(entry));
             showPictures();
         }
     }
 
-    private void change(Sequence sequence) {
-        loaded = requireNonNull(loaded).withSequence(sequence);
-        isChanged = true;
-        showFile();
-        autosave.playFromStart();
+    private void changeLightNote(String light, String text) {
+        LoadedSequence open = file.loaded();
+        if (open != null && !light.isEmpty()) {
+            file.change(open.sequence().withLightNote(light, text));
+        }
     }
 
     private void showPictures() {
-        LoadedSequence sequence = loaded;
+        LoadedSequence sequence = file.loaded();
         if (sequence == null || sheet == null) {
             return;
         }
         Scene lights = followsScene.isSelected() ? editor.scene() : sequence.rig();
-        Moment at = moment.getValue();
+        SheetMoment at = moment.getValue();
         List<Supplier<Scene>> scenes = new ArrayList<>();
         for (LoadedSequence.LoadedShot shot : sequence.shots()) {
-            scenes.add(() -> {
-                AnimatedScene lit = sequence.lit(shot, lights);
-                return lit.sceneAt(at.frame(shot.frames()));
-            });
+            scenes.add(() -> sequence.lit(shot, lights).sceneAt(at.frame(shot.frames())));
         }
         sheet.show(scenes);
     }
