@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.TextArea;
 import javafx.scene.control.TextField;
@@ -17,6 +18,7 @@ import lightning.base.work.Progress;
 import lightning.editor.document.Command;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.command.PathPrompt;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.format.sequence.SequenceReader;
@@ -155,6 +157,40 @@ class SequencePaneTest extends EditorFixture {
         robot.interact(() -> pane.open(broken));
         waitFor("the reason is shown", () -> text("sequence-message").contains("broken.json"));
         assertThat(text("sequence-file")).isEqualTo(name);
+    }
+
+    /** Answers all dialogs with a file. */
+    private record Answer(Path file) implements PathPrompt {
+        @Override
+        public Optional<Path> fileToOpen(String title, String extension) {
+            return Optional.of(file);
+        }
+
+        @Override
+        public Optional<Path> fileToSave(String title, String proposal, String extension) {
+            return Optional.of(file);
+        }
+
+        @Override
+        public Optional<Path> folder(String title) {
+            return Optional.empty();
+        }
+    }
+
+    @Test
+    void newSequence_beginsWithTheOpenScene_andTakesMoreShots() throws IOException {
+        Path created = folder.resolve("new" + opened + ".json");
+        robot.interact(() -> pane.setPrompt(new Answer(created)));
+        click("sequence-new");
+        waitFor("it is open", () -> text("sequence-file").equals(created.getFileName().toString()));
+        Path scene = model().editor().document().file().toAbsolutePath();
+        assertThat(folder.resolve(SequenceReader.read(created).rig()).toAbsolutePath().normalize()).isEqualTo(scene.normalize());
+        robot.interact(() -> pane.setPrompt(new Answer(folder.resolve("a.jen"))));
+        click("sequence-add");
+        waitFor("the shot is there", () -> robot.lookup("#shot-a").tryQuery().isPresent());
+        click("sequence-add");
+        waitFor("it is there twice", () -> SequenceReader.read(created).names().contains("a 2"));
+        assertThat(SequenceReader.read(created).shot("a 2").orElseThrow().scene()).isEqualTo("a.jen");
     }
 
     private void clickCard(String shot) {
