@@ -1,4 +1,4 @@
-/** JSON objects of the command line and the server, in the form of docs/json.md. */
+/** JSON objects of the command line and the server, in the form of docs/json.md, and checked values of JSON that others wrote. */
 @NullMarked
 package lightning.format.json;
 

@@ -7,9 +7,8 @@ import java.util.List;
 import java.util.Optional;
 import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
-import tools.jackson.core.JacksonException;
+import lightning.format.json.CheckedJson;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /** Reader for files that pages save. Others may have changed them, so every value is checked. */
 public final class ReviewReader {
@@ -28,15 +27,9 @@ public final class ReviewReader {
      * @throws IOException if it cannot be read, or is no review; the message is a sentence for the user with file and place
      */
     public static Review read(Path file) throws IOException {
-        String name = Quote.path(file);
+        var reader = new ReviewReader(Quote.path(file));
         byte[] bytes = RegularFile.readBytes(file, "a review", MAX_BYTES);
-        try {
-            return new ReviewReader(name).review(new JsonMapper().readTree(bytes));
-        } catch (JacksonException e) {
-            var at = e.getLocation();
-            throw new IOException(name + (at == null ? "" : ":" + at.getLineNr() + ":" + at.getColumnNr())
-                    + ": expected a review of 'lightning review': " + e.getOriginalMessage(), e);
-        }
+        return reader.review(reader.json.parse(bytes, "a review of 'lightning review'"));
     }
 
     private Review review(JsonNode root) throws IOException {

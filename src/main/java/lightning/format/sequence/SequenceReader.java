@@ -14,11 +14,9 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
-import lightning.format.review.CheckedJson;
+import lightning.format.json.CheckedJson;
 import lightning.scene.shot.Shot;
-import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /** Reader of sequence files. */
 public final class SequenceReader {
@@ -46,15 +44,9 @@ public final class SequenceReader {
      * @throws IOException if it cannot be read, or is no sequence; the message is a sentence for the user with file and place
      */
     public static Sequence read(Path file) throws IOException {
-        String name = Quote.path(file);
+        var reader = new SequenceReader(Quote.path(file));
         byte[] bytes = RegularFile.readBytes(file, "a sequence", MAX_BYTES);
-        try {
-            return new SequenceReader(name).sequence(new JsonMapper().readTree(bytes));
-        } catch (JacksonException e) {
-            var at = e.getLocation();
-            throw new IOException(name + (at == null ? "" : ":" + at.getLineNr() + ":" + at.getColumnNr()) + ": expected a sequence: "
-                    + e.getOriginalMessage(), e);
-        }
+        return reader.sequence(reader.json.parse(bytes, "a sequence"));
     }
 
     private Sequence sequence(JsonNode root) throws IOException {

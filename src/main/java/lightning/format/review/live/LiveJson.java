@@ -5,12 +5,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Rgb;
-import lightning.format.review.CheckedJson;
+import lightning.format.json.CheckedJson;
 import lightning.format.review.Review;
 import lightning.scene.value.SceneLimits;
-import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
@@ -47,12 +45,7 @@ final class LiveJson {
      * @throws IOException if it is no change; the message is one sentence with the place
      */
     static LiveChange read(byte[] bytes) throws IOException {
-        JsonNode root;
-        try {
-            root = new JsonMapper().readTree(bytes);
-        } catch (JacksonException e) {
-            throw CHECKED.failure("expected JSON: " + e.getOriginalMessage());
-        }
+        JsonNode root = CHECKED.parse(bytes, "JSON");
         List<LiveState.LightValue> lights = new ArrayList<>();
         for (JsonNode node : CHECKED.array(root, "lights")) {
             String at = "lights[" + lights.size() + "].";

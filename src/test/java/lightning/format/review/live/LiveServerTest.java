@@ -104,7 +104,7 @@ class LiveServerTest {
     void wrongChange_getsOneSentence(String body) throws Exception {
         HttpResponse<String> answer = send(review.url() + "change", "POST", body);
         assertThat(answer.statusCode()).isEqualTo(400);
-        assertThat(answer.body()).startsWith("change: ").doesNotContain("Exception").doesNotContain("\n");
+        assertThat(answer.body()).startsWith("change:").doesNotContain("Exception").doesNotContain("\n");
         assertThat(changes).isEmpty();
     }
 

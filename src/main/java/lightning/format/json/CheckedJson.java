@@ -1,9 +1,11 @@
-package lightning.format.review;
+package lightning.format.json;
 
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 /**
  * Reader of values that come from others. Each method throws an {@link IOException} if the value is missing or out of its range; its message
@@ -13,6 +15,24 @@ import tools.jackson.databind.JsonNode;
  */
 public record CheckedJson(String source) {
     private static final int MAX_ENTRIES = 10_000;
+
+    /**
+     * Parses a text.
+     *
+     * @param expected what it should be, such as {@code a review}
+     * @throws IOException if it is no JSON; the message names line and column
+     */
+    public JsonNode parse(byte[] bytes, String expected) throws IOException {
+        try {
+            return new JsonMapper().readTree(bytes);
+        } catch (JacksonException e) {
+            var at = e.getLocation();
+            throw new IOException(
+                    source + (at == null ? "" : ":" + at.getLineNr() + ":" + at.getColumnNr()) + ": expected " + expected + ": "
+                            + e.getOriginalMessage(),
+                    e);
+        }
+    }
 
     /** Returns an exception with the source before the message. */
     public IOException failure(String message) {
