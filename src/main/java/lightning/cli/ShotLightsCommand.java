@@ -73,7 +73,7 @@ final class ShotLightsCommand implements Callable<Integer> {
     }
 
     /** Largest differences that a light, or several together, make. */
-    private static final class Difference {
+    private static final class LargestDifference {
         private double linear;
         private int steps;
         private String shot = "";
@@ -118,25 +118,25 @@ final class ShotLightsCommand implements Callable<Integer> {
                 InputFiles.of(part.file(), List.of(part.scene())).check(output);
             }
         }
-        Map<String, Difference> found = new LinkedHashMap<>();
+        Map<String, LargestDifference> found = new LinkedHashMap<>();
         forEachFrame(shots.parts(), (renderer, cache, part, frame, bar) -> {
             Scene scene = cache.scene();
             for (Light light : scene.lights()) {
-                Difference difference = found.computeIfAbsent(light.name(), _ -> new Difference());
+                LargestDifference difference = found.computeIfAbsent(light.name(), _ -> new LargestDifference());
                 if (scene.isActive(light)) {
                     add(difference, renderer, cache, Set.of(light.name()), part, frame, bar);
                 }
             }
         });
         Set<String> needless = new HashSet<>();
-        Difference alone = new Difference();
-        for (Map.Entry<String, Difference> entry : found.entrySet()) {
+        LargestDifference alone = new LargestDifference();
+        for (Map.Entry<String, LargestDifference> entry : found.entrySet()) {
             if (entry.getValue().steps <= steps) {
                 needless.add(entry.getKey());
                 alone = entry.getValue();
             }
         }
-        Difference together = needless.size() > 1 ? new Difference() : alone;
+        LargestDifference together = needless.size() > 1 ? new LargestDifference() : alone;
         if (needless.size() > 1) {
             forEachFrame(shots.parts(), (renderer, cache, part, frame, bar) -> add(together, renderer, cache, needless, part, frame, bar));
         }
@@ -170,7 +170,7 @@ final class ShotLightsCommand implements Callable<Integer> {
         }
     }
 
-    private static void add(Difference to, Renderer renderer, PixelCache cache, Set<String> off, ShotParts.Part part, int frame,
+    private static void add(LargestDifference to, Renderer renderer, PixelCache cache, Set<String> off, ShotParts.Part part, int frame,
             ProgressBar bar) {
         Scene scene = cache.scene();
         renderer.restore(cache);
@@ -182,13 +182,13 @@ final class ShotLightsCommand implements Callable<Integer> {
         return scene.withLights(scene.lights().stream().filter(light -> !names.contains(light.name())).toList());
     }
 
-    private void print(Map<String, Difference> found, Set<String> needless, Difference together, boolean areOfSequence) {
-        List<Map.Entry<String, Difference>> sorted = new ArrayList<>(found.entrySet());
-        sorted.sort(Comparator.comparingInt((Map.Entry<String, Difference> e) -> e.getValue().steps)
+    private void print(Map<String, LargestDifference> found, Set<String> needless, LargestDifference together, boolean areOfSequence) {
+        List<Map.Entry<String, LargestDifference>> sorted = new ArrayList<>(found.entrySet());
+        sorted.sort(Comparator.comparingInt((Map.Entry<String, LargestDifference> e) -> e.getValue().steps)
                 .thenComparingDouble(e -> e.getValue().linear));
         List<ShotLightsReport.LightDifference> rows = new ArrayList<>();
-        for (Map.Entry<String, Difference> entry : sorted) {
-            Difference d = entry.getValue();
+        for (Map.Entry<String, LargestDifference> entry : sorted) {
+            LargestDifference d = entry.getValue();
             boolean isDark = d.linear == 0;
             String where = isDark ? "" : areOfSequence ? ", " + d.shot + " frame " + d.frame : ", frame " + d.frame;
             console.print("%s: %s of 8 bits, %.3g linear%s", entry.getKey(), Console.count(d.steps, "step"), d.linear, where);

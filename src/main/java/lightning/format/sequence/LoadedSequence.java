@@ -106,8 +106,7 @@ public record LoadedSequence(Path file, Sequence sequence, List<LoadedShot> shot
      */
     public AnimatedScene lit(LoadedShot shot, Scene lights) {
         Scene own = shot.document().scene();
-        LightRig rig = LightRig.of(lights.lights().stream().map(light -> light.retainLinks(own.stage()::hasNode)).toList(),
-                lights.rig().lightGroups());
+        LightRig rig = lights.rig().forShapes(own.stage()::hasNode);
         Scene lit;
         try {
             lit = (sequence.sharesWorld() ? own.withWorld(lights.world()) : own).withRig(rig);

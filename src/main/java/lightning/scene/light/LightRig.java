@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import lightning.base.math.Rgb;
@@ -274,6 +275,15 @@ public final class LightRig {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
         updated.remove(groupIndex(group));
         return of(reassign(group, ""), updated);
+    }
+
+    /**
+     * Returns the lights and light groups for another scene: without links and gains of shapes that it does not have.
+     *
+     * @param exists whether the scene has a shape or group
+     */
+    public LightRig forShapes(Predicate<String> exists) {
+        return of(lights.stream().map(light -> light.retainLinks(exists)).toList(), lightGroups);
     }
 
     /** Returns this rig with all its lights mapped that have names of shapes: links, gains, or the shape that shines. */

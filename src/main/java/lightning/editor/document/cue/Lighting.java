@@ -2,9 +2,7 @@ package lightning.editor.document.cue;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import lightning.base.file.AtomicFile;
 import lightning.base.text.Messages;
@@ -41,7 +39,7 @@ public record Lighting(World world, LightRig rig) {
      */
     public EditOutcome applyTo(Scene scene) {
         return EditOutcome
-                .of(() -> scene.withWorld(world).withRig(LightRig.of(withValidLinks(rig.lights(), scene.stage()), rig.lightGroups())));
+                .of(() -> scene.withWorld(world).withRig(rig.forShapes(scene.stage()::hasNode)));
     }
 
     /** Replaces the scene's lights and light groups, keeping its world. Refused as {@link #applyTo}. */
@@ -58,7 +56,7 @@ public record Lighting(World world, LightRig rig) {
                 names.put(group.name(), LightEdits.freeName(extended, group.name()));
                 extended = extended.withRig(extended.rig().addLightGroup(group.withName(names.get(group.name()))));
             }
-            for (Light light : withValidLinks(rig.lights(), scene.stage())) {
+            for (Light light : rig.forShapes(scene.stage()::hasNode).lights()) {
                 extended = LightEdits.add(extended, light.withLightGroup(names.get(light.lightGroup()))).sceneOr(extended);
             }
             if (extended.lights().size() < scene.lights().size() + rig.lights().size()) {
@@ -66,14 +64,6 @@ public record Lighting(World world, LightRig rig) {
             }
             return extended;
         });
-    }
-
-    private static List<Light> withValidLinks(List<Light> lights, Stage stage) {
-        List<Light> all = new ArrayList<>();
-        for (Light light : lights) {
-            all.add(light.retainLinks(stage::hasNode));
-        }
-        return all;
     }
 
     /** Writes it to a file atomically. */
