@@ -22,9 +22,9 @@ import lightning.scene.material.Transmission;
 /**
  * Ray by which a point gathers light, for {@link ReferenceTracer}.
  *
- * @param hit    first surface that is neither transparent nor the face of a light; null for none
+ * @param hit    first surface that is neither transparent nor the face of a light; null for none, and {@link #withoutSurface}
  * @param direction of length 1
- * @param length distance to it, in lengths of the direction
+ * @param length distance to it, in lengths of the direction; infinite if the ray leaves the scene
  * @param cell   cell of surfels that the ray hits; undefined for none
  * @param rank   order among the rays that hit the cell
  * @param tint   product of the tints of the transparent surfaces in between: red, green, blue
@@ -64,6 +64,16 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
             }
         }
         return means;
+    }
+
+    /** Returns true if the ray leaves the scene. */
+    boolean isMiss() {
+        return length == Double.POSITIVE_INFINITY;
+    }
+
+    /** Returns the ray with no more than what its light depends on. */
+    ReferenceGatherRay withoutSurface() {
+        return new ReferenceGatherRay(null, direction, length, cell, rank, tint, null, Map.of(), dark);
     }
 
     private ReferenceGatherRay darkened() {

@@ -1,8 +1,8 @@
 package lightning.render.shading.reference;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
@@ -37,7 +37,7 @@ final class ReferenceIndirect {
     private final GlowShapes glows;
     private final Function<SurfacePoint, float[]> directLight;
     private final List<Surfel> surfels = new ArrayList<>();
-    /** Rays of the first surfels; further ones cast none. */
+    /** Rays of the first surfels, without surfaces; further ones cast none. */
     private final List<List<ReferenceGatherRay>> surfelRays = new ArrayList<>();
     /** Light of each small glowing object at these surfels. */
     private final List<List<float[]>> surfelGlow = new ArrayList<>();
@@ -65,7 +65,9 @@ final class ReferenceIndirect {
         glows = settings.isIndirect() ? GlowShapes.of(geometry) : GlowShapes.none();
         background = leaving.cells(settings.environment() ? DirectionCells.COUNT : 1);
         List<ReferenceGatherPoints.GatherPoint> points = new ReferenceGatherPoints(scene, geometry, keys, glows, settings).place();
-        addSurfels(points.stream().flatMap(point -> point.rays().stream()).toList());
+        NewSurfels met = new NewSurfels();
+        points.forEach(point -> met.add(point.rays()));
+        met.createSurfels();
         int rounds = settings.isIndirect() && settings.environment() ? settings.bounces() + 1 : settings.bounces();
         for (int bounce = 2; bounce <= rounds; bounce++) {
             castSurfelRays();
@@ -76,7 +78,7 @@ final class ReferenceIndirect {
 
     /** Returns the place of the surfel that a ray hits; null for none. */
     private SurfacePoint target(ReferenceGatherRay ray) {
-        return ray.hit() == null ? null : surfels.get(surfelByCell.get(ray.cell())).at();
+        return ray.isMiss() ? null : surfels.get(surfelByCell.get(ray.cell())).at();
     }
 
     /** Returns the indirect light at a surface that the picture shows: red, green, blue. */
@@ -84,16 +86,26 @@ final class ReferenceIndirect {
         return light.at(hit);
     }
 
-    /** Adds a surfel for each new cell that some rays hit: the hit of the ray with the lowest rank. */
-    private void addSurfels(List<ReferenceGatherRay> rays) {
-        Map<Long, Integer> chosen = new LinkedHashMap<>();
-        for (int i = 0; i < rays.size(); i++) {
-            ReferenceGatherRay ray = rays.get(i);
-            if (ray.hit() != null && !surfelByCell.containsKey(ray.cell())) {
-                chosen.merge(ray.cell(), i, (a, b) -> rays.get(b).rank() < rays.get(a).rank() ? b : a);
+    /** Surfel of each new cell that some rays hit: the hit of the ray with the lowest rank. */
+    private final class NewSurfels {
+        private final Map<Long, Candidate> chosen = new HashMap<>();
+        private int rays;
+
+        private record Candidate(int number, ReferenceGatherRay ray) {}
+
+        void add(List<ReferenceGatherRay> added) {
+            for (ReferenceGatherRay ray : added) {
+                if (!ray.isMiss() && !surfelByCell.containsKey(ray.cell())) {
+                    chosen.merge(ray.cell(), new Candidate(rays, ray), (a, b) -> b.ray.rank() < a.ray.rank() ? b : a);
+                }
+                rays++;
             }
         }
-        chosen.values().stream().sorted().forEach(i -> addSurfel(rays.get(i)));
+
+        /** Adds the surfels in the order of their rays. */
+        void createSurfels() {
+            chosen.values().stream().sorted(Comparator.comparingInt(Candidate::number)).forEach(candidate -> addSurfel(candidate.ray));
+        }
     }
 
     private void addSurfel(ReferenceGatherRay ray) {
@@ -134,14 +146,17 @@ final class ReferenceIndirect {
     /** Casts the rays of all surfels that have none, then adds a surfel for each new cell that they hit. */
     private void castSurfelRays() {
         DirectionTable directions = new DirectionTable(settings.surfelRaysPerSide());
-        int known = surfelRays.size();
-        for (Surfel surfel : surfels.subList(known, surfels.size())) {
+        NewSurfels met = new NewSurfels();
+        for (Surfel surfel : surfels.subList(surfelRays.size(), surfels.size())) {
             SurfacePoint at = surfel.at();
             long seed = keys.surfelSeed(at.px(), at.py(), at.pz(), at.nx(), at.ny(), at.nz());
-            surfelRays.add(ReferenceGatherRay.cast(geometry, keys, glows, directions, seed, 0, at));
+            List<ReferenceGatherRay> rays = ReferenceGatherRay.cast(geometry, keys, glows, directions, seed, 0, at);
+            met.add(rays);
+            // A scene with millions of rays fits into memory without their surfaces.
+            surfelRays.add(rays.stream().map(ReferenceGatherRay::withoutSurface).toList());
             surfelGlow.add(new ReferenceGlow(geometry, keys, glows, directions.rays()).at(at, seed));
         }
-        addSurfels(surfelRays.subList(known, surfelRays.size()).stream().flatMap(List::stream).toList());
+        met.createSurfels();
     }
 
     /** Returns the light at each point: red, green, blue. */
@@ -184,7 +199,7 @@ final class ReferenceIndirect {
         float sum = 0;
         for (ReferenceGatherRay ray : added) {
             ReferenceGatherRay met = ray;
-            for (int i = 0; ray.hit() != null && !surfelByCell.containsKey(met.cell()) && i <= own.size(); i++) {
+            for (int i = 0; !ray.isMiss() && !surfelByCell.containsKey(met.cell()) && i <= own.size(); i++) {
                 // Surfels exist only where other rays found them.
                 met = own.get((cell + i) % own.size());
             }
@@ -223,7 +238,7 @@ final class ReferenceIndirect {
 
     /** Returns one channel of the light that a ray meets. */
     private float light(ReferenceGatherRay ray, float[] scattered, int c) {
-        return ray.hit() == null ? background(ray, c) : sent(ray, scattered, c);
+        return ray.isMiss() ? background(ray, c) : sent(ray, scattered, c);
     }
 
     private float sent(ReferenceGatherRay ray, float[] scattered, int c) {
@@ -239,7 +254,7 @@ final class ReferenceIndirect {
         float share = 1f / rays.size();
         float sum = 0;
         for (ReferenceGatherRay ray : rays) {
-            sum += ray.hit() == null ? background(ray, c) * share * ray.tint()[c] : 0;
+            sum += ray.isMiss() ? background(ray, c) * share * ray.tint()[c] : 0;
         }
         return sum;
     }

@@ -40,7 +40,7 @@ final class ReferenceRims {
         Map<Integer, List<ReferenceGatherRay>> added = new TreeMap<>();
         for (int k = 0; k < directions.rays(); k++) {
             int cell = k;
-            long misses = others.stream().filter(source -> source.rays.get(cell).hit() == null).count();
+            long misses = others.stream().filter(source -> source.rays.get(cell).isMiss()).count();
             if (misses > 0 && misses < others.size()) {
                 added.put(cell, new ArrayList<>());
             }
