@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -25,6 +26,7 @@ import lightning.format.reference.ReferenceFile;
 import lightning.render.image.Film;
 import lightning.render.match.LightFactor;
 import lightning.render.match.LightMatch;
+import lightning.render.match.MatchChange;
 import lightning.render.match.MatchResult;
 import lightning.render.match.MatchSettings;
 import lightning.render.match.MatchedScene;
@@ -34,7 +36,10 @@ import lightning.render.relight.Renderer;
 import lightning.render.relight.SceneView;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
+import lightning.scene.World;
+import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -43,8 +48,11 @@ import picocli.CommandLine.Option;
 /** Sets lights so that the picture comes closest to a reference image. */
 @Command(name = "match", header = "Set lights so that the picture matches a reference image.", abbreviateSynopsis = true,
         description = {
-            "Renders the scene once, and finds the intensities of its lights, and with --colors their colors, with which the picture comes "
+            "Renders the scene once, and finds the intensities of its lights, and what --change names, with which the picture comes "
                     + "closest to a reference image. Prints each light's change, and the difference from the reference before and after.",
+            "",
+            "All but intensities and colors is found step by step, with renders of the scene at a small size. Lights must be near to where "
+                    + "they belong: the search finds the nearest place that is better than all around it.",
             "",
             "The difference is the root mean square over all pixels and channels, relative to the reference's brightness there. "
                     + "Lights that are off stay off. The reference is an .exr, .hdr, .pfm, .png or .jpg of the picture's shape, in any size. "
@@ -54,7 +62,7 @@ import picocli.CommandLine.Option;
         footer = {
             "Examples:",
             "  lightning match scenes/bird.jen --reference before.png -o matched.jen",
-            "  lightning match scenes/bird.jen --reference before.pfm --exposure=free --colors"})
+            "  lightning match scenes/bird.jen --reference before.pfm --exposure=free --change=colors"})
 final class MatchCommand implements Callable<Integer> {
     private final Console console;
 
@@ -68,8 +76,9 @@ final class MatchCommand implements Callable<Integer> {
     @Option(names = "--lights", paramLabel = "NAMES", split = ",",
             description = "Lights that may change, separated by commas; environment for the environment (default: all that shine).")
     private @Nullable List<String> lights;
-    @Option(names = "--colors", description = "Change the colors of lights too.")
-    private boolean colors;
+    @Option(names = "--change", paramLabel = "WHAT", split = ",",
+            description = "Also change these, separated by commas: ${COMPLETION-CANDIDATES} (rotation: that of the environment).")
+    private Set<MatchChange> changes = EnumSet.noneOf(MatchChange.class);
     @Option(names = "--exposure", paramLabel = "fixed|free",
             description = "free: the reference's brightness does not count; the lights' mean brightness stays (default: fixed).")
     private MatchSettings.Reference exposure = MatchSettings.Reference.FIXED;
@@ -98,7 +107,7 @@ final class MatchCommand implements Callable<Integer> {
             InputFiles.of(input.path(), List.of(document.scene())).with(reference).check(output);
         }
         Scene scene = picture.apply(document.scene());
-        MatchSettings settings = new MatchSettings(chosen(document.scene()), colors, exposure, white, 0);
+        MatchSettings settings = new MatchSettings(chosen(document.scene()), Set.copyOf(changes), exposure, white, 0);
         ReferenceImage image = readReference(scene);
         RenderOptions options = RenderOptions.DEFAULT.withThreads(threads.count());
         MatchResult result;
@@ -108,7 +117,7 @@ final class MatchCommand implements Callable<Integer> {
         } catch (IllegalArgumentException e) {
             throw new BadInputException(Console.text("%s: %s", reference, e.getMessage()));
         }
-        Scene matched = MatchedScene.of(document.scene(), result.factors());
+        Scene matched = MatchedScene.of(document.scene(), result);
         print(result, document.scene(), matched);
         KeyedLightNotes.print(document.shot(), result.factors().stream().map(LightFactor::light).toList(), console);
         if (output != null) {
@@ -154,6 +163,9 @@ final class MatchCommand implements Callable<Integer> {
     }
 
     private void print(MatchResult result, Scene before, Scene after) {
+        for (MatchReport.Moved moved : moved(before, after)) {
+            console.print("%-24s %s %s to %s", moved.light(), moved.attribute(), moved.before(), moved.after());
+        }
         for (LightFactor factor : result.factors()) {
             String change = factor.isGray() ? stops(factor.red())
                     : Console.text("%s %s %s", stops(factor.red()), stops(factor.green()), stops(factor.blue()));
@@ -169,6 +181,24 @@ final class MatchCommand implements Callable<Integer> {
         result.alike().forEach(pair -> console.warn("%s and %s look alike in this picture: only their sum is known", pair.first(),
                 pair.second()));
         result.unseen().forEach(light -> console.warn("%s does not light anything in this picture, and is unchanged", light));
+    }
+
+    /** Returns the attributes besides intensities and colors that changed. */
+    private static List<MatchReport.Moved> moved(Scene before, Scene after) {
+        List<MatchReport.Moved> moved = new ArrayList<>();
+        for (Light old : before.lights()) {
+            Light light = after.light(old.name()).orElseThrow();
+            LightAttribute.ALL.stream().filter(a -> a != LightAttribute.INTENSITY && a != LightAttribute.COLOR).forEach(
+                    attribute -> addChange(attribute, old.name(), old, light, moved));
+        }
+        addChange(World.ROTATION, LightContributions.ENVIRONMENT, before.world(), after.world(), moved);
+        return moved;
+    }
+
+    private static <T> void addChange(SceneAttribute<T, ?> attribute, String light, T before, T after, List<MatchReport.Moved> to) {
+        if (!attribute.format(before).equals(attribute.format(after))) {
+            to.add(new MatchReport.Moved(light, attribute.name(), attribute.format(before), attribute.format(after)));
+        }
     }
 
     private static String digits(double value) {
@@ -190,7 +220,7 @@ final class MatchCommand implements Callable<Integer> {
                     intensity(after, f.light())));
         }
         return new MatchReport(output == null ? null : output.toString(), result.errorBefore(), result.errorAfter(), result.exposure(),
-                matched,
+                matched, moved(before, after),
                 result.alike().stream().map(pair -> List.of(pair.first(), pair.second())).toList(), result.unseen());
     }
 }

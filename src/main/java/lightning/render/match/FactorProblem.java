@@ -8,12 +8,15 @@ import org.ojalgo.optimisation.Optimisation;
 import org.ojalgo.optimisation.convex.ConvexSolver;
 
 /**
- * Non-negative least squares: factors of images whose sum is as small as possible, where some images have fixed factors. Unknown factors of
+ * Non-negative least squares: factors of images whose sum is as small as possible, where some images have fixed factors, and some factors of limited
+ * size may be negative. Unknown factors of
  * lights keep their mean brightness if the reference may be scaled, because all would become 0 otherwise.
  */
 final class FactorProblem {
     /** Least pull toward a factor of 1, relative to the light's own square: decides between lights that look alike. */
     private static final double PULL = 1e-10;
+    /** Pull of steps toward 0, relative to their own square: keeps directions that change nothing still. */
+    private static final double STEP_PULL = 1e-6;
 
     /**
      * One unknown.
@@ -22,9 +25,14 @@ final class FactorProblem {
      * @param first the first channel that it multiplies
      * @param end   the channel after the last
      * @param sign  1, or −1 for the reference
-     * @param mean  mean brightness of what it multiplies; 0 for the reference
+     * @param mean  mean brightness of what it multiplies; 0 for the reference and for steps
+     * @param limit largest absolute value of a step; infinite for factors, which are ≥ 0
      */
-    private record Unknown(int image, int first, int end, int sign, double mean) {
+    private record Unknown(int image, int first, int end, int sign, double mean, double limit) {
+        boolean isStep() {
+            return limit < Double.POSITIVE_INFINITY;
+        }
+
         boolean has(int channel) {
             return channel >= first && channel < end;
         }
@@ -62,18 +70,23 @@ final class FactorProblem {
     void addLight(int image, double[] means, boolean colors) {
         if (colors) {
             for (int c = 0; c < 3; c++) {
-                unknowns.add(new Unknown(image, c, c + 1, 1, means[c]));
+                unknowns.add(new Unknown(image, c, c + 1, 1, means[c], Double.POSITIVE_INFINITY));
             }
         } else {
-            unknowns.add(new Unknown(image, 0, 3, 1, means[0] + means[1] + means[2]));
+            unknowns.add(new Unknown(image, 0, 3, 1, means[0] + means[1] + means[2], Double.POSITIVE_INFINITY));
         }
+    }
+
+    /** Makes the factor of an image unknown that may be negative. */
+    void addStep(int image, double limit) {
+        unknowns.add(new Unknown(image, 0, 3, 1, 0, limit));
     }
 
     /** Makes the factor of the reference unknown, for all channels or for each. */
     void addReference(int image, int factors) {
         keepsMean = true;
         for (int f = 0; f < factors; f++) {
-            unknowns.add(new Unknown(image, factors == 1 ? 0 : f, factors == 1 ? 3 : f + 1, -1, 0));
+            unknowns.add(new Unknown(image, factors == 1 ? 0 : f, factors == 1 ? 3 : f + 1, -1, 0, Double.POSITIVE_INFINITY));
         }
     }
 
@@ -86,7 +99,7 @@ final class FactorProblem {
             all[c] = fixed[c].clone();
         }
         // A channel in which a light is black keeps its factor.
-        unknowns.stream().filter(u -> !solved.contains(u)).forEach(u -> set(u, 1, all));
+        unknowns.stream().filter(u -> !solved.contains(u)).forEach(u -> set(u, u.isStep() ? 0 : 1, all));
         for (int i = 0; i < factors.length; i++) {
             set(solved.get(i), factors[i], all);
         }
@@ -110,16 +123,24 @@ final class FactorProblem {
             for (int j = 0; j < count; j++) {
                 quadratic.set(i, j, scale[i] * scale[j] * product(u, solved.get(j)));
             }
-            double pull = u.sign > 0 ? PULL * product(u, u) + steadiness * largest : 0;
+            double pull = u.isStep() ? STEP_PULL * product(u, u) : u.sign > 0 ? PULL * product(u, u) + steadiness * largest : 0;
             quadratic.add(i, i, pull * scale[i] * scale[i]);
-            linear.set(i, 0, scale[i] * (pull - productWithFixed(u)));
+            linear.set(i, 0, scale[i] * ((u.isStep() ? 0 : pull) - productWithFixed(u)));
         }
         ConvexSolver.Builder problem = ConvexSolver.newBuilder().objective(quadratic, linear);
-        R064Store bounds = R064Store.FACTORY.make(count, count);
+        int steps = (int) solved.stream().filter(Unknown::isStep).count();
+        R064Store bounds = R064Store.FACTORY.make(count + steps, count);
+        R064Store limits = R064Store.FACTORY.make(count + steps, 1);
+        int upper = count;
         for (int i = 0; i < count; i++) {
             bounds.set(i, i, -1);
+            if (solved.get(i).isStep()) {
+                limits.set(i, 0, solved.get(i).limit / scale[i]);
+                bounds.set(upper, i, 1);
+                limits.set(upper++, 0, solved.get(i).limit / scale[i]);
+            }
         }
-        problem.inequalities(bounds, R064Store.FACTORY.make(count, 1));
+        problem.inequalities(bounds, limits);
         double total = solved.stream().mapToDouble(Unknown::mean).sum();
         if (keepsMean && total > 0) {
             R064Store means = R064Store.FACTORY.make(1, count);
@@ -132,7 +153,7 @@ final class FactorProblem {
         }
         Optimisation.Result result = problem.solve();
         double[] factors = new double[count];
-        Arrays.setAll(factors, i -> Math.max(0, result.doubleValue(i) * scale[i]));
+        Arrays.setAll(factors, i -> Math.max(solved.get(i).isStep() ? -solved.get(i).limit : 0, result.doubleValue(i) * scale[i]));
         return factors;
     }
 

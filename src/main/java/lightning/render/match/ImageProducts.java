@@ -39,6 +39,17 @@ record ImageProducts(double[][][] sums) {
         return sums[channel][i][j];
     }
 
+    /** Returns the cosine of the angle between two images; 0 if one of them is black where cells count. */
+    double cosine(int i, int j) {
+        double[] totals = new double[3];
+        for (double[][] channel : sums) {
+            totals[0] += channel[i][j];
+            totals[1] += channel[i][i];
+            totals[2] += channel[j][j];
+        }
+        return totals[1] == 0 || totals[2] == 0 ? 0 : totals[0] / Math.sqrt(totals[1] * totals[2]);
+    }
+
     /**
      * Returns the weighted sum of squares of a sum of images.
      *

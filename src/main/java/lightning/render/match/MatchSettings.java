@@ -7,12 +7,13 @@ import java.util.Set;
  * What a match may change, and how it compares.
  *
  * @param lights   names of the lights that it may change, {@code environment} for the environment; empty for all that shine
- * @param colors   whether it changes colors of lights too; the environment keeps its color
+ * @param changes  what it changes besides intensities; the environment keeps its color
  * @param exposure whether the brightness of the reference counts
  * @param white    whether the tint of the reference counts; where it does not, neither does the brightness
  * @param steadiness pull of each light toward its present intensity, relative to the light that lights most of what counts; ≥ 0
  */
-public record MatchSettings(Optional<Set<String>> lights, boolean colors, Reference exposure, Reference white, double steadiness) {
+public record MatchSettings(Optional<Set<String>> lights, Set<MatchChange> changes, Reference exposure, Reference white,
+        double steadiness) {
     /** Steadiness for paint: a light that no brush needs keeps its intensity, even if others change pixels without paint. */
     public static final double PAINTED = 0.02;
     /** Whether a property of the reference counts. */
@@ -24,10 +25,20 @@ public record MatchSettings(Optional<Set<String>> lights, boolean colors, Refere
     }
 
     /** Intensities of all lights, brightness and tint count. */
-    public static final MatchSettings DEFAULT = new MatchSettings(Optional.empty(), false, Reference.FIXED, Reference.FIXED, 0);
+    public static final MatchSettings DEFAULT = new MatchSettings(Optional.empty(), Set.of(), Reference.FIXED, Reference.FIXED, 0);
 
     /** Returns the number of unknown factors of the reference: none, one for all channels, or one for each. */
     int referenceFactors() {
         return white == Reference.FREE ? 3 : exposure == Reference.FREE ? 1 : 0;
+    }
+
+    /** Returns whether a light may change. */
+    boolean mayChange(String light) {
+        return lights.isEmpty() || lights.get().contains(light);
+    }
+
+    /** Returns whether it changes anything that takes renders to find. */
+    boolean isSearch() {
+        return changes.stream().anyMatch(MatchChange::isSearched);
     }
 }

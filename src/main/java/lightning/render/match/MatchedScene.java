@@ -1,6 +1,5 @@
 package lightning.render.match;
 
-import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.render.relight.LightContributions;
 import lightning.scene.Scene;
@@ -13,13 +12,14 @@ public final class MatchedScene {
     private MatchedScene() {}
 
     /**
-     * Returns a scene with its lights {@linkplain #multiplied multiplied}.
+     * Returns a scene with its lights moved and {@linkplain #multiplied multiplied}.
      *
-     * @param factors factors of lights of the scene
+     * @param result match of a scene with the same lights
      */
-    public static Scene of(Scene scene, List<LightFactor> factors) {
-        Scene matched = scene;
-        for (LightFactor factor : factors) {
+    public static Scene of(Scene scene, MatchResult result) {
+        Scene matched = result.moved().map(moved -> scene.withLights(moved.lights())
+                .withWorld(scene.world().withRotation(moved.world().rotation()))).orElse(scene);
+        for (LightFactor factor : result.factors()) {
             if (factor.light().equals(LightContributions.ENVIRONMENT) && scene.light(factor.light()).isEmpty()) {
                 World world = matched.world();
                 matched =

@@ -19,43 +19,66 @@ record PixelMeans(int columns, int rows) {
 
     /** Returns the means of a film all of whose pixels count. */
     float[][] of(Film film) {
-        return of(film, null).values;
+        return of(planes(film), new PixelMeans(film.width(), film.height()));
+    }
+
+    /**
+     * Returns the means of an image over larger cells.
+     *
+     * @param image {@code float[channel][cell]} of cells of {@code from}; not modified
+     */
+    float[][] of(float[][] image, PixelMeans from) {
+        return from.equals(this) ? image : of(image, from, null).values;
+    }
+
+    private static float[][] planes(Film film) {
+        float[] rgb = film.toScanlines();
+        float[][] planes = new float[3][rgb.length / 3];
+        for (int i = 0; i < rgb.length; i++) {
+            planes[i % 3][i / 3] = rgb[i];
+        }
+        return planes;
     }
 
     /**
      * Returns the means of the pixels that count.
      *
-     * @param weights by pixel; null if all are 1
+     * @param weights by pixel
      */
-    Means of(Film film, float @Nullable [] weights) {
+    Means of(Film film, float[] weights) {
+        return of(planes(film), new PixelMeans(film.width(), film.height()), weights);
+    }
+
+    private Means of(float[][] image, PixelMeans from, float @Nullable [] weights) {
         float[][] values = new float[3][columns * rows];
         float[] sums = new float[columns * rows];
         for (int row = 0; row < rows; row++) {
-            double top = (double) row * film.height() / rows;
-            double bottom = (double) (row + 1) * film.height() / rows;
+            double top = (double) row * from.rows / rows;
+            double bottom = (double) (row + 1) * from.rows / rows;
             for (int column = 0; column < columns; column++) {
-                double left = (double) column * film.width() / columns;
-                double right = (double) (column + 1) * film.width() / columns;
-                addCell(film, weights, left, top, right, bottom, row * columns + column, values, sums);
+                double left = (double) column * from.columns / columns;
+                double right = (double) (column + 1) * from.columns / columns;
+                addCell(image, from, weights, left, top, right, bottom, row * columns + column, values, sums);
             }
         }
         return new Means(values, sums);
     }
 
-    private static void addCell(Film film, float @Nullable [] weights, double left, double top, double right,
+    private static void addCell(float[][] image, PixelMeans from, float @Nullable [] weights, double left, double top, double right,
             double bottom, int cell, float[][] values, float[] sums) {
         double red = 0;
         double green = 0;
         double blue = 0;
         double total = 0;
-        for (int y = (int) top; y < Math.min(film.height(), Math.ceil(bottom)); y++) {
+        for (int y = (int) top; y < Math.min(from.rows, Math.ceil(bottom)); y++) {
             double high = Math.min(y + 1, bottom) - Math.max(y, top);
-            for (int x = (int) left; x < Math.min(film.width(), Math.ceil(right)); x++) {
+            for (int x = (int) left; x < Math.min(from.columns, Math.ceil(right)); x++) {
                 double part = high * (Math.min(x + 1, right) - Math.max(x, left));
-                double weight = weights == null ? part : part * weights[y * film.width() + x];
-                red += weight * film.red(x, y);
-                green += weight * film.green(x, y);
-                blue += weight * film.blue(x, y);
+                int i = y * from.columns + x;
+                double weight = weights == null ? part : part * weights[i];
+                red += weight * image[0][i];
+                green += weight * image[1][i];
+                blue += weight * image[2][i];
                 total += weight;
             }
         }

@@ -55,9 +55,7 @@ public record LightShares(Scene scene, double[] lights, double environment) {
      * @return empty if the scenes differ in other ways, or if a light was dark
      */
     public Optional<LightShares> scaledTo(Scene edited) {
-        if (edited.lights().size() != lights.length || !edited.camera().equals(scene.camera()) || !edited.picture().equals(scene.picture())
-                || !edited.stage().equals(scene.stage()) || !scene.world().withIntensity(edited.world().intensity()).equals(edited.world())
-                || scene.rig().isEnvironmentActive() != edited.rig().isEnvironmentActive()) {
+        if (!LightValues.areOnlyDifference(scene, edited) || scene.rig().isEnvironmentActive() != edited.rig().isEnvironmentActive()) {
             return Optional.empty();
         }
         List<Light> before = scene.rig().effectiveLights();
@@ -66,7 +64,7 @@ public record LightShares(Scene scene, double[] lights, double environment) {
         double total = 1;
         for (int l = 0; l < scaled.length; l++) {
             double factor = factor(before.get(l), edited, after.get(l));
-            if (Double.isNaN(factor) || Double.isInfinite(factor)) {
+            if (!Double.isFinite(factor)) {
                 return Optional.empty();
             }
             scaled[l] = factor * lights[l];
@@ -81,12 +79,8 @@ public record LightShares(Scene scene, double[] lights, double environment) {
                 : Optional.empty();
     }
 
-    /** Returns the factor of a light's contribution; NaN or infinite if it is unknown. */
+    /** Returns the factor of a light's contribution; infinite if it is unknown. */
     private double factor(Light before, Scene edited, Light after) {
-        Light otherwiseSame = before.withColor(after.color()).withIntensity(after.intensity()).withOn(after.on()).withSolo(after.solo());
-        if (!otherwiseSame.equals(after)) {
-            return Double.NaN;
-        }
         double afterLuminance = edited.isActive(after) ? after.weight().luminance() : 0;
         double beforeLuminance = scene.isActive(before) ? before.weight().luminance() : 0;
         return afterLuminance == beforeLuminance ? 1 : afterLuminance / beforeLuminance;

@@ -30,11 +30,12 @@ import org.junit.jupiter.api.Test;
 class LightMatchTest {
     private static final RenderOptions OPTIONS = RenderOptions.DEFAULT.withThreads(1);
     private static final MatchSettings COLORS =
-            new MatchSettings(Optional.empty(), true, MatchSettings.Reference.FIXED, MatchSettings.Reference.FIXED, 0);
+            new MatchSettings(Optional.empty(), Set.of(MatchChange.COLORS), MatchSettings.Reference.FIXED, MatchSettings.Reference.FIXED,
+                    0);
     private static final MatchSettings FREE_EXPOSURE =
-            new MatchSettings(Optional.empty(), false, MatchSettings.Reference.FREE, MatchSettings.Reference.FIXED, 0);
+            new MatchSettings(Optional.empty(), Set.of(), MatchSettings.Reference.FREE, MatchSettings.Reference.FIXED, 0);
     private static final MatchSettings FREE_WHITE =
-            new MatchSettings(Optional.empty(), false, MatchSettings.Reference.FIXED, MatchSettings.Reference.FREE, 0);
+            new MatchSettings(Optional.empty(), Set.of(), MatchSettings.Reference.FIXED, MatchSettings.Reference.FREE, 0);
 
     /** A rig of up to eight lights around the studio, whose intensities were multiplied by up to ten or divided by it. */
     @Property(tries = 100)
@@ -69,7 +70,7 @@ class LightMatchTest {
                     .withColor(new Rgb(0.2 + 0.8 * random.nextDouble(), 0.2 + 0.8 * random.nextDouble(), 1)));
         }
         MatchResult result = match(scene, film(changed), COLORS);
-        Scene matched = MatchedScene.of(scene, result.factors());
+        Scene matched = MatchedScene.of(scene, result);
         for (LightFactor found : result.factors()) {
             if (!isAmbiguous(result, found.light())) {
                 Light wanted = changed.light(found.light()).orElseThrow();
@@ -133,7 +134,7 @@ class LightMatchTest {
         Scene scene = StudioScene.withFourLights(40, 32);
         Light fill = scene.light("fill").orElseThrow();
         Film reference = film(scene.withLight(fill.withIntensity(2)));
-        MatchResult result = match(scene, reference, new MatchSettings(Optional.of(Set.of("sun")), false, MatchSettings.Reference.FIXED,
+        MatchResult result = match(scene, reference, new MatchSettings(Optional.of(Set.of("sun")), Set.of(), MatchSettings.Reference.FIXED,
                 MatchSettings.Reference.FIXED, 0));
         assertThat(result.factors()).extracting(LightFactor::light).containsExactly("sun");
     }
@@ -223,7 +224,7 @@ class LightMatchTest {
             }
         }
         assertThat(dabs).hasSizeGreaterThan(10);
-        MatchResult result = match(two, PaintedReference.of(film(two), dabs), new MatchSettings(Optional.empty(), false,
+        MatchResult result = match(two, PaintedReference.of(film(two), dabs), new MatchSettings(Optional.empty(), Set.of(),
                 MatchSettings.Reference.FIXED, MatchSettings.Reference.FIXED, MatchSettings.PAINTED));
         assertThat(result.factors().get(0).red()).isCloseTo(2, within(0.1));
         assertThat(result.factors().get(1).red()).isCloseTo(1, within(0.1));

@@ -2,6 +2,8 @@ package lightning.editor.window.match;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -48,6 +50,8 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.match.BrushDab;
 import lightning.render.match.LightMatch;
+import lightning.render.match.MatchChange;
+import lightning.render.match.MatchContributions;
 import lightning.render.match.MatchResult;
 import lightning.render.match.MatchSettings;
 import lightning.render.match.MatchedScene;
@@ -68,7 +72,8 @@ public final class MatchPane extends VBox {
     private final MatchView view = new MatchView(this::updateReason);
     private final Label fileName = new Label();
     private final Label result = new Label();
-    private final CheckBox colors = new CheckBox(Messages.tr("Change Colors"));
+    private final MenuButton changes = new MenuButton();
+    private final Set<MatchChange> changed = EnumSet.noneOf(MatchChange.class);
     private final CheckBox anyExposure = new CheckBox(Messages.tr("Any Exposure"));
     private final CheckBox anyWhite = new CheckBox(Messages.tr("Any White Balance"));
     private final MenuButton lights = new MenuButton();
@@ -81,6 +86,8 @@ public final class MatchPane extends VBox {
     private final Map<BrushDab.Wish, ToggleButton> brushes = new LinkedHashMap<>();
     private final FlowPane brushRow;
     private Optional<Reference> reference = Optional.empty();
+    /** Contributions to the picture of the last match. */
+    private Optional<MatchContributions> contributions = Optional.empty();
     private boolean isBusy;
 
     /**
@@ -96,7 +103,7 @@ public final class MatchPane extends VBox {
     }
 
     /** What the panel found, and the scene that it is for. */
-    private record Found(Scene scene, MatchResult result) {}
+    private record Found(Scene scene, MatchContributions contributions, MatchResult result) {}
 
     public MatchPane(EditorModel model) {
         this.model = model;
@@ -130,7 +137,11 @@ public final class MatchPane extends VBox {
         match.setOnAction(_ -> run());
         var matchBox = new StackPane(match);
         matchReason = new DisabledReason(matchBox, match, Messages.tr("Set the lights so that the picture comes closest; can be undone"));
-        colors.setId("match-colors");
+        changes.setId("match-changes");
+        changes.setMinWidth(Region.USE_PREF_SIZE);
+        changes.setTooltip(new Tooltip(Messages.tr("What may change besides intensities; all but colors is searched from where it is")));
+        changes.getItems().setAll(changeItems());
+        showChanges();
         anyExposure.setId("match-exposure");
         anyExposure.setTooltip(new Tooltip(Messages.tr("The brightness of the reference does not count")));
         anyWhite.setId("match-white");
@@ -141,7 +152,7 @@ public final class MatchPane extends VBox {
         lights.getItems().setAll(lightItems());
         lights.setOnShowing(_ -> lights.getItems().setAll(lightItems()));
         showLightCount();
-        var options = new FlowPane(matchBox, lights, colors, anyExposure, anyWhite);
+        var options = new FlowPane(matchBox, lights, changes, anyExposure, anyWhite);
         options.getStyleClass().add("mixer-tools");
         options.setHgap(12);
         options.setVgap(4);
@@ -259,6 +270,24 @@ public final class MatchPane extends VBox {
         })).toList();
     }
 
+    private List<MenuItem> changeItems() {
+        CommandMenuItems items = CommandMenuItems.forMenu(model.commands());
+        return Arrays.stream(MatchChange.values())
+                .map(change -> items.checkBoxValue(Command.MATCH_REFERENCE, change.title(), false, 0, on -> {
+                    if (on) {
+                        changed.add(change);
+                    } else {
+                        changed.remove(change);
+                    }
+                    showChanges();
+                })).toList();
+    }
+
+    private void showChanges() {
+        changes.setText(Stream.concat(Stream.of(Messages.tr("Intensities")), changed.stream().map(MatchChange::title))
+                .collect(Collectors.joining(", ")));
+    }
+
     private void showLightCount() {
         lights.setText(kept.isEmpty() ? Messages.tr("All Lights")
                 : Messages.count(kept.size(), "All Lights but 1", "All Lights but {0}", kept.size()));
@@ -268,7 +297,7 @@ public final class MatchPane extends VBox {
         Optional<Set<String>> chosen = kept.isEmpty() ? Optional.empty()
                 : Optional.of(candidates().filter(name -> !kept.contains(name)).collect(Collectors.toSet()));
         boolean isOpen = reference.isPresent();
-        return new MatchSettings(chosen, colors.isSelected(), referenceOf(isOpen && anyExposure.isSelected()),
+        return new MatchSettings(chosen, Set.copyOf(changed), referenceOf(isOpen && anyExposure.isSelected()),
                 referenceOf(isOpen && anyWhite.isSelected()), isOpen ? 0 : MatchSettings.PAINTED);
     }
 
@@ -285,9 +314,13 @@ public final class MatchPane extends VBox {
         isBusy = true;
         updateReason();
         result.setText(Messages.tr("Matching …"));
+        Optional<MatchContributions> earlier = contributions;
         query.submit(canceled -> model.workbench().cache().map(cache -> {
             ReferenceImage target = opened.map(r -> r.light(shown, cache.film())).orElseGet(() -> PaintedReference.of(cache.film(), dabs));
-            return new Found(cache.scene(), LightMatch.of(cache, options, target, settings, new CountingProgress(canceled)));
+            var known = MatchContributions.of(cache, options, earlier,
+                    new CountingProgress(canceled, Messages.key("Matching: {0} of {1} lights")));
+            return new Found(cache.scene(), known, LightMatch.of(known, cache, options, target, settings,
+                    new CountingProgress(canceled, Messages.key("Searching: step {0} of at most {1}"))));
         }), this::apply, failure -> {
             isBusy = false;
             updateReason();
@@ -295,19 +328,22 @@ public final class MatchPane extends VBox {
         });
     }
 
-    /** Shows the number of lights whose contributions are known. */
+    /** Shows how far a match is. */
     private final class CountingProgress implements Progress {
         private final Progress canceled;
+        private final String text;
 
-        CountingProgress(Progress canceled) {
+        /** @param text key of a message with the number that is done, and the number of all */
+        CountingProgress(Progress canceled, String text) {
             this.canceled = canceled;
+            this.text = text;
         }
 
         @Override
         public void report(int done, int total) {
             model.files().windowExecutor().execute(() -> {
                 if (isBusy) {
-                    result.setText(Messages.tr("Matching: {0} of {1} lights", done, total));
+                    result.setText(Messages.tr(text, done, total));
                 }
             });
         }
@@ -320,13 +356,14 @@ public final class MatchPane extends VBox {
 
     private void apply(Found found) {
         isBusy = false;
+        contributions = Optional.of(found.contributions);
         updateReason();
         if (!editor.scene().rig().equals(found.scene().rig())) {
             result.setText(Messages.tr("The lights were edited meanwhile; match again"));
             return;
         }
         MatchResult matched = found.result();
-        Optional<String> refusal = editor.editOrReport(scene -> EditOutcome.of(() -> MatchedScene.of(scene, matched.factors()))
+        Optional<String> refusal = editor.editOrReport(scene -> EditOutcome.of(() -> MatchedScene.of(scene, matched))
                 .named(Messages.tr("Match Reference")));
         result.setText(refusal.orElseGet(() -> text(matched)));
         if (refusal.isEmpty()) {
@@ -353,6 +390,7 @@ public final class MatchPane extends VBox {
     /** Cancels the match and ends its thread until the window opens again. */
     private void cancel() {
         query.close();
+        contributions = Optional.empty();
         if (isBusy) {
             isBusy = false;
             result.setText(Messages.tr("Canceled"));
