@@ -42,6 +42,11 @@ with Client(program=json.loads(command)) as client:
         report = scene.explain(35, 25)
         assert report["color_linear"] == [float(str(v)) for v in after[25, 35]], (report["color_linear"], after[25, 35])
         assert report["center"]["object"] == "ball"
+        reference = os.path.join(tempfile.mkdtemp(), "reference.pfm")
+        scene.picture(reference)
+        scene.set("key.intensity=4")
+        assert scene.match(reference, lights=["key"])["error_after"] < 1e-3
+        scene.undo(2)
         assert scene.get("key.color") == {"key.color": "1 0.5 0"}
         assert scene.set("key.angle=20")[0].startswith("key.angle has no effect")
         try:

@@ -343,6 +343,37 @@ class Scene:
         """
         return self._request("explain", pixel=[x, y])
 
+    def match(
+        self,
+        reference: _File,
+        *,
+        lights: Optional[Sequence[str]] = None,
+        change: Sequence[str] = (),
+        exposure: str = "fixed",
+        white: str = "fixed",
+        region: Optional[Sequence[int]] = None,
+    ) -> Dict[str, Any]:
+        """Sets lights so that the picture comes closest to an image; one step of undo.
+
+        Returns the fields of ``lightning match --json``.
+
+        Args:
+            reference: an .exr, .hdr, .pfm, .png or .jpg of the picture's shape, in any size
+            lights: names of the lights that may change, ``environment`` for the environment; all by default
+            change: what may change besides intensities: ``colors``, ``temperatures``, ``rotation``, ``positions``, ``directions``, ``cones``
+            exposure: ``free`` if the image's brightness does not count
+            white: ``free`` if neither its brightness nor its tint counts
+            region: x, y, width and height of the part of the image that counts
+        """
+        fields: Dict[str, Any] = {"reference": os.path.abspath(reference), "exposure": exposure, "white": white}
+        if lights is not None:
+            fields["lights"] = list(lights)
+        if change:
+            fields["change"] = list(change)
+        if region is not None:
+            fields["region"] = list(region)
+        return self._change("match", **fields)
+
     def save(self, file: _File, overwrite: bool = False) -> None:
         """Writes the edited scene to a .jen file. Comments and text that was not edited stay.
 

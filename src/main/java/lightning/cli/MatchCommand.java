@@ -3,13 +3,13 @@ package lightning.cli;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import lightning.base.text.Quote;
 import lightning.cli.option.PictureOptions;
 import lightning.cli.option.PixelRegion;
@@ -19,11 +19,10 @@ import lightning.cli.output.Console;
 import lightning.cli.output.ExitCode;
 import lightning.cli.output.PictureOutput;
 import lightning.cli.output.ProgressBar;
-import lightning.cli.report.MatchReport;
 import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
+import lightning.format.json.MatchReport;
 import lightning.format.reference.ReferenceFile;
-import lightning.render.image.Film;
 import lightning.render.match.LightFactor;
 import lightning.render.match.LightMatch;
 import lightning.render.match.MatchChange;
@@ -33,13 +32,9 @@ import lightning.render.match.MatchedScene;
 import lightning.render.match.ReferenceImage;
 import lightning.render.relight.LightContributions;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.SceneView;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
-import lightning.scene.World;
-import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.light.Light;
-import lightning.scene.light.LightAttribute;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -108,7 +103,8 @@ final class MatchCommand implements Callable<Integer> {
         }
         Scene scene = picture.apply(document.scene());
         MatchSettings settings = new MatchSettings(chosen(document.scene()), Set.copyOf(changes), exposure, white, 0);
-        ReferenceImage image = readReference(scene);
+        ReferenceImage image = ReferenceFile.readFor(scene, reference,
+                region == null ? null : new int[] {region.x(), region.y(), region.width(), region.height()});
         RenderOptions options = RenderOptions.DEFAULT.withThreads(threads.count());
         MatchResult result;
         try (Renderer renderer = new Renderer(options); ProgressBar bar = new ProgressBar(console, "tracing")) {
@@ -118,12 +114,13 @@ final class MatchCommand implements Callable<Integer> {
             throw new BadInputException(Console.text("%s: %s", reference, e.getMessage()));
         }
         Scene matched = MatchedScene.of(document.scene(), result);
-        print(result, document.scene(), matched);
+        MatchReport report = MatchReport.of(output == null ? null : output.toString(), result, document.scene(), matched);
+        print(result, report);
         KeyedLightNotes.print(document.shot(), result.factors().stream().map(LightFactor::light).toList(), console);
         if (output != null) {
             document.withScene(matched).save(output);
         }
-        console.report().setResult(report(result, document.scene(), matched));
+        console.report().setResult(report);
         return ExitCode.OK;
     }
 
@@ -145,32 +142,16 @@ final class MatchCommand implements Callable<Integer> {
         return Optional.of(new HashSet<>(lights));
     }
 
-    private ReferenceImage readReference(Scene scene) throws Exception {
-        ReferenceImage image = ReferenceFile.read(reference);
-        Film film = image.film();
-        if (!image.hasShapeOf(scene.picture().width(), scene.picture().height())) {
-            throw new BadInputException(
-                    Console.text("%s: expected an image of the picture's shape, %d x %d pixels or a multiple, found %d x %d",
-                            reference, scene.picture().width(), scene.picture().height(), film.width(), film.height()));
-        }
-        if (region != null) {
-            image = image.within((double) region.x() / film.width(), (double) region.y() / film.height(),
-                    (double) (region.x() + region.width()) / film.width(), (double) (region.y() + region.height()) / film.height());
-        }
-        return ReferenceFile.isDisplayReferred(reference)
-                ? image.beforeView(SceneView.of(scene), scene.picture().width(), scene.picture().height())
-                : image;
-    }
-
-    private void print(MatchResult result, Scene before, Scene after) {
-        for (MatchReport.Moved moved : moved(before, after)) {
+    private void print(MatchResult result, MatchReport report) {
+        for (MatchReport.Moved moved : report.moved()) {
             console.print("%-24s %s %s to %s", moved.light(), moved.attribute(), moved.before(), moved.after());
         }
-        for (LightFactor factor : result.factors()) {
-            String change = factor.isGray() ? stops(factor.red())
-                    : Console.text("%s %s %s", stops(factor.red()), stops(factor.green()), stops(factor.blue()));
-            console.print("%-24s intensity %s to %s (%s)", factor.light(), digits(intensity(before, factor.light())),
-                    digits(intensity(after, factor.light())), change);
+        for (MatchReport.Matched light : report.lights()) {
+            List<Double> factors = light.factors();
+            String change = Set.copyOf(factors).size() == 1 ? stops(factors.getFirst())
+                    : factors.stream().map(MatchCommand::stops).collect(Collectors.joining(" "));
+            console.print("%-24s intensity %s to %s (%s)", light.light(), digits(light.intensityBefore()), digits(light.intensityAfter()),
+                    change);
         }
         console.print("difference from the reference: %.3g %% before, %.3g %% after", 100 * result.errorBefore(),
                 100 * result.errorAfter());
@@ -183,44 +164,11 @@ final class MatchCommand implements Callable<Integer> {
         result.unseen().forEach(light -> console.warn("%s does not light anything in this picture, and is unchanged", light));
     }
 
-    /** Returns the attributes besides intensities and colors that changed. */
-    private static List<MatchReport.Moved> moved(Scene before, Scene after) {
-        List<MatchReport.Moved> moved = new ArrayList<>();
-        for (Light old : before.lights()) {
-            Light light = after.light(old.name()).orElseThrow();
-            LightAttribute.ALL.stream().filter(a -> a != LightAttribute.INTENSITY && a != LightAttribute.COLOR).forEach(
-                    attribute -> addChange(attribute, old.name(), old, light, moved));
-        }
-        addChange(World.ROTATION, LightContributions.ENVIRONMENT, before.world(), after.world(), moved);
-        return moved;
-    }
-
-    private static <T> void addChange(SceneAttribute<T, ?> attribute, String light, T before, T after, List<MatchReport.Moved> to) {
-        if (!attribute.format(before).equals(attribute.format(after))) {
-            to.add(new MatchReport.Moved(light, attribute.name(), attribute.format(before), attribute.format(after)));
-        }
-    }
-
     private static String digits(double value) {
         return new BigDecimal(value).round(new MathContext(4)).stripTrailingZeros().toPlainString();
     }
 
     private static String stops(double factor) {
         return factor == 0 ? "off" : Console.text("%+.2f stops", Math.log(factor) / Math.log(2));
-    }
-
-    private static double intensity(Scene scene, String light) {
-        return scene.light(light).map(Light::intensity).orElse(scene.world().intensity());
-    }
-
-    private MatchReport report(MatchResult result, Scene before, Scene after) {
-        List<MatchReport.Matched> matched = new ArrayList<>();
-        for (LightFactor f : result.factors()) {
-            matched.add(new MatchReport.Matched(f.light(), List.of(f.red(), f.green(), f.blue()), intensity(before, f.light()),
-                    intensity(after, f.light())));
-        }
-        return new MatchReport(output == null ? null : output.toString(), result.errorBefore(), result.errorAfter(), result.exposure(),
-                matched, moved(before, after),
-                result.alike().stream().map(pair -> List.of(pair.first(), pair.second())).toList(), result.unseen());
     }
 }

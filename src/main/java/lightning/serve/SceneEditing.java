@@ -129,7 +129,8 @@ final class SceneEditing {
         return gesture;
     }
 
-    private ObjectNode change(Scene edited, @Nullable Object asGesture) {
+    /** Makes an edit, which continues the last one with the same gesture; returns the history after it. */
+    ObjectNode change(Scene edited, @Nullable Object asGesture) {
         if (asGesture == null) {
             gesture = null;
         }

@@ -6,6 +6,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
 import lightning.base.work.DedicatedThread;
 import lightning.base.work.Progress;
 import lightning.editor.document.OpenDocument;
@@ -72,6 +73,7 @@ final class SceneSession {
                 case RENDER -> request.fields().has("coarse") ? new CoarseRequest(this, request).run()
                         : new PictureRequest(this, request).run();
                 case EXPLAIN -> new PixelRequest(this, request).run();
+                case MATCH -> new MatchRequest(this, request).run();
                 case CLOSE -> {
                     close();
                     yield JsonLines.JSON.createObjectNode();
@@ -99,6 +101,13 @@ final class SceneSession {
 
     private ObjectNode edit(Request request) throws Exception {
         ObjectNode result = editing.run(request.method(), request.fields());
+        publish();
+        return result;
+    }
+
+    /** Makes an edit of a request; returns the history after it. */
+    ObjectNode edit(Scene edited) {
+        ObjectNode result = editing.change(edited, null);
         publish();
         return result;
     }
@@ -154,6 +163,16 @@ final class SceneSession {
             return renderer.renderOrClear(scene(), request.progress());
         } finally {
             usedBytes = UNKNOWN;
+            server.turn().release(request);
+        }
+    }
+
+    /** Runs a computation with all threads when it is the scene's turn. */
+    <T> T compute(Request request, Function<RenderOptions, T> computation) {
+        server.turn().await(request);
+        try {
+            return computation.apply(server.renderOptions(this));
+        } finally {
             server.turn().release(request);
         }
     }

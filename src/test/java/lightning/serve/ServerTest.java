@@ -1,6 +1,7 @@
 package lightning.serve;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -261,6 +262,20 @@ class ServerTest {
         client.request("frame", "'scene':1,'frame':1");
         assertThat(client.picture(1, "")).isEqualTo(first);
         assertThat(client.refused("frame", "'scene':1,'frame':0").get("place").asString()).isEqualTo("frame");
+    }
+
+    @Test
+    void match_isOneStepAndRestoresTheLight() throws Exception {
+        client.open(SCENE);
+        Path reference = folder.resolve("reference.pfm");
+        client.request("render", "'scene':1,'file':'" + reference + "'");
+        client.request("set", "'scene':1,'edits':'key.intensity=4'");
+        JsonNode result = client.request("match", "'scene':1,'reference':'" + reference + "','lights':'key'");
+        assertThat(result.get("steps").asInt()).isEqualTo(2);
+        assertThat(result.at("/lights/0/light").asString()).isEqualTo("key");
+        double restored =
+                Double.parseDouble(client.request("get", "'scene':1,'properties':'key.intensity'").at("/values/key.intensity").asString());
+        assertThat(restored).isCloseTo(scene().light("key").orElseThrow().intensity(), within(1e-3));
     }
 
     @Test

@@ -15,8 +15,11 @@ import lightning.format.jen.asset.UnusableFileException;
 import lightning.format.mesh.MeshException;
 import lightning.render.image.Film;
 import lightning.render.match.ReferenceImage;
+import lightning.render.relight.SceneView;
+import lightning.scene.Scene;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.asset.Texture;
+import org.jspecify.annotations.Nullable;
 
 /** Reader for images of other programs: PNG, JPEG, OpenEXR, Radiance HDR and PFM. */
 public final class ReferenceFile {
@@ -32,6 +35,28 @@ public final class ReferenceFile {
     public static ReferenceImage read(Path file) throws IOException {
         ReferenceImage image = ReferenceImage.of(readFilm(file));
         return isDisplayReferred(file) ? image.withoutClipped() : image;
+    }
+
+    /**
+     * Reads an image as the light that the picture of a scene shall have. Codes of a display are what the scene's view shall show.
+     *
+     * @param region left column, top row, width and height of the part that counts, in the image's pixels; null for all
+     * @throws IOException as {@link #readFilm}, or if the image has another shape than the picture
+     */
+    public static ReferenceImage readFor(Scene scene, Path file, int @Nullable [] region) throws IOException {
+        ReferenceImage image = read(file);
+        Film film = image.film();
+        int width = scene.picture().width();
+        int height = scene.picture().height();
+        if (!image.hasShapeOf(width, height)) {
+            throw new IOException(Quote.path(file) + ": expected an image of the picture's shape, " + width + " x " + height
+                    + " pixels or a multiple, found " + film.width() + " x " + film.height());
+        }
+        if (region != null) {
+            image = image.within((double) region[0] / film.width(), (double) region[1] / film.height(),
+                    (double) ((long) region[0] + region[2]) / film.width(), (double) ((long) region[1] + region[3]) / film.height());
+        }
+        return isDisplayReferred(file) ? image.beforeView(SceneView.of(scene), width, height) : image;
     }
 
     /**

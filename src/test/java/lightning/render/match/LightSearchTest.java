@@ -74,7 +74,8 @@ class LightSearchTest {
         MatchResult result = LightSearchTest.match(start, reference, MatchChange.TEMPERATURES, Optional.empty(), Progress.NONE);
         for (Light light : reference.lights()) {
             double mired = 1e6 / light.emission().temperature();
-            assertThat(1e6 / matched(start, result).light(light.name()).orElseThrow().emission().temperature()).isCloseTo(mired, within(2.0));
+            assertThat(1e6 / matched(start, result).light(light.name()).orElseThrow().emission().temperature()).isCloseTo(mired,
+                    within(2.0));
         }
     }
 

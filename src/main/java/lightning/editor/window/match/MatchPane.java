@@ -15,6 +15,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javafx.scene.control.Button;
 import javafx.scene.control.CheckBox;
+import javafx.scene.control.ComboBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
@@ -60,6 +61,7 @@ import lightning.render.match.ReferenceImage;
 import lightning.render.relight.LightFilms;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Matches the lights to a reference image, or to what a brush painted on the picture. The result is one edit that can be undone; the pane shows
@@ -69,7 +71,10 @@ public final class MatchPane extends VBox {
     private final EditorModel model;
     private final SceneEditor editor;
     private final PictureQuery query;
-    private final MatchView view = new MatchView(this::updateReason);
+    private final MatchView view = new MatchView(() -> {
+        prepare();
+        updateReason();
+    });
     private final Label fileName = new Label();
     private final Label result = new Label();
     private final MenuButton changes = new MenuButton();
@@ -79,7 +84,8 @@ public final class MatchPane extends VBox {
     private final MenuButton lights = new MenuButton();
     /** Lights that shall stay as they are. */
     private final Set<String> kept = new HashSet<>();
-    private final ToggleButton sideBySide = new ToggleButton(Messages.tr("Side by Side"));
+    private final ComboBox<MatchView.Arrangement> arrangement = new ComboBox<>();
+    private final ToggleButton region = new ToggleButton(Messages.tr("Region"));
     private final Button close = new Button(Messages.tr("Remove Reference"));
     private final Button match = new Button(Messages.tr("Match"));
     private final DisabledReason matchReason;
@@ -88,6 +94,8 @@ public final class MatchPane extends VBox {
     private Optional<Reference> reference = Optional.empty();
     /** Contributions to the picture of the last match. */
     private Optional<MatchContributions> contributions = Optional.empty();
+    /** Picture whose contributions are known or being composed; null for none. */
+    private @Nullable Frame prepared;
     private boolean isBusy;
 
     /**
@@ -119,15 +127,21 @@ public final class MatchPane extends VBox {
         close.setId("match-close");
         close.setMinWidth(Region.USE_PREF_SIZE);
         close.setOnAction(_ -> setReference(Optional.empty()));
-        sideBySide.setId("match-beside");
-        sideBySide.setMinWidth(Region.USE_PREF_SIZE);
-        sideBySide.setTooltip(new Tooltip(Messages.tr("Show the reference beside the picture, in place of over its left part")));
-        sideBySide.selectedProperty().subscribe(view::setBeside);
+        arrangement.setId("match-arrangement");
+        arrangement.setMinWidth(Region.USE_PREF_SIZE);
+        arrangement.setTooltip(new Tooltip(Messages.tr("Where the reference is shown")));
+        arrangement.getItems().setAll(MatchView.Arrangement.values());
+        arrangement.setValue(MatchView.Arrangement.WIPE);
+        arrangement.valueProperty().subscribe(view::setArrangement);
+        region.setId("match-region");
+        region.setMinWidth(Region.USE_PREF_SIZE);
+        region.setTooltip(new Tooltip(Messages.tr("Drag a rectangle on the picture: only this part of the reference counts")));
+        region.selectedProperty().subscribe(view::setSelectsRegion);
         fileName.setId("match-file");
         fileName.getStyleClass().add("pane-note");
         fileName.setMaxWidth(Double.MAX_VALUE);
         HBox.setHgrow(fileName, Priority.ALWAYS);
-        var head = new HBox(open, close, sideBySide, fileName);
+        var head = new HBox(open, close, arrangement, region, fileName);
         head.getStyleClass().add("mixer-tools");
         brushRow = brushes();
         VBox.setVgrow(view, Priority.ALWAYS);
@@ -201,8 +215,28 @@ public final class MatchPane extends VBox {
         Frame frame = model.picture().frame();
         if (frame != null && frame.isFinished()) {
             view.show(frame.film(), model.picture().viewProperty().get().withMarksClipping(false));
+            prepare();
+        } else if (!isBusy) {
+            prepared = null;
+            query.cancel();
         }
         updateReason();
+    }
+
+    /** Composes the contributions to a new picture while the artist looks at it, so that the match is quick. */
+    private void prepare() {
+        Frame frame = model.picture().frame();
+        boolean isNeeded = reference.isPresent() || !view.dabs().isEmpty();
+        if (isBusy || !isNeeded || frame == null || !frame.isFinished() || frame == prepared) {
+            return;
+        }
+        prepared = frame;
+        RenderOptions options = model.accuracyModeProperty().get().options();
+        Optional<MatchContributions> earlier = contributions;
+        query.submit(canceled -> model.workbench().cache().map(cache -> MatchContributions.of(cache, options, earlier, canceled)),
+                known -> contributions = Optional.of(known), _ -> {
+                    // The match reports the failure.
+                });
     }
 
     private void acceptDrag(DragEvent e) {
@@ -226,16 +260,18 @@ public final class MatchPane extends VBox {
 
     private void setReference(Optional<Reference> newReference) {
         reference = newReference;
+        region.setSelected(false);
         view.setReference(newReference.map(r -> new MatchView.Shown(r.image.film(),
                 r.isDisplayReferred ? Optional.of(ViewTransform.DEFAULT) : Optional.empty())));
         fileName.setText(newReference.map(r -> r.file.getFileName().toString()).orElse(""));
         boolean isOpen = newReference.isPresent();
-        for (Region part : List.of(close, sideBySide, anyExposure, anyWhite)) {
+        for (Region part : List.of(close, arrangement, region, anyExposure, anyWhite)) {
             part.setVisible(isOpen);
             part.setManaged(isOpen);
         }
         brushRow.setVisible(!isOpen);
         brushRow.setManaged(!isOpen);
+        prepare();
         result.setText(isOpen ? "" : Messages.tr("Open an image that the picture shall resemble, or paint how it shall change."));
         updateReason();
     }
@@ -310,13 +346,16 @@ public final class MatchPane extends VBox {
         RenderOptions options = model.accuracyModeProperty().get().options();
         List<BrushDab> dabs = view.dabs();
         Optional<Reference> opened = reference;
+        Optional<MatchRegion> counting = view.region();
         ViewTransform shown = model.picture().viewProperty().get();
         isBusy = true;
         updateReason();
         result.setText(Messages.tr("Matching …"));
         Optional<MatchContributions> earlier = contributions;
         query.submit(canceled -> model.workbench().cache().map(cache -> {
-            ReferenceImage target = opened.map(r -> r.light(shown, cache.film())).orElseGet(() -> PaintedReference.of(cache.film(), dabs));
+            ReferenceImage target = opened.map(r -> r.light(shown, cache.film())).map(r -> counting.map(
+                    c -> r.within(c.left(), c.top(), c.right(), c.bottom())).orElse(r))
+                    .orElseGet(() -> PaintedReference.of(cache.film(), dabs));
             var known = MatchContributions.of(cache, options, earlier,
                     new CountingProgress(canceled, Messages.key("Matching: {0} of {1} lights")));
             return new Found(cache.scene(), known, LightMatch.of(known, cache, options, target, settings,
@@ -391,6 +430,7 @@ public final class MatchPane extends VBox {
     private void cancel() {
         query.close();
         contributions = Optional.empty();
+        prepared = null;
         if (isBusy) {
             isBusy = false;
             result.setText(Messages.tr("Canceled"));

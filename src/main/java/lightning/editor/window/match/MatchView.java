@@ -8,6 +8,7 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.StackPane;
+import lightning.base.text.Messages;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
@@ -16,11 +17,14 @@ import lightning.render.match.PaintedReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The picture with the reference over its left part or beside it. Without a reference, a brush paints on it. Double click fits both to the view.
+ * The picture with a reference, of which a region may count alone. Without a reference, a brush paints on it. Double click fits both to the view.
  */
 final class MatchView extends HBox {
     /** Share of the paint's color in a painted pixel. */
     private static final double PAINT = 0.35;
+    private static final double HALF = 0.5;
+    /** Share of black in pixels outside the region. */
+    private static final double OUTSIDE = 0.6;
     /** Radius of the brush relative to the width of the picture. */
     private static final double BRUSH = 0.035;
 
@@ -33,7 +37,31 @@ final class MatchView extends HBox {
     private @Nullable Film film;
     private ViewTransform view = ViewTransform.DEFAULT;
     private Optional<Shown> reference = Optional.empty();
-    private boolean isBeside;
+    private Arrangement arrangement = Arrangement.WIPE;
+    private boolean selectsRegion;
+    private Optional<MatchRegion> region = Optional.empty();
+    /** Where a drag of the region began: column and row. */
+    private double[] corner = {0, 0};
+
+    /** Where the reference is shown. */
+    enum Arrangement {
+        /** Over the left part of the picture. */
+        WIPE(Messages.key("Over the Left Part")),
+        SIDE_BY_SIDE(Messages.key("Side by Side")),
+        /** Half of each. */
+        MIXED(Messages.key("Mixed with the Picture"));
+
+        private final String title;
+
+        Arrangement(String title) {
+            this.title = title;
+        }
+
+        @Override
+        public String toString() {
+            return Messages.tr(title);
+        }
+    }
 
     /**
      * A reference as it is shown.
@@ -56,7 +84,10 @@ final class MatchView extends HBox {
             box.setPrefWidth(100);
         }
         getChildren().setAll(pictureBox);
-        picture.addEventHandler(MouseEvent.MOUSE_PRESSED, this::drag);
+        picture.addEventHandler(MouseEvent.MOUSE_PRESSED, e -> {
+            picture.pixel(e.getX(), e.getY()).ifPresent(at -> corner = new double[] {at.x(), at.y()});
+            drag(e);
+        });
         picture.addEventHandler(MouseEvent.MOUSE_DRAGGED, this::drag);
         picture.addEventHandler(MouseEvent.MOUSE_CLICKED, e -> {
             if (e.getClickCount() == 2 && brush == null) {
@@ -80,14 +111,28 @@ final class MatchView extends HBox {
     /** Shows a reference, or none. */
     void setReference(Optional<Shown> newReference) {
         reference = newReference;
+        region = Optional.empty();
         update();
         beside.fit();
     }
 
-    /** Shows the reference beside the picture, or over its left part. */
-    void setBeside(boolean v) {
-        isBeside = v;
+    void setArrangement(Arrangement v) {
+        arrangement = v;
         update();
+    }
+
+    /** Lets drags select the region that counts; without it all counts. */
+    void setSelectsRegion(boolean v) {
+        selectsRegion = v;
+        if (!v) {
+            region = Optional.empty();
+        }
+        update();
+    }
+
+    /** Returns the only region of the reference that counts; empty if all counts. */
+    Optional<MatchRegion> region() {
+        return region;
     }
 
     /** Sets the brush; null for none. */
@@ -110,7 +155,13 @@ final class MatchView extends HBox {
         if (e.getButton() != MouseButton.PRIMARY || film == null) {
             return;
         }
-        if (picture.wipe().isVisible()) {
+        if (selectsRegion && reference.isPresent()) {
+            Film shown = film;
+            PictureView.Pixel at = picture.nearestPixel(e.getX(), e.getY());
+            region = MatchRegion.between(corner[0] / shown.width(), corner[1] / shown.height(), (double) at.x() / shown.width(),
+                    (double) at.y() / shown.height());
+            update();
+        } else if (picture.wipe().isVisible()) {
             picture.wipeTo(e.getX());
         } else if (brush != null && reference.isEmpty()) {
             BrushDab.Wish wish = brush;
@@ -131,19 +182,41 @@ final class MatchView extends HBox {
         if (reference.isEmpty()) {
             paint(pixels, film.width(), film.height());
         }
-        picture.setPixels(film.width(), film.height(), pixels);
-        picture.wipe().setVisible(reference.isPresent() && !isBeside);
+        int width = film.width();
+        int height = film.height();
         reference.ifPresent(shown -> {
             int[] codes = shown.view().orElse(view).toPixels(shown.film());
+            if (arrangement == Arrangement.MIXED) {
+                mix(pixels, width, height, codes, shown.film());
+            }
             picture.wipe().store(shown.film().width(), shown.film().height(), codes);
             beside.setPixels(shown.film().width(), shown.film().height(), codes);
         });
-        boolean showsBoth = reference.isPresent() && isBeside;
+        region.ifPresent(counting -> darken(pixels, width, height, counting));
+        picture.setPixels(width, height, pixels);
+        picture.wipe().setVisible(reference.isPresent() && arrangement == Arrangement.WIPE && !selectsRegion);
+        boolean showsBoth = reference.isPresent() && arrangement == Arrangement.SIDE_BY_SIDE;
         if (showsBoth != getChildren().contains(besideBox)) {
             if (showsBoth) {
                 getChildren().addFirst(besideBox);
             } else {
                 getChildren().remove(besideBox);
+            }
+        }
+    }
+
+    private static void mix(int[] pixels, int width, int height, int[] codes, Film reference) {
+        for (int i = 0; i < pixels.length; i++) {
+            int x = i % width * reference.width() / width;
+            int y = i / width * reference.height() / height;
+            pixels[i] = mixed(pixels[i], codes[y * reference.width() + x], HALF);
+        }
+    }
+
+    private static void darken(int[] pixels, int width, int height, MatchRegion region) {
+        for (int i = 0; i < pixels.length; i++) {
+            if (!region.contains((i % width + 0.5) / width, (i / width + 0.5) / height)) {
+                pixels[i] = mixed(pixels[i], 0, OUTSIDE);
             }
         }
     }
@@ -156,7 +229,7 @@ final class MatchView extends HBox {
         for (int i = 0; i < pixels.length; i++) {
             BrushDab.Wish wish = wishes[i];
             if (wish != null) {
-                pixels[i] = mixed(pixels[i], color(wish));
+                pixels[i] = mixed(pixels[i], color(wish), PAINT);
             }
         }
     }
@@ -172,11 +245,11 @@ final class MatchView extends HBox {
         };
     }
 
-    private static int mixed(int pixel, int color) {
+    private static int mixed(int pixel, int color, double share) {
         int mixed = 0xff;
         for (int shift = 16; shift >= 0; shift -= 8) {
             int from = pixel >> shift & 0xff;
-            mixed = mixed << 8 | (int) Math.round(from + PAINT * ((color >> shift & 0xff) - from));
+            mixed = mixed << 8 | (int) Math.round(from + share * ((color >> shift & 0xff) - from));
         }
         return mixed;
     }

@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Optional;
 import javafx.geometry.Bounds;
 import javafx.scene.control.Button;
 import javafx.scene.control.CheckBox;
+import javafx.scene.control.ComboBox;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import lightning.base.work.Progress;
@@ -40,10 +42,18 @@ class MatchPaneTest extends EditorFixture {
     }
 
     private Path picture(Scene scene, String name) throws IOException {
+        return write(film(scene), name);
+    }
+
+    private Path write(Film film, String name) throws IOException {
+        ImageFile.write(folder.resolve(name), film, ViewTransform.DEFAULT);
+        return folder.resolve(name);
+    }
+
+    private static Film film(Scene scene) {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
             renderer.render(scene, Progress.NONE);
-            ImageFile.write(folder.resolve(name), renderer.film(), ViewTransform.DEFAULT);
-            return folder.resolve(name);
+            return renderer.film();
         }
     }
 
@@ -113,7 +123,63 @@ class MatchPaneTest extends EditorFixture {
         Path file = picture(model().editor().scene(), "same.png");
         robot.interact(() -> pane.open(file));
         waitFor("the reference is open", () -> exposure.isVisible());
-        click("match-beside");
+    }
+
+    @Test
+    void reference_isShownBesideThePicture() throws IOException {
+        MatchPane pane = open();
+        Path file = picture(model().editor().scene(), "beside.pfm");
+        robot.interact(() -> pane.open(file));
+        waitFor("the reference is open", () -> text("match-file").equals("beside.pfm"));
+        ComboBox<MatchView.Arrangement> arrangement = robot.lookup("#match-arrangement").query();
+        robot.interact(() -> arrangement.setValue(MatchView.Arrangement.SIDE_BY_SIDE));
         assertThat(robot.lookup("#match-reference").tryQuery()).isNotEqualTo(Optional.empty());
+        robot.interact(() -> arrangement.setValue(MatchView.Arrangement.WIPE));
+        assertThat(robot.lookup("#match-reference").tryQuery()).isEqualTo(Optional.empty());
+    }
+
+    @Test
+    void mixedReference_isHalfOfEachPixel() throws IOException {
+        MatchPane pane = open();
+        Scene scene = model().editor().scene();
+        PictureView picture = robot.lookup("#match-picture").query();
+        waitFor("the picture is shown", () -> !picture.isEmpty());
+        int before = picture.pixels()[0] & 0xff;
+        Path file = write(white(scene.picture().width(), scene.picture().height()), "white.pfm");
+        robot.interact(() -> pane.open(file));
+        waitFor("the reference is open", () -> text("match-file").equals("white.pfm"));
+        ComboBox<MatchView.Arrangement> arrangement = robot.lookup("#match-arrangement").query();
+        robot.interact(() -> arrangement.setValue(MatchView.Arrangement.MIXED));
+        assertThat(picture.pixels()[0] & 0xff).isCloseTo((before + 255) / 2, within(1));
+    }
+
+    /** Outside the region the reference is white, which no lamp could reach. */
+    @Test
+    void region_countsAlone() throws IOException {
+        MatchPane pane = open();
+        Scene before = model().editor().scene();
+        Light lamp = before.light("lamp").orElseThrow();
+        int width = before.picture().width();
+        float[] rgb = film(before.withLight(lamp.withIntensity(2 * lamp.intensity()))).toScanlines();
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = i / 3 % width < width / 2 ? rgb[i] : 50;
+        }
+        Path file = write(Film.ofScanlines(width, before.picture().height(), rgb), "half.pfm");
+        robot.interact(() -> pane.open(file));
+        waitFor("the reference is open", () -> text("match-file").equals("half.pfm") && canMatch());
+        click("match-region");
+        PictureView picture = robot.lookup("#match-picture").query();
+        Bounds shown = picture.localToScreen(picture.pictureBoundsProperty().getValue());
+        robot.moveTo(shown.getMinX() + 2, shown.getMinY() + 2).press(MouseButton.PRIMARY)
+                .moveTo(shown.getCenterX() - 4, shown.getMaxY() - 2).release(MouseButton.PRIMARY);
+        click("match-run");
+        waitFor("the lights are matched", () -> text("match-result").startsWith("Difference:"));
+        assertThat(light("lamp").intensity()).isCloseTo(2 * lamp.intensity(), within(0.02 * lamp.intensity()));
+    }
+
+    private static Film white(int width, int height) {
+        float[] rgb = new float[3 * width * height];
+        Arrays.fill(rgb, 1);
+        return Film.ofScanlines(width, height, rgb);
     }
 }
