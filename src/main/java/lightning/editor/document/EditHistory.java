@@ -104,6 +104,11 @@ public final class EditHistory {
         return Optional.ofNullable(doneSteps.peek()).map(Step::label);
     }
 
+    /** Returns what the last step changed, as it was before; empty if there is no step. */
+    public Optional<AnimatedScene> beforeLastStep() {
+        return Optional.ofNullable(doneSteps.peek()).map(step -> step.before().content());
+    }
+
     /** Returns the label of the step that {@link #redo} repeats; empty if none. */
     public Optional<String> redoLabel() {
         return Optional.ofNullable(undoneSteps.peek()).map(Step::label);

@@ -25,6 +25,8 @@ import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
 import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
+import lightning.editor.document.Command;
+import lightning.editor.document.OpenDocument;
 import lightning.editor.loop.ContactSheet;
 import lightning.editor.window.command.PathPrompt;
 import lightning.editor.window.model.EditorModel;
@@ -32,6 +34,7 @@ import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.VisibilityListener;
 import lightning.format.jen.JenFile;
+import lightning.format.jen.PropertyChanges;
 import lightning.format.sequence.LoadedSequence;
 import lightning.format.sequence.Sequence;
 import lightning.scene.Scene;
@@ -49,6 +52,7 @@ public final class SequencePane extends VBox implements SequenceFile.Listener {
     private final SequenceFile file;
     private final Button addShot;
     private final Label fileName = new Label();
+    private final Button ownEdit = button("sequence-own", Messages.tr("Last Edit Only Here"), this::keepLastEdit);
     private final CheckBox followsScene = new CheckBox(Messages.tr("Light With the Open Scene"));
     private final ChoiceBox<SheetMoment> moment = new ChoiceBox<>();
     private final FlowPane cards = new FlowPane();
@@ -71,6 +75,7 @@ public final class SequencePane extends VBox implements SequenceFile.Listener {
         create.setTooltip(new Tooltip(Messages.tr("Start a sequence whose rig and first shot are the open scene")));
         addShot = button("sequence-add", Messages.tr("Add Shot…"),
                 () -> prompt().fileToOpen(Messages.tr("Add Shot"), "jen").ifPresent(file::add));
+        ownEdit.setTooltip(new Tooltip(Messages.tr("Undo the last edit of lights, and keep it as a value of the selected shot alone")));
         fileName.setId("sequence-file");
         fileName.getStyleClass().add("pane-note");
         followsScene.setId("sequence-follows");
@@ -92,7 +97,7 @@ public final class SequencePane extends VBox implements SequenceFile.Listener {
         message.getStyleClass().add("pane-note");
         message.setWrapText(true);
         message.setMinHeight(Region.USE_PREF_SIZE);
-        getChildren().addAll(row(open, create, addShot, fileName), row(followsScene, moment), scroll, details, row(message));
+        getChildren().addAll(row(open, create, addShot, fileName), row(followsScene, moment, ownEdit), scroll, details, row(message));
         showSequence();
         VisibilityListener.attach(this, this::subscribe);
     }
@@ -206,7 +211,7 @@ public final class SequencePane extends VBox implements SequenceFile.Listener {
             }
         }
         cards.getChildren().setAll(byName.values());
-        for (Region control : List.of(details, addShot, followsScene, moment)) {
+        for (Region control : List.of(details, addShot, followsScene, moment, ownEdit)) {
             control.setDisable(open == null);
         }
         message.setText(open == null ? Messages.tr("Several shots with the lights of one scene: open a sequence, or start one") : "");
@@ -235,6 +240,27 @@ public final class SequencePane extends VBox implements SequenceFile.Listener {
             changed.shot(selected).ifPresent(entry -> requireNonNull(byName.get(selected)).show(entry));
             showPictures();
         }
+    }
+
+    /** Turns the last edit of the open scene into values of the selected shot. */
+    private void keepLastEdit() {
+        LoadedSequence open = file.loaded();
+        OpenDocument document = editor.document();
+        Optional<List<String>> edits = document.history().beforeLastStep()
+                .flatMap(before -> PropertyChanges.between(before.base(), document.scene(), ParentFolder.of(document.file())));
+        if (open == null || edits.isEmpty() || edits.get().isEmpty()) {
+            message.setText(Messages.tr("The last edit did not change values of lights"));
+            return;
+        }
+        try {
+            changeShot(shot -> shot.withOverrides(PropertyChanges.joined(shot.overrides(), edits.get())));
+        } catch (IllegalArgumentException e) {
+            message.setText(ErrorMessage.of(e));
+            return;
+        }
+        model.commands().run(Command.UNDO);
+        message.setText("");
+        select(selected);
     }
 
     private void changeLightNote(String light, String text) {

@@ -114,6 +114,26 @@ class SequencePaneTest extends EditorFixture {
     }
 
     @Test
+    void lastEdit_becomesAValueOfTheSelectedShot() {
+        robot.interact(() -> robot.lookup("#sequence-follows").<CheckBox>query().setSelected(true));
+        clickCard("b");
+        Light own = light("lamp");
+        robot.interact(() -> model().editor().editOrReport(scene -> EditOutcome.of(() -> scene.withLight(own.withIntensity(3)))));
+        click("sequence-own");
+        assertThat(light("lamp")).isEqualTo(own);
+        assertThat(robot.lookup("#sequence-overrides").<TextArea>query().getText()).isEqualTo("lamp.intensity=3");
+        waitFor("the value is saved", () -> overrides("b").equals(List.of("lamp.intensity=3")));
+    }
+
+    private List<String> overrides(String shot) {
+        try {
+            return SequenceReader.read(file).shot(shot).orElseThrow().overrides();
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    @Test
     void override_isShownAndSaved() {
         clickCard("a");
         robot.interact(() -> robot.lookup("#sequence-overrides").<TextArea>query().setText("lamp.intensity=1.5"));

@@ -1,0 +1,67 @@
+package lightning.format.jen;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightGroup;
+
+/** Changes of lights, light groups and the world as edits in words: the opposite of {@link PropertyEdit}. */
+public final class PropertyChanges {
+    private PropertyChanges() {}
+
+    /**
+     * Returns the edits that make the lights, light groups and world of one scene those of another, in file order.
+     *
+     * @param folder folder that images are resolved against
+     * @return empty if words cannot say it: lights were added or deleted
+     */
+    public static Optional<List<String>> between(Scene before, Scene after, Path folder) {
+        List<String> edits = new ArrayList<>();
+        for (Light light : after.lights()) {
+            before.light(light.name())
+                    .ifPresent(old -> add(NameSyntax.format(light.name()), BlockContent.of(old), BlockContent.of(light), edits));
+        }
+        for (LightGroup group : after.rig().lightGroups()) {
+            before.rig().lightGroup(group.name())
+                    .ifPresent(old -> add(NameSyntax.format(group.name()), BlockContent.of(old), BlockContent.of(group), edits));
+        }
+        add(PropertyEdit.WORLD, BlockContent.of(BlockTypes.WORLD, before.world()), BlockContent.of(BlockTypes.WORLD, after.world()), edits);
+        return makes(edits, before, after, folder) ? Optional.of(edits) : Optional.empty();
+    }
+
+    private static void add(String target, BlockContent before, BlockContent after, List<String> edits) {
+        for (String property : after.values().keySet()) {
+            String value = PropertyEdit.text(after, property);
+            if (!value.equals(PropertyEdit.text(before, property))) {
+                edits.add(target + "." + property + "=" + value);
+            }
+        }
+    }
+
+    private static boolean makes(List<String> edits, Scene before, Scene after, Path folder) {
+        Scene edited = before;
+        try {
+            for (String edit : edits) {
+                edited = PropertyEdit.apply(edited, edit, folder);
+            }
+        } catch (IllegalArgumentException e) {
+            return false;
+        }
+        return edited.rig().equals(after.rig()) && edited.world().equals(after.world());
+    }
+
+    /** Returns edits after others, without those that a later edit of the same property replaces. */
+    public static List<String> joined(List<String> first, List<String> then) {
+        List<String> replaced = then.stream().map(PropertyChanges::property).toList();
+        return Stream.concat(first.stream().filter(edit -> !replaced.contains(property(edit))), then.stream()).toList();
+    }
+
+    private static String property(String edit) {
+        PropertyEdit.Assignment parts = PropertyEdit.Assignment.of(edit);
+        return parts.target() + "." + parts.property();
+    }
+}
