@@ -24,14 +24,19 @@ final class LightSearch implements AutoCloseable {
     /** Pixels side by side in a cell, from level to level. */
     private static final int[] CELLS = {16, 6, 3};
     /** Largest number of steps of a level. */
-    private static final int STEPS = 12;
+    private static final int STEPS = 16;
     /** Size of the first step of each level, in scales of the parameters. */
     private static final double[] RADIUS = {1, 0.5, 0.2};
     private static final double LEAST_RADIUS = 2e-3;
     /** Part of a step over which differences are taken. */
     private static final double DIFFERENCE = 0.25;
-    /** Relative improvement of the error below which steps become smaller. */
-    private static final double ENOUGH = 0.02;
+    /** Relative improvement of the error for which no step is made. */
+    private static final double ENOUGH = 1e-4;
+    /** Share of the expected improvement below which steps become smaller, and above which they become larger. */
+    private static final double POOR = 0.25;
+    private static final double GOOD = 0.7;
+    private static final double SHRINK = 0.3;
+    private static final double GROW = 1.7;
     /** Tested values of a turn. */
     private static final int TURNS = 24;
 
@@ -47,6 +52,11 @@ final class LightSearch implements AutoCloseable {
 
     /** The picture at some values of all parameters, over the cells of a level. */
     private record State(double[] values, MatchImages images, double[][] factors, double error) {
+        // Arrays in a record: written once by their creator, never after.
+    }
+
+    /** Values to try, and the error there if the picture changes in proportion. */
+    private record Step(double[] values, double expectedError) {
         // Arrays in a record: written once by their creator, never after.
     }
 
@@ -141,10 +151,15 @@ final class LightSearch implements AutoCloseable {
             double radius = firstRadius;
             for (int step = 0; step < STEPS && radius > LEAST_RADIUS; step++) {
                 progress.report(stepsDone + step, CELLS.length * STEPS);
-                State next = state(stepFrom(best, radius));
-                boolean isMuchBetter = next.error < (1 - ENOUGH) * best.error;
+                Step chosen = stepFrom(best, radius);
+                double expected = best.error - chosen.expectedError;
+                if (expected < ENOUGH * best.error) {
+                    break;
+                }
+                State next = state(chosen.values);
+                double gain = (best.error - next.error) / expected;
                 best = next.error < best.error ? next : best;
-                radius *= isMuchBetter ? 1 : DIFFERENCE;
+                radius *= gain < POOR ? SHRINK : gain > GOOD ? GROW : 1;
             }
             return best.values;
         }
@@ -166,19 +181,20 @@ final class LightSearch implements AutoCloseable {
                     grid.of(fine.rest(), pixels), fine.unseen(), fine.skipped());
         }
 
-        /** Returns the values after the best step of at most some radius. */
-        private double[] stepFrom(State state, double radius) {
+        /** Returns the best step of at most some radius, as if the picture changed in proportion. */
+        private Step stepFrom(State state, double radius) {
             List<float[][]> changes = new ArrayList<>();
             for (int i = 0; i < parameters.size(); i++) {
                 changes.add(change(state, i, DIFFERENCE * radius));
             }
-            double[][] factors = new LinearMatch(state.images, changes, target, settings).solve(radius);
+            LinearMatch match = new LinearMatch(state.images, changes, target, settings);
+            double[][] factors = match.solve(radius);
             double[] values = state.values.clone();
             for (int i = 0; i < values.length; i++) {
                 LightParameter parameter = parameters.get(i);
                 values[i] = parameter.clamped(values[i] + factors[0][state.images.names().size() + i] * parameter.scale());
             }
-            return values;
+            return new Step(values, match.error(factors));
         }
 
         /** Returns how the picture changes along a parameter, per scale of it. */
