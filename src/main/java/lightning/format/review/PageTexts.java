@@ -8,9 +8,9 @@ import tools.jackson.databind.node.ObjectNode;
 
 /** Texts of pages. A page has them in all languages, since its reader may have another one than its writer. */
 final class PageTexts {
-    /** English texts, in which {@code {0}}, {@code {1}} … are placeholders. */
+    /** English texts of the script and of the markup, in which {@code {0}}, {@code {1}} … are placeholders. */
     static final List<String> ALL = List.of(
-            Messages.key("A fixed picture differs in more than its lights' faders: they do not change it."),
+            Messages.key("This look differs in more than faders can show, so it is a fixed picture."),
             Messages.key("Add Note in the Middle"),
             Messages.key("All faders are reset."),
             Messages.key("As Sent"),

@@ -41,6 +41,10 @@ function showNotes(focus) {
     }
     return row;
   }));
+  document.querySelectorAll("#frames label").forEach((label) => {
+    const isNoted = state.notes.some((note) => String(note.frame) === label.querySelector("input").value);
+    label.classList.toggle("noted", isNoted);
+  });
   byId("notes").hidden = state.notes.length === 0;
   if (focus) {
     byId("notes").lastElementChild.querySelector("textarea").focus();
