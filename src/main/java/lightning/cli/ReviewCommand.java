@@ -122,8 +122,8 @@ final class ReviewCommand implements Callable<Integer> {
         try (Renderer renderer = new Renderer(options); ProgressBar bar = new ProgressBar(console, "tracing")) {
             ReviewPage.write(file, content, renderer, options, bar);
         }
-        console.print("%s: %s%s%s, %.1f MB", file, shown, Console.count(content.lights().size(), "light"),
-                looks.isEmpty() ? "" : ", " + Console.count(looks.size(), "look"), Files.size(file) / 1e6);
+        console.print("%s: %s%s%s, %d x %d pixels, %.1f MB", file, shown, Console.count(content.lights().size(), "light"),
+                looks.isEmpty() ? "" : ", " + Console.count(looks.size(), "look"), size.width(), size.height(), Files.size(file) / 1e6);
         console.report().setResult(new ReviewReport(file.toString(), Files.size(file), content.lights(), frames, looks, null, List.of()));
     }
 

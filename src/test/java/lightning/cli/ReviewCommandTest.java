@@ -88,7 +88,7 @@ class ReviewCommandTest {
         report = report("review", "scenes/dusk.jen", "-o", page, "--size", "12x8", "--frames", "24,3,24", "--json");
         assertThat(report.get("frames").valueStream().map(JsonNode::asInt)).containsExactly(24, 3);
         CliResult result = CliResult.run("review", "scenes/dusk.jen", "-o", page, "--size", "12x8", "--frames", "24,3").assertSuccess();
-        assertThat(result.out()).contains("2 frames, 12 x 8 pixels, about", "2 frames, 5 lights");
+        assertThat(result.out()).contains("2 frames, 12 x 8 pixels, about", "2 frames, 4 lights");
     }
 
     @Test

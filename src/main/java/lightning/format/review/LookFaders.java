@@ -21,6 +21,8 @@ final class LookFaders {
     /** Stops at which a fader is off. */
     static final double OFF = -8;
 
+    private static final double[] ONE = {1, 1, 1};
+
     private final Scene page;
     private final Scene look;
     private boolean fits = true;
@@ -73,16 +75,32 @@ final class LookFaders {
         }
         ArrayNode lights = json.putArray("lights");
         for (String name : LightFilms.names(page)) {
-            ObjectNode light = lights.addObject().put("name", name).put("mute", !shining.contains(name)).put("solo", false);
-            double[] ratios = shining.contains(name) ? ratios(name) : new double[] {1, 1, 1};
+            boolean couldFit = fits;
+            double[] ratios = look.light(name).isPresent() || shining.contains(name) ? ratios(name) : ONE;
             double max = Math.max(ratios[0], Math.max(ratios[1], ratios[2]));
-            light.put("stops", stops(max, 1));
+            double stops = stops(max, 1);
+            if (!shining.contains(name) && !fits) {
+                // The fader of a light that is off may stand anywhere.
+                fits = couldFit;
+                ratios = ONE;
+                max = 1;
+                stops = 0;
+            }
+            ObjectNode light =
+                    lights.addObject().put("name", name).put("mute", isMuted(name, shining)).put("solo", false).put("stops", stops);
             ArrayNode tint = light.putArray("tint");
             for (double ratio : ratios) {
                 tint.add(max > 0 ? ratio / max : 1);
             }
         }
         return json;
+    }
+
+    /** Returns whether a light itself is off, or dark since others are solo; a group that is off says so itself. */
+    private boolean isMuted(String name, Set<String> shining) {
+        Optional<Light> light = look.light(name);
+        boolean isGroupOff = light.flatMap(l -> look.rig().lightGroup(l.lightGroup())).filter(group -> !group.on()).isPresent();
+        return isGroupOff ? !light.orElseThrow().on() : !shining.contains(name);
     }
 
     /** Returns the factors of red, green and blue of a light without its group's intensity. */
