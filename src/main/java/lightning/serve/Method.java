@@ -23,6 +23,7 @@ enum Method {
     REDO("scene", "steps"),
     RENDER("scene", "region", "light", "file", "bits", "layers", "memory", "coarse", "progress"),
     EXPLAIN("scene", "pixel", "progress"),
+    REVIEW("scene", "allow_edits", "end"),
     SAVE("scene", "file", "overwrite"),
     CLOSE("scene"),
     LIST(),
