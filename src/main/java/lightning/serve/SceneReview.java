@@ -2,7 +2,7 @@ package lightning.serve;
 
 import java.io.IOException;
 import java.util.LinkedHashMap;
-import java.util.Map;
+import java.util.SequencedMap;
 import java.util.concurrent.CancellationException;
 import lightning.format.review.Review;
 import lightning.format.review.live.LiveAddress;
@@ -29,7 +29,7 @@ final class SceneReview implements AutoCloseable {
     private final Client client;
     private final boolean allowsEdits;
     private final LiveReview live;
-    private final Map<String, LiveChange> newest = new LinkedHashMap<>();
+    private final SequencedMap<String, LiveChange> newest = new LinkedHashMap<>();
     private int changes;
     /** Scenes of the values and of the exact picture that pages have. */
     private @Nullable Scene shownValues;
@@ -75,7 +75,7 @@ final class SceneReview implements AutoCloseable {
         newest.remove(change.page());
         newest.put(change.page(), change);
         if (newest.size() > MAX_PAGES) {
-            newest.remove(newest.firstEntry().getKey());
+            newest.pollFirstEntry();
         }
         String page = change.page();
         try {
