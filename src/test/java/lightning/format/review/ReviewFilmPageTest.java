@@ -24,6 +24,8 @@ import lightning.scene.shot.TrackTarget;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.openqa.selenium.By;
 import org.openqa.selenium.Keys;
 
@@ -158,6 +160,34 @@ class ReviewFilmPageTest {
             browser.driver().findElement(By.cssSelector("#frames input")).sendKeys(Keys.ARROW_RIGHT);
             browser.waitFor("return document.getElementById('announcement').textContent === 'Frame 5'");
             PageFixture.assertShows(browser, PageFixture.film(at(5)), ViewTransform.DEFAULT);
+        }
+    }
+
+    @Test
+    void graphicsMemory_hasTheLayersOfOneFrame() {
+        try (Browser browser = open()) {
+            browser.run("""
+                    window.textures = 0;
+                    const of = WebGL2RenderingContext.prototype;
+                    const create = of.createTexture;
+                    const remove = of.deleteTexture;
+                    of.createTexture = function() { window.textures++; return create.call(this); };
+                    of.deleteTexture = function(texture) { window.textures -= texture ? 1 : 0; return remove.call(this, texture); };""");
+            for (int frame : new int[] {9, 5, 1, 9}) {
+                select(browser, frame);
+            }
+            assertThat((Object) browser.run("return window.textures")).isEqualTo(0L);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1280,800", "390,844"})
+    void page_fitsTheWindow(int width, int height) {
+        try (Browser browser = Browser.open(page, folder, width, height)) {
+            PageFixture.set(browser, "side-b", "look-0");
+            assertThat((Object) browser.run("return document.documentElement.scrollWidth <= innerWidth")).isEqualTo(true);
+            assertThat((Object) browser.run("return document.getElementById('picture').getBoundingClientRect().bottom <= innerHeight"))
+                    .isEqualTo(true);
         }
     }
 

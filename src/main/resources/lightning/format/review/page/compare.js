@@ -14,8 +14,7 @@ function showSides() {
   byId("side-b").value = state.b;
   byId("as-sent").setAttribute("aria-pressed", String(state.a === SENT && state.b === NONE));
   const compares = state.b !== NONE;
-  ["wipe-row", "divider", "tag-a", "tag-b"].forEach((id) => { byId(id).hidden = !compares; });
-  byId("swap").disabled = !compares;
+  ["swap", "wipe-row", "divider", "tag-a", "tag-b"].forEach((id) => { byId(id).hidden = !compares; });
   byId("tag-a").textContent = compares ? sideText(state.a) : "";
   byId("tag-b").textContent = compares ? sideText(state.b) : "";
   byId("divider").style.left = `${100 * state.wipe}%`;
