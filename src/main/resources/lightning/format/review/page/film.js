@@ -7,7 +7,7 @@ async function decode(shown, isReported) {
   const layers = [];
   for (const id of shown.layers) {
     if (isReported) {
-      say(tr("Reading layer {0} of {1} …", layers.length + 1, shown.layers.length));
+      report(tr("Reading layer {0} of {1} …", layers.length + 1, shown.layers.length));
     }
     layers.push(await numbers(byId(id).textContent, 3));
   }

@@ -70,7 +70,7 @@ async function load() {
       const layers = [];
       for (const id of ids) {
         if (!loaded.has(id)) {
-          say(tr("Reading layer {0} of {1} …", layers.length + 1, ids.length));
+          report(tr("Reading layer {0} of {1} …", layers.length + 1, ids.length));
         }
         layers.push(await layer(id));
       }

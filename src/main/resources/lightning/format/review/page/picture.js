@@ -119,6 +119,7 @@ function showPicture(fresh, layers) {
   canvas.height = fresh.height;
   byId("view").style.setProperty("--aspect", String(fresh.width / fresh.height));
   fresh.texture = upload(fresh, layers);
+  report("");
   say(gl.getError() ? tr("The picture does not fit into the memory of this device's graphics.") : "");
 }
 

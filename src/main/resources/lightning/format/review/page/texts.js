@@ -8,6 +8,8 @@ function tr(english, ...values) {
   return (words.get(english) || english).replace(/\{(\d)\}/g, (all, i) => i < values.length ? String(values[i]) : all);
 }
 const say = (text) => { byId("message").textContent = text; };
+// Shows how far the page is, without a word to screen readers for each step.
+const report = (text) => { byId("progress").textContent = text; };
 // Tells screen readers about a change that others see.
 const announce = (text) => { byId("announcement").textContent = text; };
 
