@@ -39,6 +39,8 @@ with Client(program=json.loads(command)) as client:
             raise AssertionError("the picture is read-only")
         except TypeError:
             pass
+        assert scene.review()["url"].startswith("http://127.0.0.1:")
+        scene.end_review()
         report = scene.explain(35, 25)
         assert report["color_linear"] == [float(str(v)) for v in after[25, 35]], (report["color_linear"], after[25, 35])
         assert report["center"]["object"] == "ball"

@@ -67,7 +67,7 @@ def _awaited(name: str) -> Callable[..., Any]:
 
 for _name in (
     "replace", "set", "get", "values", "add", "delete", "undo", "redo", "frame", "picture", "pixels", "layers", "gradient", "batch",
-    "explain", "match", "save", "close",
+    "explain", "match", "review", "end_review", "save", "close",
 ):
     setattr(AsyncScene, _name, _awaited(_name))
 

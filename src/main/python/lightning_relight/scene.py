@@ -374,6 +374,22 @@ class Scene:
             fields["region"] = list(region)
         return self._change("match", **fields)
 
+    def review(self, allow_edits: bool = False) -> Dict[str, Any]:
+        """Opens a live review page for a browser of this computer, and renders. The page follows the scene until it is closed.
+
+        Returns its ``url``, the number of open ``pages``, the number of ``changes`` that pages made, and their ``notes``. Call it again for
+        the newest ones.
+
+        Args:
+            allow_edits: lets pages change lights and the exposure, and send notes
+        """
+        self._content = None
+        return self._request("review", allow_edits=allow_edits)
+
+    def end_review(self) -> None:
+        """Ends the review page."""
+        self._request("review", end=True)
+
     def save(self, file: _File, overwrite: bool = False) -> None:
         """Writes the edited scene to a .jen file. Comments and text that was not edited stay.
 

@@ -20,13 +20,14 @@ import lightning.cli.report.ReviewReport;
 import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
 import lightning.format.review.Review;
+import lightning.format.review.ReviewContent;
+import lightning.format.review.ReviewLook;
 import lightning.format.review.ReviewPage;
 import lightning.format.review.ReviewReader;
 import lightning.format.review.ReviewedScene;
-import lightning.render.relight.LightFilms;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.SceneView;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -40,6 +41,8 @@ import picocli.CommandLine.Option;
                     + "that are pinned to the picture. It needs no server and no network, only a browser with WebGL 2. The reviewer saves a small "
                     + "JSON file.",
             "",
+            "The page offers the looks of the scene and compares two of them. A scene with a shot becomes a filmstrip: all faders apply to all frames.",
+            "",
             "With --apply, reads such a file, prints its notes, and writes the scene as the reviewer saw it. Changes of lights that no longer "
                     + "exist are named and left out.",
             "",
@@ -47,7 +50,8 @@ import picocli.CommandLine.Option;
                     + "exact pictures follow, and -o names the scene that each change is saved to."},
         footer = {
             "Examples:",
-            "  lightning review scenes/bird.jen -o bird.html --size 480x480"})
+            "  lightning review scenes/bird.jen -o bird.html --size 480x480",
+            "  lightning review scenes/dusk.jen -o dusk.html --frames 1,24,48"})
 final class ReviewCommand implements Callable<Integer> {
     private static final String PAGE = ".html";
 
@@ -59,6 +63,8 @@ final class ReviewCommand implements Callable<Integer> {
     private @Nullable Path output;
     @Option(names = "--apply", paramLabel = "review.json", description = "Review to apply to the scene.")
     private @Nullable Path review;
+    @Mixin
+    private ReviewPageOptions page;
     @Mixin
     private LiveReviewOptions live;
     @Mixin
@@ -76,6 +82,7 @@ final class ReviewCommand implements Callable<Integer> {
             throw new BadInputException("review: expected -o page.html, --apply review.json, or --live");
         }
         live.check(review != null, output != null);
+        page.check(review == null && !live.isOn());
         if (live.isOn() && console.report().isJson()) {
             throw new BadInputException("review: --live does not take --json: it runs until it is stopped");
         }
@@ -96,26 +103,28 @@ final class ReviewCommand implements Callable<Integer> {
             new LiveReviewRun(console, input.path().getFileName().toString(), RenderOptions.DEFAULT.withThreads(threads.count()))
                     .run(document.withScene(picture.apply(document.scene())), live, output);
         } else if (review == null) {
-            writePage(document.scene());
+            writePage(document);
         } else {
             apply(document, review);
         }
         return ExitCode.OK;
     }
 
-    private void writePage(Scene original) throws Exception {
+    private void writePage(JenDocument document) throws Exception {
         Path file = requireNonNull(output);
-        Scene scene = picture.apply(original);
-        console.print("%s: about %.1f MB", file, ReviewPage.estimatedBytes(scene) / 1e6);
+        ReviewContent content = page.content(document, input.path(), picture, console);
+        List<Integer> frames = content.pictures().stream().flatMapToInt(shown -> shown.frame().stream()).boxed().toList();
+        List<String> looks = content.pictures().getFirst().looks().stream().map(ReviewLook::name).toList();
+        PictureSettings size = content.pictures().getFirst().scene().picture();
+        String shown = frames.isEmpty() ? "" : Console.count(frames.size(), "frame") + ", ";
+        console.print("%s: %s%d x %d pixels, about %.1f MB", file, shown, size.width(), size.height(), content.estimatedBytes() / 1e6);
         RenderOptions options = RenderOptions.DEFAULT.withThreads(threads.count());
         try (Renderer renderer = new Renderer(options); ProgressBar bar = new ProgressBar(console, "tracing")) {
-            renderer.render(scene, bar);
-            ReviewPage.write(file, input.path().getFileName().toString(), renderer.cache(), options, SceneView.of(scene), bar);
+            ReviewPage.write(file, content, renderer, options, bar);
         }
-        List<String> lights = LightFilms.names(scene);
-        console.print("%s: %s, %d x %d pixels, %.1f MB", file, Console.count(lights.size(), "light"), scene.picture().width(),
-                scene.picture().height(), Files.size(file) / 1e6);
-        console.report().setResult(new ReviewReport(file.toString(), Files.size(file), lights, null, List.of()));
+        console.print("%s: %s%s%s, %d x %d pixels, %.1f MB", file, shown, Console.count(content.lights().size(), "light"),
+                looks.isEmpty() ? "" : ", " + Console.count(looks.size(), "look"), size.width(), size.height(), Files.size(file) / 1e6);
+        console.report().setResult(new ReviewReport(file.toString(), Files.size(file), content.lights(), frames, looks, null, List.of()));
     }
 
     private void apply(JenDocument document, Path file) throws Exception {
@@ -124,20 +133,23 @@ final class ReviewCommand implements Callable<Integer> {
         ReviewedScene reviewed = ReviewedScene.of(scene, read);
         List<ReviewReport.Comment> comments = new ArrayList<>();
         for (Review.Note note : read.notes()) {
-            comments.add(new ReviewReport.Comment((int) Math.min(note.x() * scene.picture().width(), scene.picture().width() - 1.0),
+            Integer frame = note.frame().isPresent() ? note.frame().getAsInt() : null;
+            comments.add(new ReviewReport.Comment(frame, (int) Math.min(note.x() * scene.picture().width(), scene.picture().width() - 1.0),
                     (int) Math.min(note.y() * scene.picture().height(), scene.picture().height() - 1.0), note.text()));
         }
         console.print("%s of %s: %s and %s changed, %s", file.getFileName(),
                 read.reviewer().isBlank() ? "an unnamed reviewer" : PrintableText.escape(read.reviewer()),
                 Console.count(read.lights().size(), "light"), Console.count(read.groups().size(), "light group"),
                 Console.count(comments.size(), "note"));
-        comments.forEach(note -> console.print("  %d,%d: %s", note.x(), note.y(), PrintableText.escape(note.text())));
+        comments.forEach(
+                note -> console.print("  %s%d,%d: %s", note.frame() == null ? "" : "frame " + note.frame() + ", ", note.x(), note.y(),
+                        PrintableText.escape(note.text())));
         reviewed.notes().forEach(note -> console.warn("%s: %s", file, note));
         KeyedLightNotes.print(document.shot(), read.lights().stream().map(Review.LightChange::name).toList(), console);
         if (output != null) {
             document.withScene(reviewed.scene()).save(output);
         }
         console.report().setResult(new ReviewReport(output == null ? null : output.toString(), null,
-                read.lights().stream().map(Review.LightChange::name).toList(), read.reviewer(), comments));
+                read.lights().stream().map(Review.LightChange::name).toList(), List.of(), List.of(), read.reviewer(), comments));
     }
 }

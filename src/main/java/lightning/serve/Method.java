@@ -24,6 +24,7 @@ enum Method {
     RENDER("scene", "region", "light", "file", "bits", "layers", "memory", "coarse", "progress"),
     EXPLAIN("scene", "pixel", "progress"),
     MATCH("scene", "reference", "lights", "change", "exposure", "white", "region", "progress"),
+    REVIEW("scene", "allow_edits", "end"),
     SAVE("scene", "file", "overwrite"),
     CLOSE("scene"),
     LIST(),

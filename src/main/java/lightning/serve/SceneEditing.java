@@ -129,6 +129,11 @@ final class SceneEditing {
         return gesture;
     }
 
+    /** Makes an edit of a review page as a gesture of the page; returns whether the scene changed. */
+    boolean changeByPage(Scene edited, String page) {
+        return change(edited, gesture("review page " + page)).get("changed").booleanValue();
+    }
+
     /** Makes an edit, which continues the last one with the same gesture; returns the history after it. */
     ObjectNode change(Scene edited, @Nullable Object asGesture) {
         if (asGesture == null) {

@@ -1,5 +1,6 @@
 package lightning.serve;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -33,6 +34,8 @@ final class SceneSession {
     private final SceneEditing editing = new SceneEditing();
     private final int number;
     private boolean isClosed;
+    /** Live page; null if there is none. */
+    private volatile @Nullable SceneReview review;
     /** Speed of the last coarse picture; 0 before the first. */
     private double coarsePixelsPerSecond;
     /** Bytes of cache and meshes; −1 if they are not known since the last update. */
@@ -52,6 +55,10 @@ final class SceneSession {
 
     /** Puts a request into the scene's line. */
     void execute(Request request) {
+        SceneReview open = review;
+        if (open != null) {
+            open.yieldToRequest();
+        }
         try {
             thread.execute(() -> run(request));
         } catch (RejectedExecutionException e) {
@@ -74,6 +81,7 @@ final class SceneSession {
                         : new PictureRequest(this, request).run();
                 case EXPLAIN -> new PixelRequest(this, request).run();
                 case MATCH -> new MatchRequest(this, request).run();
+                case REVIEW -> review(request);
                 case CLOSE -> {
                     close();
                     yield JsonLines.JSON.createObjectNode();
@@ -85,9 +93,61 @@ final class SceneSession {
                 close();
             }
             request.client().fail(request, Failures.of(e));
+            followInReview();
             return;
         }
         request.client().answer(request, result);
+        followInReview();
+    }
+
+    private void followInReview() {
+        if (review != null && !isClosed) {
+            review.follow("");
+        }
+    }
+
+    /** Opens the scene's live page, or returns what is known of the open one, or ends it. */
+    private ObjectNode review(Request request) throws IOException {
+        boolean allowsEdits = request.fields().flag("allow_edits");
+        boolean ends = request.fields().flag("end");
+        if (review != null && (ends || review.allowsEdits() != allowsEdits)) {
+            review.close();
+            review = null;
+        }
+        if (ends) {
+            return JsonLines.JSON.createObjectNode();
+        }
+        update(request, 0);
+        if (review == null) {
+            review = new SceneReview(this, request.client(), allowsEdits);
+        }
+        review.showPicture();
+        return review.describe();
+    }
+
+    /** Runs a task on the scene's thread, after the requests that wait; drops it if the scene is closed. */
+    void runLater(Runnable task) {
+        try {
+            thread.execute(() -> {
+                if (!isClosed) {
+                    task.run();
+                }
+            });
+        } catch (RejectedExecutionException e) {
+            // It is closed.
+        }
+    }
+
+    /**
+     * Makes an edit of a page. Those of one page that follow each other are one step of the history.
+     *
+     * @return whether the scene changed
+     * @throws RequestException if the scene does not allow it
+     */
+    boolean editByPage(Scene edited, String page) {
+        boolean changes = editing.changeByPage(edited, page);
+        publish();
+        return changes;
     }
 
     private ObjectNode open(Request request) throws Exception {
@@ -227,6 +287,9 @@ final class SceneSession {
         if (!isClosed) {
             isClosed = true;
             server.remove(number);
+            if (review != null) {
+                review.close();
+            }
             sharedPictures.close();
             renderer.close();
             thread.shutdown();

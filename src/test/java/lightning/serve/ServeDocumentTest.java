@@ -25,7 +25,7 @@ class ServeDocumentTest {
     private static final Path DOCUMENT = Path.of("docs/serve.md");
     private static final Pattern BLOCK = Pattern.compile("(?ms)^```jsonl\\n(.*?)^```");
     private static final Set<String> OF_THE_MACHINE =
-            Set.of("milliseconds", "writing_milliseconds", "path", "version", "memory", "rays", "file");
+            Set.of("milliseconds", "writing_milliseconds", "path", "version", "memory", "rays", "file", "url");
 
     @TempDir
     private Path folder;

@@ -2,6 +2,7 @@ package lightning.base.text;
 
 import java.util.Locale;
 import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -11,6 +12,7 @@ import org.jspecify.annotations.Nullable;
  * <p>The language is English until it is set; only the editor sets it.
  */
 public final class Messages {
+    private static final Map<Language, Map<String, String>> BUNDLES = new ConcurrentHashMap<>();
     private static volatile Bundle current = new Bundle(Language.ENGLISH, Map.of());
 
     private Messages() {
@@ -22,7 +24,7 @@ public final class Messages {
     /** Sets the language of all further texts. */
     public static void setLanguage(Language language) {
         if (language != current.language()) {
-            current = new Bundle(language, MessageBundle.load(language));
+            current = new Bundle(language, BUNDLES.computeIfAbsent(language, MessageBundle::load));
         }
     }
 
@@ -44,6 +46,11 @@ public final class Messages {
      */
     public static String tr(String english, @Nullable Object... values) {
         return format(current.words().getOrDefault(english, english), values);
+    }
+
+    /** Returns a text with its placeholders in a language, whatever the current one is. */
+    public static String in(Language language, String english) {
+        return BUNDLES.computeIfAbsent(language, MessageBundle::load).getOrDefault(english, english);
     }
 
     /**

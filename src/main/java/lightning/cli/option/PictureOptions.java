@@ -65,6 +65,11 @@ public final class PictureOptions {
         }
     }
 
+    /** Returns whether the size was chosen. */
+    public boolean hasSize() {
+        return size != null;
+    }
+
     /** Returns the scene with these options applied. */
     public Scene apply(Scene scene) {
         PictureSettings picture = scene.picture();

@@ -2,6 +2,7 @@ package lightning.format.review;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 
 /**
  * What a reviewer changed in a page, and wrote.
@@ -32,10 +33,16 @@ public record Review(String scene, String reviewer, double exposure, List<LightC
     public record GroupChange(String name, Optional<Double> stops, boolean mute, boolean solo) {}
 
     /**
-     * Note at a place of the picture.
+     * Note at a place of a picture.
      *
+     * @param frame number of the picture's frame; empty for a still picture
      * @param x share of the width, 0 to 1 from the left
      * @param y share of the height, 0 to 1 from the top
      */
-    public record Note(double x, double y, String text) {}
+    public record Note(OptionalInt frame, double x, double y, String text) {
+        /** Creates a note of a still picture. */
+        public Note(double x, double y, String text) {
+            this(OptionalInt.empty(), x, y, text);
+        }
+    }
 }

@@ -5,9 +5,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
 import lightning.format.json.CheckedJson;
+import lightning.scene.shot.Shot;
 import tools.jackson.databind.JsonNode;
 
 /** Reader for files that pages save. Others may have changed them, so every value is checked. */
@@ -57,12 +59,23 @@ public final class ReviewReader {
         List<Review.Note> notes = new ArrayList<>();
         for (JsonNode node : json.array(root, "notes")) {
             String at = "notes[" + notes.size() + "].";
-            notes.add(new Review.Note(json.number(node, at, "x", 0, 1), json.number(node, at, "y", 0, 1),
+            notes.add(new Review.Note(frame(node, at), json.number(node, at, "x", 0, 1), json.number(node, at, "y", 0, 1),
                     json.text(node, at, "text", 10_000)));
         }
         return new Review(json.text(root, "", "scene", 10_000), json.text(root, "", "reviewer", 1000),
                 json.number(root, "", "exposure", -MAX_STOPS, MAX_STOPS),
                 lights, groups, notes);
+    }
+
+    private OptionalInt frame(JsonNode node, String at) throws IOException {
+        if (!node.has("frame")) {
+            return OptionalInt.empty();
+        }
+        double frame = json.number(node, at, "frame", 0, Shot.MAX_FRAME);
+        if (frame != Math.rint(frame)) {
+            throw json.failure(at + "frame: expected a whole number, found " + frame);
+        }
+        return OptionalInt.of((int) frame);
     }
 
     private Optional<Double> stops(JsonNode node, String at) throws IOException {

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
@@ -50,12 +51,20 @@ class ReviewReaderTest {
         "\"x\": 0.25|\"x\": 2|notes[0].x: expected a number",
         "\"mute\": true|\"mute\": 1|groups[0].mute: expected true or false",
         "\"text\": \"darker\"|\"text\": 7|notes[0].text: expected a text",
+        "\"x\": 0.25|\"frame\": 1.5, \"x\": 0.25|notes[0].frame: expected a whole number",
+        "\"x\": 0.25|\"frame\": -1, \"x\": 0.25|notes[0].frame: expected a number",
         "\"notes\": [|\"notes\": 5, \"b\": [|notes: expected an array",
         "\"exposure\": 0.5|\"exposure\": |review.json:"})
     void changedByHand_getsOneSentenceWithThePlace(String from, String to, String expected) {
         String text = VALID.replace(from, to);
         assertThat(text).isNotEqualTo(VALID);
         assertThatIOException().isThrownBy(() -> read(text)).withMessageContaining("review.json").withMessageContaining(expected);
+    }
+
+    @Test
+    void noteOfAFrame_isRead() throws IOException {
+        assertThat(read(VALID.replace("{\"x\"", "{\"frame\": 12, \"x\"")).notes())
+                .containsExactly(new Review.Note(OptionalInt.of(12), 0.25, 1, "darker"));
     }
 
     @Test

@@ -4,20 +4,26 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import javafx.scene.control.MenuItem;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.editor.document.Command;
 import lightning.editor.document.EditOutcome;
+import lightning.editor.document.cue.CueFolder;
+import lightning.editor.document.cue.ReviewLooks;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.StatusMessage;
 import lightning.format.jen.JenFile;
 import lightning.format.review.Review;
+import lightning.format.review.ReviewContent;
 import lightning.format.review.ReviewPage;
+import lightning.format.review.ReviewPicture;
 import lightning.format.review.ReviewReader;
 import lightning.format.review.ReviewedScene;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.ViewTransform;
+import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
@@ -55,11 +61,23 @@ final class ReviewActions {
             return;
         }
         ViewTransform view = model.picture().outputView();
-        message.show(Messages.tr("Writing {0}, about {1} MB", Quote.path(file.getFileName()),
-                Math.max(1, Math.round(ReviewPage.estimatedBytes(cache.scene()) / 1e6))));
         String title = model.editor().document().name();
-        new BackgroundExport(model, notices).start(file, Messages.tr("The page could not be written"),
-                (to, progress) -> ReviewPage.write(to, title, cache, RenderOptions.DEFAULT, view, progress));
+        CueFolder folder = model.editor().looksFolder();
+        model.files().runConcurrently(() -> {
+            ReviewLooks looks = ReviewLooks.of(folder.list(cache.scene().stage()), cache.scene());
+            return ReviewContent.of(title, new ReviewPicture(OptionalInt.empty(), cache.scene(), looks.looks()), view);
+        }, content -> write(file, content, cache), failure -> notices.showFailure(Messages.tr("The page could not be written"), failure));
+    }
+
+    private void write(Path file, ReviewContent content, PixelCache cache) {
+        message.show(Messages.tr("Writing {0}, about {1} MB", Quote.path(file.getFileName()),
+                Math.max(1, Math.round(content.estimatedBytes() / 1e6))));
+        new BackgroundExport(model, notices).start(file, Messages.tr("The page could not be written"), (to, progress) -> {
+            try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+                renderer.restore(cache);
+                ReviewPage.write(to, content, renderer, RenderOptions.DEFAULT, progress);
+            }
+        });
     }
 
     private void promptAndOpen() {
@@ -78,9 +96,10 @@ final class ReviewActions {
         }
         List<String> lines = new ArrayList<>();
         for (Review.Note note : review.notes()) {
-            lines.add(Messages.tr("{0}, {1}: {2}", Math.round(note.x() * before.picture().width()),
-                    Math.round(note.y() * before.picture().height()),
-                    note.text()));
+            long x = Math.round(note.x() * before.picture().width());
+            long y = Math.round(note.y() * before.picture().height());
+            lines.add(note.frame().isPresent() ? Messages.tr("Frame {0}, {1}, {2}: {3}", note.frame().getAsInt(), x, y, note.text())
+                    : Messages.tr("{0}, {1}: {2}", x, y, note.text()));
         }
         lines.addAll(ReviewedScene.of(before, review).notes());
         if (lines.isEmpty()) {
@@ -90,6 +109,6 @@ final class ReviewActions {
         }
         ForcedLiveUpdate.render(model.editor());
         Scene after = model.editor().scene();
-        cache.ifPresent(picture -> new ReviewLooks(model).save(picture, before, after, reviewer));
+        cache.ifPresent(picture -> new ReviewedLooks(model).save(picture, before, after, reviewer));
     }
 }

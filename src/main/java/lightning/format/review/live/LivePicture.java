@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import lightning.base.math.Rgb;
+import lightning.format.review.LightWeights;
 import lightning.format.review.ReviewView;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;
@@ -42,7 +43,7 @@ record LivePicture(byte[] data, Map<String, byte[]> layers) {
             Light light = base.light(part.light()).orElse(null);
             Rgb color = light == null ? Rgb.WHITE : light.color();
             node.put("group", light == null ? "" : light.lightGroup()).put("environment", light == null);
-            node.put("intensity", light == null ? base.world().intensity() : light.intensity() * LiveLayers.groupIntensity(base, light));
+            node.put("intensity", light == null ? base.world().intensity() : light.intensity() * LightWeights.groupIntensity(base, light));
             node.putArray("color").add(color.r()).add(color.g()).add(color.b());
         }
         data.put("rest", layers.rest().id());

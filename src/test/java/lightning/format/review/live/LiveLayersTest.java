@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
+import lightning.format.review.LightWeights;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.LightFilms;
 import lightning.render.relight.Renderer;
@@ -44,7 +45,7 @@ class LiveLayersTest {
         Map<String, float[]> films = new HashMap<>();
         LightFilms.forEach(cache, OPTIONS, _ -> true, Progress.NONE, (name, film) -> films.put(name, film.toScanlines()));
         for (LiveLayers.Part part : layers.parts()) {
-            float[] weight = LiveLayers.weight(cache.scene(), layers.base(), part.light());
+            float[] weight = LightWeights.of(cache.scene(), layers.base(), part.light());
             float[] wanted = films.getOrDefault(part.light(), new float[part.halves().length]);
             for (int i = 0; i < wanted.length; i++) {
                 float shown = weight[i % 3] * Float.float16ToFloat(part.halves()[i]);

@@ -180,9 +180,9 @@ class LivePageTest {
             assertThat(edited.rig().lightGroup("soft").orElseThrow().intensity()).isEqualTo(0.5);
             assertShows(browser, film(edited));
             assertShows(browser, show(edited));
-            Object stops = browser.run("return [...document.querySelectorAll('output')].map((o) => o.textContent).join(' ')");
+            Object stops = browser.run("return [...document.querySelectorAll('.value')].map((o) => o.textContent).join(' ')");
             assertThat((String) stops).contains("+1.00").contains("-1.00");
-            browser.driver().findElement(By.id("compare")).click();
+            browser.driver().findElement(By.id("as-sent")).click();
             assertShows(browser, film(scene));
         }
     }

@@ -17,7 +17,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /** Saves the looks before and after a review with the scene, and shows both beside each other in the panel of looks. */
-record ReviewLooks(EditorModel model) {
+record ReviewedLooks(EditorModel model) {
     private static final int MAX_NAME = 30;
 
     /**

@@ -1,0 +1,138 @@
+package lightning.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.stream.IntStream;
+import lightning.base.text.Language;
+import lightning.base.text.Quote;
+import lightning.cli.option.PictureOptions;
+import lightning.cli.output.BadInputException;
+import lightning.cli.output.Console;
+import lightning.editor.document.cue.Cue;
+import lightning.editor.document.cue.CueFolder;
+import lightning.editor.document.cue.ReviewLooks;
+import lightning.format.jen.JenDocument;
+import lightning.format.review.ReviewContent;
+import lightning.format.review.ReviewPicture;
+import lightning.render.relight.SceneView;
+import lightning.scene.PictureSettings;
+import lightning.scene.Scene;
+import lightning.scene.shot.Shot;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Option;
+
+/** Options of a written review page: frames, looks and language. */
+final class ReviewPageOptions {
+    private static final int FRAMES = 8;
+    private static final int MAX_FRAMES = 100;
+    /** Width of a frame without --size, in pixels. */
+    private static final int FRAME_WIDTH = 480;
+
+    @Option(names = "--frames", paramLabel = "N", split = ",",
+            description = "Frames of the shot that a page shows, separated by commas (default: " + FRAMES + ", evenly spaced).")
+    private List<Integer> frames = List.of();
+    @Option(names = "--look", paramLabel = "NAME",
+            description = "Look that a page offers; can be repeated (default: all looks of the scene).")
+    private List<String> looks = List.of();
+    @Option(names = "--no-looks", description = "Write a page without looks.")
+    private boolean noLooks;
+    @Option(names = "--language", paramLabel = "en|de", description = "Language of a page (default: the browser's).")
+    private @Nullable PageLanguage language;
+
+    /** Letters of languages, as on the command line. */
+    enum PageLanguage {
+        EN, DE
+    }
+
+    /** Refuses options that nothing would use. */
+    void check(boolean writesPage) throws BadInputException {
+        if (!writesPage && (!frames.isEmpty() || !looks.isEmpty() || noLooks || language != null)) {
+            throw new BadInputException("review: --frames, --look, --no-looks and --language are of a page that -o writes");
+        }
+        if (noLooks && !looks.isEmpty()) {
+            throw new BadInputException("review: expected one of --look and --no-looks");
+        }
+    }
+
+    /** Returns what a page of a scene file shows; prints a line for each look that it cannot show. */
+    ReviewContent content(JenDocument document, Path file, PictureOptions picture, Console console) throws IOException, BadInputException {
+        List<Cue> cues = cues(file, document.scene());
+        ReviewLooks.of(cues, document.scene()).problems().forEach(problem -> console.warn("%s", problem));
+        List<ReviewPicture> pictures = new ArrayList<>();
+        boolean isFilm = !frames.isEmpty() || document.shot().filter(shot -> shot.last() > shot.first()).isPresent();
+        Scene base = picture.apply(document.scene());
+        if (isFilm) {
+            Shot shot = document.shot().orElseThrow(() -> new BadInputException(Console.text(
+                    "%s: has no shot block (see docs/jen-format.md)", file)));
+            Scene small = picture.hasSize() ? base : reduced(base);
+            for (int frame : chosenFrames(shot)) {
+                pictures.add(picture(OptionalInt.of(frame), sceneAt(shot, small, frame), cues));
+            }
+        } else {
+            pictures.add(picture(OptionalInt.empty(), base, cues));
+        }
+        Optional<Language> chosen = Optional.ofNullable(language).map(l -> l == PageLanguage.DE ? Language.GERMAN : Language.ENGLISH);
+        var content = new ReviewContent(file.getFileName().toString(), base, pictures, SceneView.of(base), chosen);
+        content.check();
+        return content;
+    }
+
+    private static ReviewPicture picture(OptionalInt frame, Scene scene, List<Cue> cues) {
+        return new ReviewPicture(frame, scene, ReviewLooks.of(cues, scene).looks());
+    }
+
+    private List<Cue> cues(Path file, Scene scene) throws IOException, BadInputException {
+        if (noLooks) {
+            return List.of();
+        }
+        List<Cue> all = new CueFolder(file).list(scene.stage());
+        for (String name : looks) {
+            if (all.stream().noneMatch(cue -> cue.name().equals(name))) {
+                throw new BadInputException(Console.text("--look: the scene has no look %s; it has %s", Quote.of(name),
+                        all.isEmpty() ? "none" : String.join(", ", all.stream().map(Cue::name).toList())));
+            }
+        }
+        return looks.isEmpty() ? all : all.stream().filter(cue -> looks.contains(cue.name())).toList();
+    }
+
+    private List<Integer> chosenFrames(Shot shot) throws BadInputException {
+        int count = shot.last() - shot.first() + 1;
+        if (frames.isEmpty()) {
+            int shown = Math.min(FRAMES, count);
+            return IntStream.range(0, shown).map(i -> shot.first() + (int) Math.round((double) i * (count - 1) / Math.max(1, shown - 1)))
+                    .boxed()
+                    .toList();
+        }
+        for (int frame : frames) {
+            if (frame < shot.first() || frame > shot.last()) {
+                throw new BadInputException("--frames: expected frames from " + shot.first() + " to " + shot.last() + ", found " + frame);
+            }
+        }
+        List<Integer> distinct = frames.stream().distinct().toList();
+        if (distinct.size() > MAX_FRAMES) {
+            throw new BadInputException("--frames: expected at most " + MAX_FRAMES + " frames, found " + distinct.size());
+        }
+        return distinct;
+    }
+
+    private static Scene reduced(Scene scene) {
+        PictureSettings picture = scene.picture();
+        if (picture.width() <= FRAME_WIDTH) {
+            return scene;
+        }
+        int height = Math.max(1, Math.round((float) picture.height() * FRAME_WIDTH / picture.width()));
+        return scene.withPicture(picture.withSize(FRAME_WIDTH, height));
+    }
+
+    private static Scene sceneAt(Shot shot, Scene scene, int frame) throws BadInputException {
+        try {
+            return shot.sceneAt(scene, frame);
+        } catch (IllegalArgumentException e) {
+            throw new BadInputException(String.valueOf(e.getMessage()));
+        }
+    }
+}

@@ -1,0 +1,135 @@
+package lightning.format.review;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import lightning.base.math.Rgb;
+import lightning.render.relight.LightContributions;
+import lightning.render.relight.LightFilms;
+import lightning.scene.Scene;
+import lightning.scene.light.Emission;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightGroup;
+import lightning.scene.light.LightRig;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.JsonNodeFactory;
+import tools.jackson.databind.node.ObjectNode;
+
+/** Positions of the faders of a page that show a look. Only a look whose lights differ in nothing but what faders change has them. */
+final class LookFaders {
+    /** Stops at which a fader is off. */
+    static final double OFF = -8;
+
+    private static final double[] ONE = {1, 1, 1};
+
+    private final Scene page;
+    private final Scene look;
+    private boolean fits = true;
+
+    private LookFaders(Scene page, Scene look) {
+        this.page = page;
+        this.look = look;
+    }
+
+    /**
+     * Returns the positions that show a look.
+     *
+     * @param page scene of the page's picture
+     * @param look the same scene with the lights of the look
+     */
+    static Optional<ObjectNode> of(Scene page, Scene look) {
+        Set<String> shining = Set.copyOf(LightFilms.names(look));
+        Set<String> shown = Set.copyOf(LightFilms.names(page));
+        // The layer of the environment has its background, which stays where another light is solo.
+        boolean hasEnvironment = shining.contains(LightContributions.ENVIRONMENT);
+        if (!shown.containsAll(shining) || shown.contains(LightContributions.ENVIRONMENT) != hasEnvironment
+                || !neutral(page, shining).equals(neutral(look, shining))) {
+            return Optional.empty();
+        }
+        var faders = new LookFaders(page, look);
+        ObjectNode json = faders.json(shining);
+        return faders.fits ? Optional.of(json) : Optional.empty();
+    }
+
+    /** Returns a scene with the shining lights only, without what faders change. */
+    private static Scene neutral(Scene scene, Set<String> shining) {
+        List<Light> lights = scene.lights().stream().filter(light -> shining.contains(light.name()))
+                .map(light -> light.withEmission(Emission.DEFAULT)).toList();
+        List<LightGroup> groups = scene.rig().lightGroups().stream()
+                .filter(group -> lights.stream().anyMatch(light -> light.lightGroup().equals(group.name())))
+                .map(group -> group.withColor(Rgb.WHITE)).toList();
+        Scene neutral = LightWeights.neutral(scene.withRig(LightRig.of(lights, groups)));
+        // Without light of the environment its background shows, whose brightness is the intensity.
+        return shining.contains(LightContributions.ENVIRONMENT) ? neutral
+                : neutral.withWorld(neutral.world().withIntensity(scene.world().intensity()));
+    }
+
+    private ObjectNode json(Set<String> shining) {
+        ObjectNode json = JsonNodeFactory.instance.objectNode();
+        ArrayNode groups = json.putArray("groups");
+        for (LightGroup group : page.rig().lightGroups()) {
+            LightGroup other = look.rig().lightGroup(group.name()).orElse(group);
+            groups.addObject().put("name", group.name()).put("stops", stops(other.intensity(), group.intensity())).put("mute", !other.on())
+                    .put("solo", false);
+        }
+        ArrayNode lights = json.putArray("lights");
+        for (String name : LightFilms.names(page)) {
+            boolean couldFit = fits;
+            double[] ratios = look.light(name).isPresent() || shining.contains(name) ? ratios(name) : ONE;
+            double max = Math.max(ratios[0], Math.max(ratios[1], ratios[2]));
+            double stops = stops(max, 1);
+            if (!shining.contains(name) && !fits) {
+                // The fader of a light that is off may stand anywhere.
+                fits = couldFit;
+                ratios = ONE;
+                max = 1;
+                stops = 0;
+            }
+            ObjectNode light =
+                    lights.addObject().put("name", name).put("mute", isMuted(name, shining)).put("solo", false).put("stops", stops);
+            ArrayNode tint = light.putArray("tint");
+            for (double ratio : ratios) {
+                tint.add(max > 0 ? ratio / max : 1);
+            }
+        }
+        return json;
+    }
+
+    /** Returns whether a light itself is off, or dark since others are solo; a group that is off says so itself. */
+    private boolean isMuted(String name, Set<String> shining) {
+        Optional<Light> light = look.light(name);
+        boolean isGroupOff = light.flatMap(l -> look.rig().lightGroup(l.lightGroup())).filter(group -> !group.on()).isPresent();
+        return isGroupOff ? !light.orElseThrow().on() : !shining.contains(name);
+    }
+
+    /** Returns the factors of red, green and blue of a light without its group's intensity. */
+    private double[] ratios(String name) {
+        Optional<Light> light = look.light(name);
+        if (light.isEmpty()) {
+            double ratio = ratio(look.world().intensity(), page.world().intensity());
+            return new double[] {ratio, ratio, ratio};
+        }
+        Light ofPage = page.light(name).orElseThrow();
+        Light to = look.rig().effectiveLight(light.get());
+        Light from = page.rig().effectiveLight(ofPage);
+        double group = LightWeights.groupIntensity(look, light.get());
+        double others = ratio(group, LightWeights.groupIntensity(page, ofPage));
+        double share = others > 0 ? ratio(to.intensity(), from.intensity()) / others : 0;
+        return new double[] {share * ratio(to.color().r(), from.color().r()), share * ratio(to.color().g(), from.color().g()),
+            share * ratio(to.color().b(), from.color().b())};
+    }
+
+    private double ratio(double to, double from) {
+        OptionalDouble ratio = to == 0 ? OptionalDouble.of(0) : from > 0 ? OptionalDouble.of(to / from) : OptionalDouble.empty();
+        fits &= ratio.isPresent() && ratio.getAsDouble() < Double.POSITIVE_INFINITY;
+        return ratio.orElse(0);
+    }
+
+    private double stops(double to, double from) {
+        double ratio = ratio(to, from);
+        double stops = Math.log(ratio) / Math.log(2);
+        fits &= ratio == 0 || stops > OFF;
+        return ratio == 0 ? OFF : stops;
+    }
+}

@@ -1,0 +1,6 @@
+if (isLive) {
+  byId("mode").hidden = false;
+  connect();
+} else {
+  await fromFile();
+}
