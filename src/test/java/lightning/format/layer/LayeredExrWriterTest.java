@@ -155,7 +155,7 @@ class LayeredExrWriterTest {
             renderer.render(scene, Progress.NONE);
             Path path = files.file("groups.exr");
             new LayeredExrWriter(renderer.cache(), renderer.options().engines(),
-                    new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, true, 0), Optional.empty())
+                    new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, true, 0), ExrLayout.DEFAULT, Optional.empty())
                     .write(path, Long.MAX_VALUE, workers, Progress.NONE);
             ExrValues grouped = new ExrValues(path);
             assertThat(grouped.list("lightning/sum")).containsExactly("background", "ambient", "sun_diffuse", "sun_specular",
@@ -176,7 +176,8 @@ class LayeredExrWriterTest {
             renderer.render(StudioScene.withFourLights(30, 24), Progress.NONE);
             Path path = files.file("acescg.exr");
             new LayeredExrWriter(renderer.cache(), renderer.options().engines(),
-                    new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, false, 0, ExrPrimaries.ACESCG), Optional.empty())
+                    new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, false, 0, ExrPrimaries.ACESCG), ExrLayout.DEFAULT,
+                    Optional.empty())
                     .write(path, Long.MAX_VALUE, workers, Progress.NONE);
             ExrValues acescg = new ExrValues(path);
             float[] sum = acescg.sum(acescg.list("lightning/sum"));
