@@ -15,7 +15,9 @@ record ExrPart(ExrHeader header, int top, int @Nullable [] tileSize, int number,
         long tableOffset) {
     /** Returns the header with the size of the picture. */
     ExrHeader shown() {
-        return new ExrHeader(header.window().width(), header.window().height(), header.channels(), header.attributes());
+        ExrWindow window = header.window();
+        return new ExrHeader(window.width(), window.height(), header.channels(), header.attributes(), header.compression(),
+                new ExrWindow(0, 0, window.width(), window.height()));
     }
 
     /** Returns the bytes at the start of a chunk: the number of its part, its place, and its size. */
