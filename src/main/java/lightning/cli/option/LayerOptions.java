@@ -29,7 +29,7 @@ import picocli.CommandLine.Spec;
 /** Options for layers and mattes of written images. */
 public final class LayerOptions {
     /** Uncompressed bytes from which on a file's size, memory and time are printed before it is written. */
-    private static final long LONG_WRITE_BYTES = 1 << 27;
+    private static final long LONG_WRITE_BYTES = 128_000_000;
 
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;

@@ -31,13 +31,13 @@ final class MotionVectors {
         moved = scene.stage().rendered().equals(other.stage().rendered()) ? Map.of() : moved(scene.stage(), other.stage());
     }
 
+    /** Compares placements by name: a shape and a light never have the same one. */
     private static Map<Integer, Transform> moved(Stage stage, Stage other) {
-        Map<String, Transform> shapes = new HashMap<>();
-        Map<String, Transform> faces = new HashMap<>();
-        forEach(other, (index, shape) -> (index < other.shapes().size() ? shapes : faces).put(shape.shape().name(), shape.toWorld()));
+        Map<String, Transform> places = new HashMap<>();
+        forEach(other, (_, shape) -> places.put(shape.shape().name(), shape.toWorld()));
         Map<Integer, Transform> result = new HashMap<>();
         forEach(stage, (index, shape) -> {
-            Transform place = (index < stage.shapes().size() ? shapes : faces).get(shape.shape().name());
+            Transform place = places.get(shape.shape().name());
             if (place != null && !place.equals(shape.toWorld())) {
                 result.put(index, place);
             }

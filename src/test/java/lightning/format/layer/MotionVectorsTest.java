@@ -152,12 +152,12 @@ class MotionVectorsTest {
         }
     }
 
-    /** The face of a light moves with its light; a shape of the same name stays. */
+    /** The face of a light moves with its light. */
     @Test
     void faceOfMovedLight_moves() throws IOException {
         Scene wall = scene(wall().withPosition(new Vec3(0, -3, 0)));
         Light key = StudioScene.key(LightType.POINT);
-        Light lamp = key.withName("wall").withPosition(new Vec3(0, 1, 0)).withArea(key.area().withRadius(0.9)
+        Light lamp = key.withName("lamp").withPosition(new Vec3(0, 1, 0)).withArea(key.area().withRadius(0.9)
                 .withVisibility(FaceVisibility.GLOWING));
         Scene scene = wall.withLights(List.of(lamp));
         ExrValues file = write(scene, wall, wall.withLights(List.of(lamp.withPosition(new Vec3(1, 1, 0)))));
