@@ -53,12 +53,18 @@ public final class ExrOptions {
                 : crop != null ? Optional.of(CROP) : Optional.empty();
     }
 
-    /** Checks the options against the format of a file, before a long computation. */
-    void checkFormat(PictureOutput output, Path picture) throws IOException, BadInputException {
-        if (usedOption().isPresent() && !ImageFormat.of(picture).canHaveLayers()) {
-            throw new BadInputException(Console.text("%s: %s needs an .exr file", picture, usedOption().get()));
+    /**
+     * Checks the options against the format of a picture, before a long computation.
+     *
+     * @param hasMattes whether there is a file of mattes, which they apply to as well
+     */
+    void checkFormat(PictureOutput output, Path picture, boolean hasMattes) throws IOException, BadInputException {
+        boolean isExr = ImageFormat.of(picture).canHaveLayers();
+        Optional<String> missing = isExr ? Optional.empty() : crop != null ? Optional.of(CROP) : hasMattes ? Optional.empty() : usedOption();
+        if (missing.isPresent()) {
+            throw new BadInputException(Console.text("%s: %s needs an .exr file", picture, missing.get()));
         }
-        if (compression.isLossy() && output.bits(picture) > Short.SIZE) {
+        if (compression.isDwa() && isExr && output.bits(picture) > Short.SIZE) {
             throw new BadInputException(
                     COMPRESSION + " " + compression.word() + " stores colors of 16 bits; leave out --bits or choose zip");
         }

@@ -81,7 +81,7 @@ public final class LayerOptions {
 
     /** Checks the options against the formats of the files, before a long computation. */
     public void checkFormats(PictureOutput output, Path picture) throws IOException, BadInputException {
-        storage.checkFormat(output, picture);
+        storage.checkFormat(output, picture, mattes != null);
         if (layers && !ImageFormat.of(picture).canHaveLayers()) {
             throw new BadInputException(Console.text("%s: layers are written to .exr", picture));
         }
@@ -110,7 +110,8 @@ public final class LayerOptions {
             Optional<ShotFrame> frame, WorkerPool workers, Console console) throws IOException {
         boolean sameFile = picture.isPresent() && picture.map(LayerOptions::normalized).equals(matteFile.map(LayerOptions::normalized));
         if (picture.isPresent()) {
-            if (layers || sameFile || storage.usedOption().isPresent()) {
+            boolean isStoredByOptions = storage.usedOption().isPresent() && ImageFormat.of(picture.get()).canHaveLayers();
+            if (layers || sameFile || isStoredByOptions) {
                 ExrType type = output.bits(picture.get()) == Short.SIZE ? ExrType.HALF : ExrType.FLOAT;
                 // All frames of a shot have the same layers, because compositing programs read them from the first one.
                 ExrContent.Layers choice =

@@ -15,7 +15,9 @@ import org.jspecify.annotations.Nullable;
 final class ExrAttributeReader {
     private static final int MAX_CHANNELS = 4096;
     private static final int CHROMATICITIES = 8;
-    private static final List<String> COMPRESSIONS = List.of("none", "RLE", "ZIPS", "ZIP", "PIZ", "PXR24", "B44", "B44A", "DWAA", "DWAB");
+    /** Names of later compressions, which cannot be read, from code 10 on. */
+    private static final List<String> LATER_COMPRESSIONS = List.of("HTJ2K256", "HTJ2K32");
+    private static final int FIRST_LATER = 10;
 
     private final ExrHeaderBytes in;
     private @Nullable ExrCompression compression;
@@ -128,9 +130,10 @@ final class ExrAttributeReader {
         int code = size == 1 ? in.getByte() : -1;
         Optional<ExrCompression> known = ExrCompression.of(code);
         if (known.isEmpty()) {
-            unsupported =
-                    new IOException("has compression " + (code >= 0 && code < COMPRESSIONS.size() ? COMPRESSIONS.get(code) : "unknown")
-                            + "; expected none, RLE, ZIPS, ZIP, PIZ, PXR24, DWAA or DWAB");
+            String name = code >= FIRST_LATER && code < FIRST_LATER + LATER_COMPRESSIONS.size() ? LATER_COMPRESSIONS.get(code - FIRST_LATER)
+                    : "unknown";
+            unsupported = new IOException(
+                    "has compression " + name + "; expected none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA or DWAB");
         }
         return known.orElse(null);
     }

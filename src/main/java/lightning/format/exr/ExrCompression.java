@@ -19,6 +19,8 @@ public enum ExrCompression {
     ZIP(3, 16, ExrCompression::inflateBytes, ExrCompression::deflateBytes),
     PIZ(4, 32, PizDecoder::decode, null),
     PXR24(5, 16, Pxr24Decoder::decode, null),
+    B44(6, 32, B44Decoder::decode, null),
+    B44A(7, 32, B44Decoder::decode, null),
     /** Colors of 32 lines with losses, by DreamWorks Animation. */
     DWAA(8, 32, DwaDecoder::decode, DwaEncoder::encode),
     /** The same of 256 lines. */
@@ -70,8 +72,8 @@ public enum ExrCompression {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** Returns whether colors of 16-bit floats lose details. All other channels keep every bit. */
-    public boolean isLossy() {
+    /** Returns whether it is DWA, by which colors of written halves lose details. All their other channels keep every bit. */
+    public boolean isDwa() {
         return this == DWAA || this == DWAB;
     }
 
@@ -87,7 +89,7 @@ public enum ExrCompression {
 
     /** Returns the maximum ratio of uncompressed bytes to compressed ones. */
     long maxRatio() {
-        return isLossy() ? MAX_DWA_RATIO : MAX_RATIO;
+        return isDwa() ? MAX_DWA_RATIO : MAX_RATIO;
     }
 
     /**

@@ -12,7 +12,7 @@ import java.util.zip.DataFormatException;
 import lightning.base.text.Quote;
 
 /**
- * Reader for OpenEXR files of scan lines or tiles, in all compressions but B44. Of tiles in several sizes, it reads the largest; of
+ * Reader for OpenEXR files of scan lines or tiles, in all compressions but HTJ2K. Of tiles in several sizes, it reads the largest; of
  * several parts, the first one with channels R, G and B. Messages do not repeat the file's name.
  */
 public final class ExrReader implements AutoCloseable {

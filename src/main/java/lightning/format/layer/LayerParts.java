@@ -60,7 +60,7 @@ record LayerParts(List<ExrHeader> headers) {
     /** Returns the compression of a part: ZIP for one that has nothing to lose, because that is smaller for floats. */
     private static ExrCompression compression(List<ExrChannel> channels, ExrCompression chosen) {
         boolean hasColors = channels.stream().anyMatch(c -> c.type() == ExrType.HALF && List.of("R", "G", "B").contains(c.suffix()));
-        return chosen.isLossy() && !hasColors ? ExrCompression.ZIP : chosen;
+        return chosen.isDwa() && !hasColors ? ExrCompression.ZIP : chosen;
     }
 
     /** Returns the place of a channel. */

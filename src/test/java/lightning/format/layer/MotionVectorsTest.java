@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Vec3;
 import lightning.format.exr.ExrAttribute;
+import lightning.sample.PythonPrograms;
 import lightning.sample.StudioScene;
 import lightning.scene.Camera;
 import lightning.scene.Scene;
@@ -23,6 +24,8 @@ import lightning.scene.value.LensShift;
 import lightning.scene.value.Placement;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 /** Motion vectors of a written file: formulas of moves, and the matrices of the file's header. */
 class MotionVectorsTest {
@@ -82,6 +85,20 @@ class MotionVectorsTest {
                 write(scene, scene(wall().withPosition(new Vec3(-0.5, 0.25, 0))), scene(wall().withPosition(new Vec3(1, 0.75, 0))));
         double pixelsPerUnit = SCALE / 10;
         assertVectors(file, moved(-0.5 * pixelsPerUnit, 0.25 * pixelsPerUnit), moved(pixelsPerUnit, 0.75 * pixelsPerUnit));
+    }
+
+    @Test
+    void vectors_areThoseOfCycles() throws IOException {
+        PythonPrograms.require("bpy", "OpenEXR");
+        ExrValues file = write(scene(wall()), scene(wall().withPosition(new Vec3(-0.5, 0.25, 0))),
+                scene(wall().withPosition(new Vec3(1, 0.75, 0))));
+        Path script = Path.of("src/test/resources/lightning/format/layer/blender_vectors.py").toAbsolutePath();
+        String text = PythonPrograms.output(folder, List.of(script.toString(), folder.resolve("vectors.exr").toString()));
+        JsonNode cycles =
+                new JsonMapper().readTree(text.substring(text.indexOf("RESULT ") + 7).lines().findFirst().orElseThrow());
+        for (String axis : List.of("X", "Y", "Z", "W")) {
+            assertThat((double) file.channel("vector." + axis)[20 * SIZE + 20]).isCloseTo(cycles.get(axis).asDouble(), within(1e-4));
+        }
     }
 
     @Test
