@@ -60,7 +60,8 @@ public final class ExrOptions {
      */
     void checkFormat(PictureOutput output, Path picture, boolean hasMattes) throws IOException, BadInputException {
         boolean isExr = ImageFormat.of(picture).canHaveLayers();
-        Optional<String> missing = isExr ? Optional.empty() : crop != null ? Optional.of(CROP) : hasMattes ? Optional.empty() : usedOption();
+        Optional<String> missing =
+                isExr ? Optional.empty() : crop != null ? Optional.of(CROP) : hasMattes ? Optional.empty() : usedOption();
         if (missing.isPresent()) {
             throw new BadInputException(Console.text("%s: %s needs an .exr file", picture, missing.get()));
         }

@@ -2,7 +2,6 @@ package lightning.format.layer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import lightning.base.math.Vec3;
@@ -16,7 +15,7 @@ class ShotFrameTest {
     @TempDir
     private Path folder;
 
-    private ShotFrame frame(String from, int frame) throws IOException {
+    private ShotFrame frame(String from, int frame) throws Exception {
         Path file = Files.writeString(folder.resolve("a.jen"), """
                 jen 1
                 camera { from 0 0 9  to 0 0 0 }
@@ -28,7 +27,7 @@ class ShotFrameTest {
 
     /** Keyframes reach beyond the frames of the shot. */
     @Test
-    void neighbors_areOneFrameAway() throws IOException {
+    void neighbors_areOneFrameAway() throws Exception {
         ShotFrame first = frame("1 0 0 1  4 0 0 7", 2);
         assertThat(first.time()).isEqualTo(new FrameTime(2, 30));
         assertThat(first.previous().camera().from()).isEqualTo(new Vec3(0, 0, 1));
@@ -36,13 +35,13 @@ class ShotFrameTest {
     }
 
     @Test
-    void nothingMoves_beforeTheFirstKeyframe() throws IOException {
+    void nothingMoves_beforeTheFirstKeyframe() throws Exception {
         assertThat(frame("2 0 0 1  4 0 0 7", 2).previous().camera().from()).isEqualTo(new Vec3(0, 0, 1));
     }
 
     /** At frame 4 the camera is at its target. */
     @Test
-    void invalidNeighbor_countsAsStill() throws IOException {
+    void invalidNeighbor_countsAsStill() throws Exception {
         assertThat(frame("1 0 0 3  4 0 0 0", 3).next().camera().from()).isEqualTo(new Vec3(0, 0, 1));
     }
 }
