@@ -195,7 +195,7 @@ class RenderCommandTest {
         Path exr = folder.resolve("a.exr");
         Path png = folder.resolve("a.png");
         CliResult.run("render", scene, "-o", exr, "--exr-compression", "piz")
-                .assertRejected("expected none, rle, zips, zip, dwaa, found \"piz\"");
+                .assertRejected("expected none, rle, zips, zip, dwaa, found 'piz'");
         CliResult.run("render", scene, "-o", exr, "--exr-compression", "dwaa", "--bits", "32").assertRejected("stores colors of 16 bits");
         CliResult.run("render", scene, "-o", png, "--exr-parts").assertRejected("--exr-parts needs an .exr file");
         CliResult.run("render", scene, "-o", png, "--cryptomatte", exr, "--crop", "0,0,2,2").assertRejected("--crop needs an .exr file");

@@ -23,9 +23,6 @@ final class PixelHits {
     /** Index of each pixel's next hit to write. */
     private final int[] next = new int[Film.TILE_PIXELS];
     private int[] hits = {};
-    /** Cell of each hit's sample, and the number of cells along a side of its pixel. */
-    private int[] cells = {};
-    private int[] grids = {};
 
     PixelHits(PixelCache cache, Engine engine) {
         this.cache = cache;
@@ -43,8 +40,6 @@ final class PixelHits {
         System.arraycopy(start, 0, next, 0, next.length);
         if (hits.length < start[Film.TILE_PIXELS]) {
             hits = new int[start[Film.TILE_PIXELS]];
-            cells = new int[hits.length];
-            grids = new int[hits.length];
         }
         if (needsCenters) {
             traceCenters(centers, fine);
@@ -84,16 +79,9 @@ final class PixelHits {
         for (int i = 0; i < primitives.length; i++) {
             int pixel = i / columns * Film.TILE_SIZE + i % columns;
             if (!isFine[pixel]) {
-                add(pixel, primitives[i], 0, 1);
+                hits[next[pixel]++] = primitives[i];
             }
         }
-    }
-
-    private void add(int pixel, int primitive, int cell, int grid) {
-        int hit = next[pixel]++;
-        hits[hit] = primitive;
-        cells[hit] = cell;
-        grids[hit] = grid;
     }
 
     private void traceSamples(FineSamples samples, SamplePositions centers) {
@@ -104,7 +92,7 @@ final class PixelHits {
             short[] some = Arrays.copyOfRange(pixels, from, Math.min(from + batch, pixels.length));
             int[] primitives = visibility.primitives(new SamplePositions(centers.x0(), centers.y0(), some, samples.cells()));
             for (int i = 0; i < primitives.length; i++) {
-                add(some[i / perPixel], primitives[i], samples.cells().cells()[i % perPixel], samples.cells().grid());
+                hits[next[some[i / perPixel]]++] = primitives[i];
             }
         }
     }
@@ -117,15 +105,5 @@ final class PixelHits {
     /** Returns the primitive that a sample of a pixel hits, −1 for none. */
     int primitive(int pixel, int sample) {
         return hits[start[pixel] + sample];
-    }
-
-    /** Returns the number of a sample's cell in its pixel's grid, as in {@link lightning.render.trace.PixelRays#ray(int, int, int, int)}. */
-    int cell(int pixel, int sample) {
-        return cells[start[pixel] + sample];
-    }
-
-    /** Returns the cells along a side of the pixel for that sample; 1 for the pixel's center. */
-    int grid(int pixel, int sample) {
-        return grids[start[pixel] + sample];
     }
 }

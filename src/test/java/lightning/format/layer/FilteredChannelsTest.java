@@ -12,6 +12,8 @@ import lightning.base.math.Vec3;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.PixelRays;
 import lightning.render.trace.SurfacePoint;
+import lightning.sample.EditSession;
+import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.AntialiasMode;
 import lightning.scene.SamplingSettings;
@@ -19,11 +21,17 @@ import lightning.scene.Scene;
 import lightning.scene.light.FaceVisibility;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** Alpha and surface data that are averaged over a pixel's samples. */
+@Slow
 class FilteredChannelsTest {
     private static final List<String> NAMES = List.of("N_filtered.X", "N_filtered.Y", "N_filtered.Z", "P_filtered.X", "P_filtered.Y",
             "P_filtered.Z", "Z_filtered.Z", "albedo_filtered.R", "albedo_filtered.G", "albedo_filtered.B");
@@ -83,9 +91,38 @@ class FilteredChannelsTest {
             for (int v = 0; v < sums.length; v++) {
                 boolean isPlace = v >= 3 && v <= 6;
                 double expected = hits == 0 ? v == 6 ? 1e10 : 0 : sums[v] / (isPlace ? hits : 9);
-                // Values below 16, rounded to floats.
+                // Values below 16: four roundings of sums of 9, and two of the shares of samples, each by at most 2⁻²⁴.
                 assertThat((double) file.channel(NAMES.get(v))[i]).as(NAMES.get(v)).isCloseTo(expected,
-                        within(hits == 0 ? 0 : 16 * 0x1p-23));
+                        within(hits == 0 ? 0 : 6 * 9 * 16 * 0x1p-24));
+            }
+        }
+    }
+
+    @Provide
+    Arbitrary<EditSession> sessions() {
+        return EditSession.sessions();
+    }
+
+    /** Materials of all kinds, with textures and maps: colors and normals have the values that a sample without stored rows has. */
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    void colorsAndNormals_areMeansInAnyScene(@ForAll("sessions") EditSession session) throws IOException {
+        Scene last = session.scenes().getLast();
+        Scene scene = last.withPicture(last.picture().withSampling(new SamplingSettings(AntialiasMode.EVERY, 2)));
+        ExrValues file = ExrValues.of(scene, Optional.empty());
+        Geometry geometry = Geometry.of(scene);
+        PixelRays rays = new PixelRays(scene);
+        for (int i = 0; i < file.width * file.height; i++) {
+            double[] sums = new double[NAMES.size()];
+            for (int sample = 0; sample < 4; sample++) {
+                Ray ray = rays.ray(i % file.width, i / file.width, sample, 2);
+                int primitive = geometry.nearestBruteForce(ray);
+                if (primitive >= 0) {
+                    add(geometry, primitive, ray, Vec3.ZERO, sums);
+                }
+            }
+            for (int v : new int[] {0, 1, 2, 7, 8, 9}) {
+                // Values of at most 1: two roundings of sums of 4, and one of a color of two terms.
+                assertThat((double) file.channel(NAMES.get(v))[i]).as(NAMES.get(v)).isCloseTo(sums[v] / 4, within(3 * 0x1p-23));
             }
         }
     }

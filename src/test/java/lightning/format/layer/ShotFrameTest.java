@@ -28,7 +28,7 @@ class ShotFrameTest {
     /** Keyframes reach beyond the frames of the shot. */
     @Test
     void neighbors_areOneFrameAway() throws Exception {
-        ShotFrame first = frame("1 0 0 1  4 0 0 7", 2);
+        ShotFrame first = frame("1 0 0 1  2 0 0 3  3 0 0 5  4 0 0 7", 2);
         assertThat(first.time()).isEqualTo(new FrameTime(2, 30));
         assertThat(first.previous().camera().from()).isEqualTo(new Vec3(0, 0, 1));
         assertThat(first.next().camera().from()).isEqualTo(new Vec3(0, 0, 5));
