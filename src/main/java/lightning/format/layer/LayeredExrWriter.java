@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.stream.IntStream;
 import lightning.base.file.AtomicFile;
 import lightning.base.work.Progress;
@@ -155,11 +156,15 @@ public final class LayeredExrWriter {
      * Estimates size and time of a file from the lines in its middle, which it compresses. Other lines may be simpler or richer.
      *
      * @throws IOException if it needs more memory; the message is a sentence for the user
-     * @throws java.util.concurrent.CancellationException if {@code progress} requested cancellation
+     * @throws CancellationException if {@code progress} requested cancellation
      */
     public WriteEstimate estimate(long memory, WorkerPool workers, Progress progress) throws IOException {
         checkMemory(memory, workers);
         prepare(workers, progress);
+        // Rendering may have been canceled, and then tiles are incomplete.
+        if (progress.isCanceled()) {
+            throw new CancellationException();
+        }
         long start = System.nanoTime();
         int bands = LayerBand.count(crop);
         long bytes = compress(tileWriters(1).getFirst(), bands / 2).stream().mapToLong(chunk -> chunk.compressed().length).sum();
@@ -175,7 +180,7 @@ public final class LayeredExrWriter {
      *
      * @param memory maximum number of bytes to use
      * @throws IOException if it cannot be written, or needs more memory; the message is a sentence for the user
-     * @throws java.util.concurrent.CancellationException if {@code progress} requested cancellation
+     * @throws CancellationException if {@code progress} requested cancellation
      */
     public void write(Path file, long memory, WorkerPool workers, Progress progress) throws IOException {
         checkMemory(memory, workers);

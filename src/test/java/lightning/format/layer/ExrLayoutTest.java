@@ -1,6 +1,7 @@
 package lightning.format.layer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -8,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.format.exr.ExrCompression;
@@ -162,6 +164,23 @@ class ExrLayoutTest {
             assertThat(crowded).isZero();
             assertThat(estimate.memoryBytes()).isEqualTo(writer.bytesToWrite(1));
             assertThat(estimate.seconds()).isPositive();
+        }
+    }
+
+    @Test
+    void canceledEstimate_composesNothing() {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1)); WorkerPool workers = new WorkerPool(1)) {
+            renderer.render(StudioScene.withFourLights(20, 16), Progress.NONE);
+            var writer = new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrType.HALF);
+            assertThatThrownBy(() -> writer.estimate(Long.MAX_VALUE, workers, new Progress() {
+                @Override
+                public void report(int done, int total) {}
+
+                @Override
+                public boolean isCanceled() {
+                    return true;
+                }
+            })).isInstanceOf(CancellationException.class);
         }
     }
 }
