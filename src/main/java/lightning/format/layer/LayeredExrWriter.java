@@ -153,7 +153,7 @@ public final class LayeredExrWriter {
     }
 
     /**
-     * Estimates size and time of a file from the lines in its middle, which it compresses. Other lines may be simpler or richer.
+     * Estimates size and time of a file from two groups of lines, which it compresses. Other lines may be simpler or richer.
      *
      * @throws IOException if it needs more memory; the message is a sentence for the user
      * @throws CancellationException if {@code progress} requested cancellation
@@ -165,14 +165,21 @@ public final class LayeredExrWriter {
         if (progress.isCanceled()) {
             throw new CancellationException();
         }
-        long start = System.nanoTime();
         int bands = LayerBand.count(crop);
-        long bytes = compress(tileWriters(1).getFirst(), bands / 2).stream().mapToLong(chunk -> chunk.compressed().length).sum();
+        var writers = tileWriters(1).getFirst();
+        long bytes = compressedBytes(writers, bands / 3);
+        // The first lines also compile the code: their time says little.
+        long start = System.nanoTime();
+        bytes += compressedBytes(writers, 2 * bands / 3);
         double seconds = (System.nanoTime() - start) / 1e9;
         if (mattes != null) {
             mattes.clearCounts();
         }
-        return new WriteEstimate(bytes * bands, bytesToWrite(workers.count()), seconds * Math.ceilDiv(bands, workers.count()));
+        return new WriteEstimate(bytes * bands / 2, bytesToWrite(workers.count()), seconds * Math.ceilDiv(bands, workers.count()));
+    }
+
+    private long compressedBytes(EngineWorkers<List<ChannelSource.TileWriter>> writers, int band) {
+        return compress(writers, band).stream().mapToLong(chunk -> chunk.compressed().length).sum();
     }
 
     /**
