@@ -109,7 +109,7 @@ final class RelightCommand implements Callable<Integer> {
         StepFiles pictures = new StepFiles(output.file(), stem);
         Optional<StepFiles> mattes = layers.mattes().map(file -> new StepFiles(file, stem));
         output.checkFormat(pictures.file(1));
-        layers.checkFormats(pictures.file(1));
+        layers.checkFormats(output, pictures.file(1));
         if (saveFile != null) {
             PictureOutput.checkFile(saveFile);
         }
@@ -127,6 +127,7 @@ final class RelightCommand implements Callable<Integer> {
             InputFiles.referencedBy(edited.getLast(), ParentFolder.of(input.path())).check(saveFile);
         }
         Scene before = picture.apply(document.scene());
+        layers.checkSize(before.picture());
         RenderOptions options = updates.apply(RenderOptions.DEFAULT.withThreads(threads.count()))
                 .withMemory(PictureOutput.availableMemory(before, pictures.file(1)));
         boolean allKept = true;

@@ -74,15 +74,16 @@ final class RenderCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         output.check();
-        layers.checkFormats(output.file());
+        layers.checkFormats(output, output.file());
         if (layers.mattes().isPresent()) {
             PictureOutput.checkFile(layers.mattes().get());
         }
         if (traditional && layers.usedOption().isPresent()) {
             throw new BadInputException(layers.usedOption().get() + " and --traditional cannot be combined: a trace without a cache has no "
-                    + (layers.usedOption().get().equals("--layers") ? "layers" : "mattes"));
+                    + layers.requiredContent());
         }
         Scene scene = picture.apply(input.read(console).scene());
+        layers.checkSize(scene.picture());
         InputFiles inputs = output.withViewFile(input.inputs(scene));
         output.printViewNotes(console);
         inputs.check(output.file());

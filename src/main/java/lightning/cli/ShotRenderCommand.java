@@ -26,7 +26,7 @@ import lightning.cli.output.PictureOutput;
 import lightning.cli.output.ProgressBar;
 import lightning.cli.report.ShotRenderReport;
 import lightning.format.jen.InputFiles;
-import lightning.format.layer.FrameTime;
+import lightning.format.layer.ShotFrame;
 import lightning.format.sequence.SequenceReader;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.plan.UpdatePlan;
@@ -102,7 +102,7 @@ final class ShotRenderCommand implements Callable<Integer> {
         if (movie.isEmpty()) {
             FrameFiles files = FrameFiles.of(output.file(), "a");
             output.checkFormat(files.file(0));
-            layers.checkFormats(files.file(0));
+            layers.checkFormats(output, files.file(0));
         } else if (layers.usedOption().isPresent()) {
             throw new BadInputException(layers.usedOption().get() + " works only for numbered images, not for a video");
         } else if (resume) {
@@ -112,6 +112,9 @@ final class ShotRenderCommand implements Callable<Integer> {
         }
         ShotParts.Parts shots = chosen.read(input.path(), picture, console);
         ShotParts.Part first = shots.parts().getFirst();
+        for (ShotParts.Part part : shots.parts()) {
+            layers.checkSize(part.scene().picture());
+        }
         int skipped = 0;
         output.printViewNotes(console);
         if (movie.isPresent()) {
@@ -179,7 +182,7 @@ final class ShotRenderCommand implements Callable<Integer> {
         try (WorkerPool workers = new WorkerPool(layers.usedOption().isPresent() ? threads.count() : 1)) {
             renderFrames(shot, scene, frames, PictureOutput.availableMemory(scene, firstFile), (frame, cache) -> {
                 layers.write(output, cache, RenderOptions.DEFAULT.engines(), Optional.of(files.file(frame)),
-                        mattes.map(matte -> matte.file(frame)), Optional.of(new FrameTime(frame, shot.shot().rate())), workers, console);
+                        mattes.map(matte -> matte.file(frame)), Optional.of(ShotFrame.of(shot.shot(), scene, frame)), workers, console);
                 return files.file(frame).toString();
             });
         }

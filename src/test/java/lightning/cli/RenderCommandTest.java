@@ -155,6 +155,55 @@ class RenderCommandTest {
         CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--bits", "12").assertRejected("8 or 16 bits, not 12");
     }
 
+    /** With or without layers, the picture keeps its bits. */
+    @Test
+    void storageOfExr_keepsThePicture() throws Exception {
+        Path picture = folder.resolve("a.pfm");
+        Path parts = folder.resolve("parts.exr");
+        Path plain = folder.resolve("plain.exr");
+        CliResult.run("render", scene, "-o", picture).assertSuccess();
+        CliResult.run("render", scene, "-o", parts, "--layers", "--bits", "32", "--exr-parts", "--exr-compression", "rle").assertSuccess();
+        CliResult.run("render", scene, "-o", plain, "--bits", "32", "--exr-compression", "none").assertSuccess();
+        CliResult.run("compare", parts, picture).assertSuccess();
+        CliResult.run("compare", plain, picture).assertSuccess();
+        assertThat(channels(parts)).containsExactly("A", "B", "G", "R");
+        assertThat(channels(plain)).containsExactly("B", "G", "R");
+    }
+
+    @Test
+    void crop_hasThePixelsOfItsRectangle() throws Exception {
+        Path whole = folder.resolve("whole.exr");
+        Path part = folder.resolve("part.exr");
+        CliResult.run("render", scene, "-o", whole, "--size", "20x18", "--bits", "32").assertSuccess();
+        CliResult.run("render", scene, "-o", part, "--size", "20x18", "--bits", "32", "--crop", "3,5,11,7").assertSuccess();
+        float[] expected = new float[20 * 18];
+        try (ExrReader reader = new ExrReader(whole); ExrReader cropped = new ExrReader(part)) {
+            reader.read(List.of("G"), (x, y, v) -> expected[y * 20 + x] = v[0]);
+            int[] count = new int[1];
+            cropped.read(List.of("G"), (x, y, v) -> {
+                assertThat(v[0]).isEqualTo(expected[y * 20 + x]);
+                assertThat(x >= 3 && x < 14 && y >= 5 && y < 12).isTrue();
+                count[0]++;
+            });
+            assertThat(count[0]).isEqualTo(11 * 7);
+            assertThat(List.of(cropped.header().width(), cropped.header().height())).containsExactly(20, 18);
+        }
+    }
+
+    @Test
+    void unsuitableStorage_isRejected() {
+        Path exr = folder.resolve("a.exr");
+        Path png = folder.resolve("a.png");
+        CliResult.run("render", scene, "-o", exr, "--exr-compression", "piz")
+                .assertRejected("expected none, rle, zips, zip, dwaa, found 'piz'");
+        CliResult.run("render", scene, "-o", exr, "--exr-compression", "dwaa", "--bits", "32").assertRejected("stores colors of 16 bits");
+        CliResult.run("render", scene, "-o", png, "--exr-parts").assertRejected("--exr-parts needs an .exr file");
+        CliResult.run("render", scene, "-o", png, "--cryptomatte", exr, "--crop", "0,0,2,2").assertRejected("--crop needs an .exr file");
+        CliResult.run("render", scene, "-o", exr, "--size", "20x18", "--crop", "3,5,18,7")
+                .assertRejected("--crop: expected a rectangle inside the picture of 20 x 18 pixels, found 3,5,18,7");
+        CliResult.run("render", scene, "-o", exr, "--exr-compression", "rle", "--traditional").assertRejected("cannot be combined");
+    }
+
     @Test
     void radiancePicture_isWrittenAndCompared() throws Exception {
         Path picture = folder.resolve("a.hdr");

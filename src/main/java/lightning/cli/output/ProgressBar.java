@@ -61,7 +61,8 @@ public final class ProgressBar implements Progress, AutoCloseable {
                 (int) (100L * done / total), duration(remaining));
     }
 
-    static String duration(double seconds) {
+    /** Returns a time in words, rounded up to seconds. */
+    public static String duration(double seconds) {
         long rounded = (long) Math.ceil(seconds);
         return rounded < 60 ? rounded + " s" : Console.text("%d:%02d min", rounded / 60, rounded % 60);
     }

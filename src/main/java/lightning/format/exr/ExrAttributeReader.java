@@ -15,7 +15,9 @@ import org.jspecify.annotations.Nullable;
 final class ExrAttributeReader {
     private static final int MAX_CHANNELS = 4096;
     private static final int CHROMATICITIES = 8;
-    private static final List<String> COMPRESSIONS = List.of("none", "RLE", "ZIPS", "ZIP", "PIZ", "PXR24", "B44", "B44A", "DWAA", "DWAB");
+    /** Names of later compressions, which cannot be read, from code 10 on. */
+    private static final List<String> LATER_COMPRESSIONS = List.of("HTJ2K256", "HTJ2K32");
+    private static final int FIRST_LATER = 10;
 
     private final ExrHeaderBytes in;
     private @Nullable ExrCompression compression;
@@ -88,8 +90,9 @@ final class ExrAttributeReader {
         if (isTiled && tileSize == null) {
             throw new IOException("has a damaged OpenEXR header: expected the size of its tiles");
         }
-        return new ExrPart(new ExrHeader((int) width, (int) height, channels, attributes), ExrWindow.of(dataWindow, displayWindow),
-                compression, dataWindow[1], isTiled ? tileSize : null, number, tableOffset);
+        var header =
+                new ExrHeader((int) width, (int) height, channels, attributes, compression, ExrWindow.of(dataWindow, displayWindow));
+        return new ExrPart(header, dataWindow[1], isTiled ? tileSize : null, number, tableOffset);
     }
 
     private int[] readWindow(int size) throws IOException {
@@ -127,9 +130,10 @@ final class ExrAttributeReader {
         int code = size == 1 ? in.getByte() : -1;
         Optional<ExrCompression> known = ExrCompression.of(code);
         if (known.isEmpty()) {
-            unsupported =
-                    new IOException("has compression " + (code >= 0 && code < COMPRESSIONS.size() ? COMPRESSIONS.get(code) : "unknown")
-                            + "; expected none, RLE, ZIPS, ZIP, PIZ or PXR24");
+            String name = code >= FIRST_LATER && code < FIRST_LATER + LATER_COMPRESSIONS.size() ? LATER_COMPRESSIONS.get(code - FIRST_LATER)
+                    : "unknown";
+            unsupported = new IOException(
+                    "has compression " + name + "; expected none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA or DWAB");
         }
         return known.orElse(null);
     }
@@ -161,7 +165,7 @@ final class ExrAttributeReader {
         List<ExrChannel> result = new ArrayList<>();
         for (String name = in.readText(); !name.isEmpty(); name = in.readText()) {
             int type = in.getInt();
-            in.getInt();
+            boolean isPerceptual = (in.getInt() & 0xFF) != 0;
             int xSampling = in.getInt();
             int ySampling = in.getInt();
             if (result.size() == MAX_CHANNELS || type < 0 || type >= ExrType.values().length) {
@@ -170,7 +174,7 @@ final class ExrAttributeReader {
             if (xSampling != 1 || ySampling != 1) {
                 unsupported = unsupportedChannel(name);
             }
-            result.add(channel(name, ExrType.values()[type]));
+            result.add(channel(name, ExrType.values()[type], isPerceptual));
         }
         if (in.position() != end || result.stream().map(ExrChannel::name).distinct().count() != result.size()) {
             throw new IOException("has a damaged OpenEXR header: its channel list");
@@ -183,9 +187,9 @@ final class ExrAttributeReader {
                 + " channels of type uint, half or float without subsampling");
     }
 
-    private static ExrChannel channel(String name, ExrType type) throws IOException {
+    private static ExrChannel channel(String name, ExrType type, boolean isPerceptual) throws IOException {
         try {
-            return new ExrChannel(name, type);
+            return new ExrChannel(name, type, isPerceptual);
         } catch (IllegalArgumentException e) {
             throw new IOException("has a channel " + Quote.of(name) + "; expected an ASCII name", e);
         }

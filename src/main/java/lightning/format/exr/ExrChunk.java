@@ -2,21 +2,18 @@ package lightning.format.exr;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.util.Arrays;
-import java.util.zip.Deflater;
 
 /** Uncompressed pixel data of some scan lines or of a tile. */
 public final class ExrChunk {
-    /** Compression level that most writers of this format use; on noisy floats more effort gains 1 %. */
-    private static final int COMPRESSION_LEVEL = 4;
-
     private final ExrBlock block;
+    private final ExrCompression compression;
     private final int[] channelOffsets;
     private final int lineBytes;
     private final ByteBuffer buffer;
 
-    ExrChunk(ExrBlock block, byte[] numbers) {
+    ExrChunk(ExrBlock block, ExrCompression compression, byte[] numbers) {
         this.block = block;
+        this.compression = compression;
         this.channelOffsets = block.channelOffsets();
         this.lineBytes = (int) block.bytesPerLine();
         this.buffer = ByteBuffer.wrap(numbers).order(ByteOrder.LITTLE_ENDIAN);
@@ -28,7 +25,7 @@ public final class ExrChunk {
      * @param index 0 to {@link ExrHeader#chunkCount} − 1
      */
     public ExrChunk(ExrHeader header, int index) {
-        this(header.block(index), new byte[Math.toIntExact(header.block(index).byteCount())]);
+        this(header.block(index), header.compression(), new byte[Math.toIntExact(header.block(index).byteCount())]);
     }
 
     /**
@@ -57,19 +54,8 @@ public final class ExrChunk {
         }
     }
 
-    /**
-     * Returns the chunk's bytes in the file: even bytes before odd bytes, delta-encoded, compressed by zlib; uncompressed if
-     * that is not shorter.
-     */
+    /** Returns the chunk's bytes in the file: compressed, or as they are if that is not shorter. */
     public byte[] compress() {
-        byte[] raw = buffer.array();
-        byte[] predicted = BytePrediction.encode(raw);
-        try (Deflater deflater = new Deflater(COMPRESSION_LEVEL)) {
-            deflater.setInput(predicted);
-            deflater.finish();
-            byte[] compressed = new byte[raw.length];
-            int length = deflater.deflate(compressed);
-            return deflater.finished() && length < raw.length ? Arrays.copyOf(compressed, length) : raw;
-        }
+        return compression.compress(buffer.array(), block);
     }
 }

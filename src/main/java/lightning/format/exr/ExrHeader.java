@@ -13,13 +13,18 @@ import java.util.stream.Stream;
 
 /**
  * Header of an OpenEXR file, or of one of its parts (OpenEXR File Layout, openexr.com). All numbers are little-endian. Written files have scan lines
- * in increasing order, and ZIP compression in chunks of 16 lines.
+ * in increasing order.
  *
+ * @param width of the data
+ * @param height of the data
  * @param channels sorted by name, as the format requires
  * @param attributes additional attributes by name; a required one replaces its default. A header that was read has only texts
  *     and chromaticities
+ * @param compression compression of its chunks
+ * @param window what the picture shows of its data
  */
-public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<String, ExrAttribute> attributes) {
+public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<String, ExrAttribute> attributes, ExrCompression compression,
+        ExrWindow window) {
     static final int MAGIC = 20000630;
     static final int VERSION = 2;
     /** Version flag that allows names longer than 31 bytes. */
@@ -31,15 +36,21 @@ public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<St
     /** Version flag of a file with several parts. */
     static final int PARTS_FLAG = 0x1000;
     private static final int MAX_SHORT_NAME = 31;
-    static final byte ZIP = 3;
     /** Width of the image at distance 1 from the camera; 1 if there is no camera. */
     public static final String SCREEN_WINDOW_WIDTH = "screenWindowWidth";
     public static final String SCREEN_WINDOW_CENTER = "screenWindowCenter";
-    /** Scan lines per chunk. */
+    /** Attribute with the name of a part. */
+    public static final String NAME = "name";
+    /** Scan lines per chunk of a file with ZIP compression. */
     public static final int LINES_PER_CHUNK = 16;
 
     public ExrHeader {
         channels = channels.stream().sorted(Comparator.comparing(ExrChannel::name)).toList();
+    }
+
+    /** Creates the header of a whole picture with ZIP compression. */
+    public ExrHeader(int width, int height, List<ExrChannel> channels, Map<String, ExrAttribute> attributes) {
+        this(width, height, channels, attributes, ExrCompression.ZIP, new ExrWindow(0, 0, width, height));
     }
 
     /** Returns the text attributes by name. */
@@ -55,12 +66,12 @@ public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<St
 
     /** Returns the number of chunks. */
     public int chunkCount() {
-        return Math.ceilDiv(height, LINES_PER_CHUNK);
+        return Math.ceilDiv(height, compression.lines());
     }
 
     /** Returns the number of lines of a chunk. */
     public int lineCount(int chunk) {
-        return Math.min(LINES_PER_CHUNK, height - chunk * LINES_PER_CHUNK);
+        return Math.min(compression.lines(), height - chunk * compression.lines());
     }
 
     /** Returns the uncompressed bytes per line: all values of the first channel, then those of the next. */
@@ -73,16 +84,36 @@ public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<St
         return new ExrBlock(channels, width, lineCount(chunk));
     }
 
-    /** Returns the header's bytes in the file. */
-    byte[] encode() {
+    /**
+     * Returns the bytes of a file before its table of chunks.
+     *
+     * @param parts headers of its parts, at least one; each of several has an attribute {@link #NAME} of its own
+     */
+    static byte[] encode(List<ExrHeader> parts) {
         var out = new ByteArrayOutputStream();
-        boolean longNames = Stream.concat(channels.stream().map(ExrChannel::name), attributes.keySet().stream())
+        boolean longNames = parts.stream()
+                .flatMap(part -> Stream.concat(part.channels.stream().map(ExrChannel::name), part.attributes.keySet().stream()))
                 .anyMatch(name -> name.length() > MAX_SHORT_NAME);
-        out.writeBytes(encodeInts(MAGIC, longNames ? VERSION | LONG_NAMES_FLAG : VERSION));
+        boolean hasParts = parts.size() > 1;
+        out.writeBytes(encodeInts(MAGIC, VERSION | (longNames ? LONG_NAMES_FLAG : 0) | (hasParts ? PARTS_FLAG : 0)));
+        for (ExrHeader part : parts) {
+            part.encodeAttributes(out, hasParts);
+        }
+        if (hasParts) {
+            out.write(0);
+        }
+        return out.toByteArray();
+    }
+
+    private void encodeAttributes(ByteArrayOutputStream out, boolean isPart) {
         writeAttribute(out, "channels", "chlist", channelList());
-        writeAttribute(out, "compression", "compression", new byte[] {ZIP});
-        writeAttribute(out, "dataWindow", "box2i", encodeInts(0, 0, width - 1, height - 1));
-        writeAttribute(out, "displayWindow", "box2i", encodeInts(0, 0, width - 1, height - 1));
+        if (isPart) {
+            writeAttribute(out, "chunkCount", "int", encodeInts(chunkCount()));
+        }
+        writeAttribute(out, "compression", "compression", new byte[] {(byte) compression.code()});
+        writeAttribute(out, "dataWindow", "box2i",
+                encodeInts(window.left(), window.top(), window.left() + width - 1, window.top() + height - 1));
+        writeAttribute(out, "displayWindow", "box2i", encodeInts(0, 0, window.width() - 1, window.height() - 1));
         writeAttribute(out, "lineOrder", "lineOrder", new byte[] {0});
         writeAttribute(out, "pixelAspectRatio", "float", encodeInts(Float.floatToIntBits(1)));
         if (!attributes.containsKey(SCREEN_WINDOW_CENTER)) {
@@ -91,10 +122,12 @@ public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<St
         if (!attributes.containsKey(SCREEN_WINDOW_WIDTH)) {
             writeAttribute(out, SCREEN_WINDOW_WIDTH, "float", encodeInts(Float.floatToIntBits(1)));
         }
+        if (isPart) {
+            writeAttribute(out, "type", "string", "scanlineimage".getBytes(StandardCharsets.US_ASCII));
+        }
         // Sorted, so that equal images have equal bytes: some sources have maps of no order.
         new TreeMap<>(attributes).forEach((name, value) -> writeAttribute(out, name, value.type(), value.encode()));
         out.write(0);
-        return out.toByteArray();
     }
 
     private byte[] channelList() {

@@ -12,7 +12,7 @@ import java.util.zip.DataFormatException;
 import lightning.base.text.Quote;
 
 /**
- * Reader for OpenEXR files of scan lines or tiles, in all compressions but B44 and DWA. Of tiles in several sizes, it reads the largest; of
+ * Reader for OpenEXR files of scan lines or tiles, in all compressions but HTJ2K. Of tiles in several sizes, it reads the largest; of
  * several parts, the first one with channels R, G and B. Messages do not repeat the file's name.
  */
 public final class ExrReader implements AutoCloseable {
@@ -75,7 +75,7 @@ public final class ExrReader implements AutoCloseable {
     private void checkSize() throws IOException {
         ExrHeader exrHeader = part.header();
         var whole = new ExrBlock(exrHeader.channels(), exrHeader.width(), 1);
-        if (whole.bytesPerLine() > file.size() * ExrCompression.MAX_RATIO / exrHeader.height()) {
+        if (whole.bytesPerLine() > file.size() * exrHeader.compression().maxRatio() / exrHeader.height()) {
             throw truncated();
         }
     }
@@ -91,7 +91,7 @@ public final class ExrReader implements AutoCloseable {
         ExrHeader exrHeader = part.header();
         int[] channels = channelIndices(names);
         int width = part.tileSize() == null ? exrHeader.width() : Math.min(exrHeader.width(), part.tileSize()[0]);
-        int height = Math.min(exrHeader.height(), part.tileSize() == null ? part.compression().lines() : part.tileSize()[1]);
+        int height = Math.min(exrHeader.height(), part.tileSize() == null ? part.header().compression().lines() : part.tileSize()[1]);
         long bytes = new ExrBlock(exrHeader.channels(), width, 1).bytesPerLine();
         if (bytes > MAX_CHUNK_BYTES / height) {
             throw new IOException("has chunks of " + bytes + " × " + height + " bytes; expected at most " + MAX_CHUNK_BYTES);
@@ -117,18 +117,18 @@ public final class ExrReader implements AutoCloseable {
             int top = (int) (chunk / columns) * height;
             var block = new ExrBlock(exrHeader.channels(), Math.min(width, exrHeader.width() - left),
                     Math.min(height, exrHeader.height() - top));
-            var pixels = new ExrChunk(block, readChunk(offset + start.capacity(), start.getInt(), block, top));
+            var pixels = new ExrChunk(block, exrHeader.compression(), readChunk(offset + start.capacity(), start.getInt(), block, top));
             for (int y = 0; y < block.height(); y++) {
-                int line = part.window().top() + top + y;
-                if (line < 0 || line >= part.window().height()) {
+                int line = part.header().window().top() + top + y;
+                if (line < 0 || line >= part.header().window().height()) {
                     continue;
                 }
                 for (int i = 0; i < channels.length; i++) {
                     pixels.readLine(channels[i], y, lines[i]);
                 }
                 for (int x = 0; x < block.width(); x++) {
-                    int column = part.window().left() + left + x;
-                    if (column < 0 || column >= part.window().width()) {
+                    int column = part.header().window().left() + left + x;
+                    if (column < 0 || column >= part.header().window().width()) {
                         continue;
                     }
                     for (int i = 0; i < channels.length; i++) {
@@ -171,7 +171,7 @@ public final class ExrReader implements AutoCloseable {
         }
         byte[] compressed = readBytes(offset, size).array();
         try {
-            return part.compression().decompress(compressed, block);
+            return part.header().compression().decompress(compressed, block);
         } catch (DataFormatException e) {
             throw new IOException("is damaged at line " + line + ": its chunk does not give " + block.byteCount() + " bytes", e);
         }

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * @param width  width of the window
  * @param height height of the window
  */
-record ExrWindow(int left, int top, int width, int height) {
+public record ExrWindow(int left, int top, int width, int height) {
     /** Maximum pixels of a window for each of its data, above {@link #ANY_PIXELS}. */
     private static final int MAX_RATIO = 256;
     /** Number of pixels that the window of any data may have. */

@@ -8,7 +8,16 @@ final class RunLengthDecoder {
     private RunLengthDecoder() {}
 
     static byte[] decode(byte[] compressed, ExrBlock block) throws DataFormatException {
-        byte[] bytes = new byte[(int) block.byteCount()];
+        return BytePrediction.decode(decode(compressed, (int) block.byteCount()));
+    }
+
+    /**
+     * Decodes runs alone.
+     *
+     * @throws DataFormatException if the result has another length
+     */
+    static byte[] decode(byte[] compressed, int decodedLength) throws DataFormatException {
+        byte[] bytes = new byte[decodedLength];
         int out = 0;
         for (int in = 0; in < compressed.length;) {
             int count = compressed[in++];
@@ -28,6 +37,6 @@ final class RunLengthDecoder {
         if (out < bytes.length) {
             throw new DataFormatException();
         }
-        return BytePrediction.decode(bytes);
+        return bytes;
     }
 }

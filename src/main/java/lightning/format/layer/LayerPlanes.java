@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import lightning.base.file.SharedMemoryFile;
 import lightning.base.work.Progress;
@@ -38,7 +39,7 @@ public final class LayerPlanes {
         film = cache.film();
         sources = List.of(new FilmChannels(film, ExrType.FLOAT, ExrPrimaries.REC_709),
                 new LayerChannels(cache, engines, ExrType.FLOAT, ExrPrimaries.REC_709, false, false),
-                new SurfaceChannels(cache, ExrType.FLOAT));
+                new SurfaceChannels(cache, ExrType.FLOAT, Optional.empty()));
         channels = sources.stream().flatMap(source -> source.channels().stream()).map(ExrChannel::name).toList();
     }
 
@@ -109,7 +110,8 @@ public final class LayerPlanes {
             for (int i = 0; i < tileWriters.size(); i++) {
                 int count = sources.get(i).channels().size();
                 tileWriters.get(i).write(tile, centers,
-                        new TileSink(film.width(), film.height(), centers, IntStream.range(first, first + count).toArray(), values));
+                        new TileSink(new ImageCrop(0, 0, film.width(), film.height()), centers,
+                                IntStream.range(first, first + count).toArray(), values));
                 first += count;
             }
         }

@@ -58,6 +58,12 @@ final class MatteChannels implements ChannelSource {
         return attributes;
     }
 
+    /** Drops the counts of pixels that were written so far. */
+    void clearCounts() {
+        crowdedPixels.set(0);
+        maxIds.set(0);
+    }
+
     /** Returns the number of written pixels that show more ids than there are levels. */
     int crowdedPixels() {
         return crowdedPixels.get();

@@ -6,13 +6,12 @@ import lightning.render.trace.SamplePositions;
 /**
  * Receiver for the values of a tile.
  *
- * @param width   width of the image, pixels
- * @param height  height of the image, pixels
+ * @param area    part of the image that it receives
  * @param centers positions of the tile's pixels
  * @param indices index in {@code values} of each of a source's channels
  * @param values  receives them
  */
-record TileSink(int width, int height, SamplePositions centers, int[] indices, Values values) {
+record TileSink(ImageCrop area, SamplePositions centers, int[] indices, Values values) {
     // Arrays in a record: shared with their creator.
 
     /** Receiver for the values of a row of tiles. */
@@ -29,12 +28,12 @@ record TileSink(int width, int height, SamplePositions centers, int[] indices, V
         void visit(int x, int y, int pixel);
     }
 
-    /** Visits the tile's pixels inside the image. */
+    /** Visits the tile's pixels inside the area. */
     void forEachPixel(PixelVisitor visitor) {
-        int right = Math.min(centers.x0() + Film.TILE_SIZE, width);
-        int bottom = Math.min(centers.y0() + Film.TILE_SIZE, height);
-        for (int y = centers.y0(); y < bottom; y++) {
-            for (int x = centers.x0(); x < right; x++) {
+        int right = Math.min(centers.x0() + Film.TILE_SIZE, area.right());
+        int bottom = Math.min(centers.y0() + Film.TILE_SIZE, area.bottom());
+        for (int y = Math.max(centers.y0(), area.top()); y < bottom; y++) {
+            for (int x = Math.max(centers.x0(), area.left()); x < right; x++) {
                 visitor.visit(x, y, Film.pixelInTile(x, y));
             }
         }

@@ -482,6 +482,19 @@ public final class Geometry {
                 : new SurfacePointBuilder(primitives, materials).surfacePoint(primitive, traversal.part(), ray, traversal.distance());
     }
 
+    /**
+     * Returns the place on its shape where a ray hits a primitive; tests meshes by their BVHs.
+     *
+     * @throws IllegalArgumentException if the ray misses the primitive
+     */
+    public SurfaceLocation location(int primitive, Ray ray) {
+        RayTraversal traversal = bvh.traversal(ray);
+        if (traversal.intersectPrimitive(primitive) < 0) {
+            throwMissed(primitive);
+        }
+        return new SurfacePointBuilder(primitives, materials).location(primitive, traversal.part(), ray, traversal.distance());
+    }
+
     /** Computes the surface point where a ray hits a primitive; tests every triangle of a mesh. */
     public SurfacePoint surfaceBruteForce(int primitive, Ray ray) {
         double t = hitDistance(primitive, ray);

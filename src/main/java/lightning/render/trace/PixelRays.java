@@ -1,7 +1,9 @@
 package lightning.render.trace;
 
 import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /** Camera rays of a scene by pixel and sample. */
 public final class PixelRays {
@@ -22,5 +24,21 @@ public final class PixelRays {
      */
     public Ray ray(int x, int y, int sample, int grid) {
         return rays.imageRay(x + SamplePositions.offset(sample % grid, grid), y + SamplePositions.offset(sample / grid, grid));
+    }
+
+    /**
+     * Returns where the ray of a direction goes through the image: pixels from the left and from the top, {@code double[2]}; null if it
+     * leads behind the camera. The inverse of {@link #ray(int, int)}: the center of the first pixel is at ½, ½.
+     *
+     * @param direction direction of any length; from the eye to a point, or to infinity
+     */
+    public double @Nullable [] imagePosition(Vec3 direction) {
+        Vec3 normal = rays.right.cross(rays.down);
+        double depth = direction.dot(normal) / rays.corner.dot(normal);
+        if (!(depth > 0)) {
+            return null;
+        }
+        Vec3 inPlane = direction.times(1 / depth).minus(rays.corner);
+        return new double[] {inPlane.dot(rays.right) / rays.right.dot(rays.right), inPlane.dot(rays.down) / rays.down.dot(rays.down)};
     }
 }

@@ -100,6 +100,15 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
         return new float[] {surface.nx, surface.ny, surface.nz};
     }
 
+    /** Returns the place on the shape that a ray hits at a distance. */
+    SurfaceLocation location(int primitive, int part, Ray ray, double t) {
+        SurfaceHit surface = hit(primitive, part, ray, t);
+        double[] uv = new double[2];
+        new TextureLookup().writeCoordinates(primitives, primitive, part, surface.localX, surface.localY, surface.localZ, uv);
+        return new SurfaceLocation(ray.origin().plus(ray.direction().times(t)), new Vec3(surface.localX, surface.localY, surface.localZ),
+                uv[0], uv[1]);
+    }
+
     /** Returns the point behind the surface that a ray hits at a distance. */
     Vec3 pointBehind(int primitive, int part, Ray ray, double t) {
         SurfaceHit surface = hit(primitive, part, ray, t);

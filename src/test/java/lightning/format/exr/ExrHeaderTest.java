@@ -13,7 +13,7 @@ class ExrHeaderTest {
     private static byte[] encoded(List<String> names) {
         Map<String, ExrAttribute> attributes = new LinkedHashMap<>();
         names.forEach(name -> attributes.put(name, new ExrAttribute.Text("value of " + name)));
-        return new ExrHeader(4, 4, List.of(new ExrChannel("R", ExrType.HALF)), attributes).encode();
+        return ExrHeader.encode(List.of(new ExrHeader(4, 4, List.of(new ExrChannel("R", ExrType.HALF)), attributes)));
     }
 
     @Test

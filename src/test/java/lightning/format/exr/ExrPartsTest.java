@@ -37,8 +37,15 @@ class ExrPartsTest {
             write("lines", "ZIP")
             write("plain", "NO", depth="PIZ")
             write("tiles", "PIZ", depth="ZIPS", tiles=(32, 16))
-            write("other", "ZIP", depth="DWAA")
-            write("unreadable", "DWAB")
+            def make_unknown(name, part):
+                data = open(name + ".exr", "rb").read()
+                pieces = data.split(b"compression\\0compression\\0\\1\\0\\0\\0")
+                pieces[part + 1] = bytes([11]) + pieces[part + 1][1:]
+                open(name + ".exr", "wb").write(b"compression\\0compression\\0\\1\\0\\0\\0".join(pieces))
+            write("other", "ZIP")
+            make_unknown("other", 0)
+            write("unreadable", "ZIP")
+            make_unknown("unreadable", 1)
             write("names", "ZIP", names="XYZ")
             """;
 
@@ -86,7 +93,7 @@ class ExrPartsTest {
     @Test
     void unreadablePartWithColors_isRejected() throws IOException {
         assertThatThrownBy(() -> new ExrReader(file("unreadable"))).isInstanceOf(IOException.class)
-                .hasMessage("has compression DWAB; expected none, RLE, ZIPS, ZIP, PIZ or PXR24");
+                .hasMessage("has compression HTJ2K32; expected none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA or DWAB");
     }
 
     @Test

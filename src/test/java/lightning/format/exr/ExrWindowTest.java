@@ -42,7 +42,7 @@ class ExrWindowTest {
         putWindow(bytes, "dataWindow", data);
         putWindow(bytes, "displayWindow", display);
         // The only chunk's first line is that of the data window.
-        int chunk = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt(header.encode().length);
+        int chunk = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt(ExrHeader.encode(List.of(header)).length);
         ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).putInt(chunk, data[1]);
         return Files.write(file, bytes);
     }

@@ -50,8 +50,9 @@ class CompositingTest {
     private static void write(Scene scene, ExrContent content, Optional<FrameTime> time, Path file) throws IOException {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1)); WorkerPool workers = new WorkerPool(1)) {
             renderer.render(scene, Progress.NONE);
-            new LayeredExrWriter(renderer.cache(), renderer.options().engines(), content, time).write(file, Long.MAX_VALUE, workers,
-                    Progress.NONE);
+            new LayeredExrWriter(renderer.cache(), renderer.options().engines(), content, ExrLayout.DEFAULT,
+                    time.map(t -> new ShotFrame(t, scene, scene))).write(file, Long.MAX_VALUE, workers,
+                            Progress.NONE);
         }
     }
 

@@ -8,8 +8,6 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,9 +17,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
-import lightning.format.exr.ExrChannel;
 import lightning.format.exr.ExrPrimaries;
-import lightning.format.exr.ExrReader;
 import lightning.format.exr.ExrType;
 import lightning.render.image.Film;
 import lightning.render.relight.LightImage;
@@ -58,8 +54,6 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import tools.jackson.core.type.TypeReference;
-import tools.jackson.databind.json.JsonMapper;
 
 /** Layers of a written image: they add up to the image exactly, and each matches its definition. */
 @Slow
@@ -155,7 +149,7 @@ class LayeredExrWriterTest {
             renderer.render(scene, Progress.NONE);
             Path path = files.file("groups.exr");
             new LayeredExrWriter(renderer.cache(), renderer.options().engines(),
-                    new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, true, 0), Optional.empty())
+                    new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, true, 0), ExrLayout.DEFAULT, Optional.empty())
                     .write(path, Long.MAX_VALUE, workers, Progress.NONE);
             ExrValues grouped = new ExrValues(path);
             assertThat(grouped.list("lightning/sum")).containsExactly("background", "ambient", "sun_diffuse", "sun_specular",
@@ -176,7 +170,8 @@ class LayeredExrWriterTest {
             renderer.render(StudioScene.withFourLights(30, 24), Progress.NONE);
             Path path = files.file("acescg.exr");
             new LayeredExrWriter(renderer.cache(), renderer.options().engines(),
-                    new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, false, 0, ExrPrimaries.ACESCG), Optional.empty())
+                    new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, false, 0, ExrPrimaries.ACESCG), ExrLayout.DEFAULT,
+                    Optional.empty())
                     .write(path, Long.MAX_VALUE, workers, Progress.NONE);
             ExrValues acescg = new ExrValues(path);
             float[] sum = acescg.sum(acescg.list("lightning/sum"));
@@ -411,53 +406,6 @@ class LayeredExrWriterTest {
             Path file = files.file("layers.exr");
             new LayeredExrWriter(renderer.cache(), renderer.options().engines(), type).write(file, Long.MAX_VALUE, workers, Progress.NONE);
             return new ExrValues(file);
-        }
-    }
-
-    /** Content of a file. */
-    private static final class ExrValues {
-        private final Map<String, float[]> values = new LinkedHashMap<>();
-        private final Map<String, String> attributes;
-        private final int width;
-        private final int height;
-
-        ExrValues(Path file) throws IOException {
-            try (ExrReader reader = new ExrReader(file)) {
-                width = reader.header().width();
-                height = reader.header().height();
-                attributes = new HashMap<>(reader.header().texts());
-                List<String> names = reader.header().channels().stream().map(ExrChannel::name).toList();
-                names.forEach(name -> values.put(name, new float[width * height]));
-                List<float[]> columns = new ArrayList<>(values.values());
-                reader.read(names, (x, y, numbers) -> {
-                    for (int c = 0; c < numbers.length; c++) {
-                        columns.get(c)[y * width + x] = numbers[c];
-                    }
-                });
-            }
-        }
-
-        float[] channel(String name) {
-            return values.get(name);
-        }
-
-        List<String> list(String attribute) {
-            return new JsonMapper().readValue(attributes.get(attribute), new TypeReference<List<String>>() {});
-        }
-
-        Map<String, String> map(String attribute) {
-            return new JsonMapper().readValue(attributes.get(attribute), new TypeReference<Map<String, String>>() {});
-        }
-
-        /** Returns the sum of some layers: red, green, blue of each pixel. */
-        float[] sum(List<String> layers) {
-            float[] rgb = new float[3 * width * height];
-            for (String layer : layers) {
-                for (int i = 0; i < rgb.length; i++) {
-                    rgb[i] += channel(layer + "." + COLORS.get(i % 3))[i / 3];
-                }
-            }
-            return rgb;
         }
     }
 }

@@ -157,7 +157,8 @@ class MatteChannelsTest {
         Mattes(Renderer renderer, int levels) throws IOException {
             this.levels = levels;
             LayeredExrWriter writer =
-                    new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrContent.mattes(levels), Optional.empty());
+                    new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrContent.mattes(levels), ExrLayout.DEFAULT,
+                            Optional.empty());
             try (TryFolder files = new TryFolder(); WorkerPool workers = new WorkerPool(2)) {
                 Path file = files.file("mattes.exr");
                 writer.write(file, Long.MAX_VALUE, workers, Progress.NONE);

@@ -17,6 +17,7 @@ import lightning.editor.window.model.StatusMessage;
 import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
 import lightning.format.jen.JenFile;
+import lightning.format.layer.ExrLayout;
 import lightning.format.layer.LayeredExrWriter;
 import lightning.format.layer.SceneMetadata;
 import lightning.render.cache.PixelCache;
@@ -74,7 +75,8 @@ final class PictureExport {
             }
             return;
         }
-        var layers = new LayeredExrWriter(cache, RenderOptions.DEFAULT.engines(), kind.content().get(), Optional.empty());
+        var layers =
+                new LayeredExrWriter(cache, RenderOptions.DEFAULT.engines(), kind.content().get(), ExrLayout.DEFAULT, Optional.empty());
         try (var workers = new WorkerPool(WorkerPool.processorCount())) {
             layers.write(file, HeapBudget.availableBytes() - MemoryEstimate.usedBytes(cache), workers, progress);
         }

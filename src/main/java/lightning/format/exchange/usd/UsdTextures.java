@@ -172,7 +172,7 @@ final class UsdTextures {
             UsdImages.pixels(tiles.tiles().getFirst().place());
             return Optional.of(writer.write(tiles, name));
         } catch (UnusableFileException e) {
-            assembler.notes.add("textures that are not PNG, JPEG or OpenEXR without B44 and DWA, or have more than 64 MiB");
+            assembler.notes.add("textures that are not PNG, JPEG or OpenEXR, or have more than 64 MiB");
             return Optional.empty();
         }
     }

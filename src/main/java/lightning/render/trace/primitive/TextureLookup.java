@@ -57,6 +57,13 @@ public final class TextureLookup {
         return mesh;
     }
 
+    /** Writes the texture coordinates, horizontal and upward, at a local point of primitive {@code s} to {@code to[0]} and {@code to[1]}. */
+    public void writeCoordinates(PrimitiveTable primitives, int s, int part, double x, double y, double z, double[] to) {
+        coordinates(primitives, s, setPoint(primitives, s, part, x, y, z), x, y, z);
+        to[0] = uv[0];
+        to[1] = uv[1];
+    }
+
     private void read(PrimitiveTable primitives, int s, @Nullable MeshSolid mesh, TextureMap map, double x, double y, double z,
             float[] rgb) {
         coordinates(primitives, s, mesh, x, y, z);
