@@ -11,18 +11,22 @@ import java.util.concurrent.LinkedBlockingQueue;
 import lightning.base.text.PrintableText;
 import lightning.cli.output.Console;
 import lightning.cli.output.ProgressBar;
+import lightning.cli.output.ViewOption;
 import lightning.format.jen.JenDocument;
 import lightning.format.review.Review;
 import lightning.format.review.live.LiveChange;
 import lightning.format.review.live.LiveReview;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.SceneView;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 
-/** A live review without an editor: changes of pages are rendered, and saved if a file is given. */
-record LiveReviewRun(Console console, String title, RenderOptions options) {
+/**
+ * A live review without an editor: changes of pages are rendered, and saved if a file is given.
+ *
+ * @param title name of the scene
+ */
+record LiveReviewRun(Console console, String title, RenderOptions options, ViewOption view) {
     /** Serves the page until the command is canceled. */
     void run(JenDocument document, LiveReviewOptions live, @Nullable Path output) throws Exception {
         BlockingQueue<LiveChange> changes = new LinkedBlockingQueue<>();
@@ -58,7 +62,7 @@ record LiveReviewRun(Console console, String title, RenderOptions options) {
         try (ProgressBar bar = new ProgressBar(console, "tracing")) {
             renderer.render(scene, bar);
         }
-        review.show(renderer.cache(), options, SceneView.of(scene));
+        review.show(renderer.cache(), options, view.of(scene));
     }
 
     private void print(LiveChange change, Scene scene, Map<String, List<Review.Note>> printed) {

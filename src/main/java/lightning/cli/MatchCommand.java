@@ -19,6 +19,7 @@ import lightning.cli.output.Console;
 import lightning.cli.output.ExitCode;
 import lightning.cli.output.PictureOutput;
 import lightning.cli.output.ProgressBar;
+import lightning.cli.output.ViewOption;
 import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
 import lightning.format.json.MatchReport;
@@ -84,6 +85,8 @@ final class MatchCommand implements Callable<Integer> {
             description = "Only this part of the reference counts, in its pixels.")
     private @Nullable PixelRegion region;
     @Mixin
+    private ViewOption view;
+    @Mixin
     private PictureOptions picture;
     @Mixin
     private ThreadsOption threads;
@@ -101,9 +104,10 @@ final class MatchCommand implements Callable<Integer> {
         if (output != null) {
             InputFiles.of(input.path(), List.of(document.scene())).with(reference).check(output);
         }
+        view.printNotes(console);
         Scene scene = picture.apply(document.scene());
         MatchSettings settings = new MatchSettings(chosen(document.scene()), Set.copyOf(changes), exposure, white, 0);
-        ReferenceImage image = ReferenceFile.readFor(scene, reference,
+        ReferenceImage image = ReferenceFile.readFor(scene, reference, view.of(scene),
                 region == null ? null : new int[] {region.x(), region.y(), region.width(), region.height()});
         RenderOptions options = RenderOptions.DEFAULT.withThreads(threads.count());
         MatchResult result;

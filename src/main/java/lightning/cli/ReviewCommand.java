@@ -16,6 +16,7 @@ import lightning.cli.output.Console;
 import lightning.cli.output.ExitCode;
 import lightning.cli.output.PictureOutput;
 import lightning.cli.output.ProgressBar;
+import lightning.cli.output.ViewOption;
 import lightning.cli.report.ReviewReport;
 import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
@@ -68,6 +69,8 @@ final class ReviewCommand implements Callable<Integer> {
     @Mixin
     private LiveReviewOptions live;
     @Mixin
+    private ViewOption view;
+    @Mixin
     private PictureOptions picture;
     @Mixin
     private ThreadsOption threads;
@@ -83,6 +86,9 @@ final class ReviewCommand implements Callable<Integer> {
         }
         live.check(review != null, output != null);
         page.check(review == null && !live.isOn());
+        if (review != null && view.isChosen()) {
+            throw new BadInputException("review: --view is of a page, not of --apply");
+        }
         if (live.isOn() && console.report().isJson()) {
             throw new BadInputException("review: --live does not take --json: it runs until it is stopped");
         }
@@ -96,11 +102,12 @@ final class ReviewCommand implements Callable<Integer> {
             }
         }
         JenDocument document = input.read(console);
+        view.printNotes(console);
         if (output != null) {
-            InputFiles.of(input.path(), List.of(document.scene())).check(output);
+            view.withFile(InputFiles.of(input.path(), List.of(document.scene()))).check(output);
         }
         if (live.isOn()) {
-            new LiveReviewRun(console, input.path().getFileName().toString(), RenderOptions.DEFAULT.withThreads(threads.count()))
+            new LiveReviewRun(console, input.path().getFileName().toString(), RenderOptions.DEFAULT.withThreads(threads.count()), view)
                     .run(document.withScene(picture.apply(document.scene())), live, output);
         } else if (review == null) {
             writePage(document);
@@ -112,7 +119,7 @@ final class ReviewCommand implements Callable<Integer> {
 
     private void writePage(JenDocument document) throws Exception {
         Path file = requireNonNull(output);
-        ReviewContent content = page.content(document, input.path(), picture, console);
+        ReviewContent content = page.content(document, input.path(), picture, view, console);
         List<Integer> frames = content.pictures().stream().flatMapToInt(shown -> shown.frame().stream()).boxed().toList();
         List<String> looks = content.pictures().getFirst().looks().stream().map(ReviewLook::name).toList();
         PictureSettings size = content.pictures().getFirst().scene().picture();

@@ -12,13 +12,13 @@ import lightning.base.text.Quote;
 import lightning.cli.option.PictureOptions;
 import lightning.cli.output.BadInputException;
 import lightning.cli.output.Console;
+import lightning.cli.output.ViewOption;
 import lightning.editor.document.cue.Cue;
 import lightning.editor.document.cue.CueFolder;
 import lightning.editor.document.cue.ReviewLooks;
 import lightning.format.jen.JenDocument;
 import lightning.format.review.ReviewContent;
 import lightning.format.review.ReviewPicture;
-import lightning.render.relight.SceneView;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
@@ -59,7 +59,8 @@ final class ReviewPageOptions {
     }
 
     /** Returns what a page of a scene file shows; prints a line for each look that it cannot show. */
-    ReviewContent content(JenDocument document, Path file, PictureOptions picture, Console console) throws IOException, BadInputException {
+    ReviewContent content(JenDocument document, Path file, PictureOptions picture, ViewOption view, Console console)
+            throws IOException, BadInputException {
         List<Cue> cues = cues(file, document.scene());
         ReviewLooks.of(cues, document.scene()).problems().forEach(problem -> console.warn("%s", problem));
         List<ReviewPicture> pictures = new ArrayList<>();
@@ -76,7 +77,7 @@ final class ReviewPageOptions {
             pictures.add(picture(OptionalInt.empty(), base, cues));
         }
         Optional<Language> chosen = Optional.ofNullable(language).map(l -> l == PageLanguage.DE ? Language.GERMAN : Language.ENGLISH);
-        var content = new ReviewContent(file.getFileName().toString(), base, pictures, SceneView.of(base), chosen);
+        var content = new ReviewContent(file.getFileName().toString(), base, pictures, view.of(base), chosen);
         content.check();
         return content;
     }

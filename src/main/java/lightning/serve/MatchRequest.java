@@ -20,6 +20,7 @@ import lightning.render.match.MatchSettings;
 import lightning.render.match.MatchedScene;
 import lightning.render.match.ReferenceImage;
 import lightning.render.relight.LightFilms;
+import lightning.render.relight.SceneView;
 import lightning.scene.Scene;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -38,7 +39,7 @@ final class MatchRequest {
         Fields fields = request.fields();
         fields.flag("progress");
         settings = new MatchSettings(lights(fields), changes(fields), reference(fields, "exposure"), reference(fields, "white"), 0);
-        reference = ReferenceFile.readFor(scene, Path.of(fields.string("reference")),
+        reference = ReferenceFile.readFor(scene, Path.of(fields.string("reference")), SceneView.of(scene),
                 fields.has("region") ? fields.integers("region", 4, 0, Integer.MAX_VALUE) : null);
     }
 

@@ -103,6 +103,33 @@ class MatchCommandTest {
     }
 
     /** Keyframes override what the match sets. */
+    /** The reference was made for another view than the scene's. */
+    @Test
+    void view_isThatOfTheReference() throws Exception {
+        Path codes = folder.resolve("agx.png");
+        CliResult.run("relight", scene, "-o", codes, "--bits=16", "--no-savings", "--set", "lamp.intensity=2", "--view", "agx")
+                .assertSuccess();
+        JsonNode result = new JsonMapper().readTree(CliResult.run("match", scene, "--reference", codes, "--view", "agx", "--json")
+                .assertSuccess().out()).get("result");
+        assertThat(result.get("error_after").doubleValue()).isLessThan(0.01);
+        JsonNode other = new JsonMapper().readTree(CliResult.run("match", scene, "--reference", codes, "--json").assertSuccess().out())
+                .get("result");
+        assertThat(other.get("error_after").doubleValue()).isGreaterThan(0.05);
+    }
+
+    @Test
+    void changedPlaces_arePrinted() throws Exception {
+        Path moved = folder.resolve("moved.exr");
+        CliResult.run("relight", scene, "-o", moved, "--no-savings", "--set", "lamp.at=-2.2 3.6 2.8").assertSuccess();
+        CliResult result = CliResult.run("match", scene, "--reference", moved, "--lights", "lamp", "--change", "positions").assertSuccess();
+        assertThat(result.out()).containsPattern("lamp +at -3 4 3 to ");
+    }
+
+    @Test
+    void unknownChange_isRejected() {
+        CliResult.run("match", scene, "--reference", reference, "--change", "sizes").assertRejected("sizes", "POSITIONS");
+    }
+
     @Test
     void keyedLight_getsANote() throws IOException {
         Files.writeString(scene, CliResult.SCENE + "shot { frames 1 10  light lamp { intensity { 1 1  10 2 } } }\n");

@@ -81,6 +81,14 @@ class ReviewCommandTest {
     }
 
     @Test
+    void view_isThatOfThePage() throws IOException {
+        Path page = folder.resolve("a.html");
+        CliResult.run("review", scene, "-o", page, "--view", "agx").assertSuccess();
+        assertThat(Files.readString(page)).contains("\"AgX\"");
+        CliResult.run("review", scene, "--apply", folder.resolve("none.json"), "--view", "agx").assertRejected("--view");
+    }
+
+    @Test
     void shot_becomesAFilmstrip() {
         Path page = folder.resolve("dusk.html");
         JsonNode report = report("review", "scenes/dusk.jen", "-o", page, "--size", "12x8", "--json");

@@ -17,9 +17,9 @@ import lightning.format.layer.SceneMetadata;
 import lightning.render.image.Clipping;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.SceneView;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -58,17 +58,13 @@ public abstract sealed class PictureOutput permits SinglePictureOutput, StepPict
     /** Returns the output path of {@code -o}. */
     abstract Path file();
 
-    @Option(names = "--view", paramLabel = "VIEW", converter = ViewConverter.class,
-            description = "View transform, for PNG and XPM: srgb, 1998 (linear, no curve), filmic, aces, aces2 or agx (highlight roll-off), false "
-                    + "(false color, one color per stop), a .cube LUT, a transform with a LUT: filmic+look.cube, a logarithm with a "
-                    + "LUT: log2:-10,6.5+look.cube, or a view of OpenColorIO: ocio:DISPLAY/VIEW or ocio:config.ocio#DISPLAY/VIEW "
-                    + "(default: the scene's).")
-    private @Nullable ViewChoice view;
+    @Mixin
+    private ViewOption view;
 
     /** Returns the view transform of a scene's image: the options', else the scene's. */
     public ViewTransform view(Scene scene) {
-        ViewTransform ofScene = SceneView.of(scene);
-        return (view == null ? ofScene : view.transform()).withExposure(exposure == null ? ofScene.exposure() : exposure);
+        ViewTransform chosen = view.of(scene);
+        return exposure == null ? chosen : chosen.withExposure(exposure);
     }
 
     /** Checks that the output can be written, before a long computation. */
@@ -107,14 +103,12 @@ public abstract sealed class PictureOutput permits SinglePictureOutput, StepPict
 
     /** Adds the lookup table of the view to the files that the command reads. */
     public InputFiles withViewFile(InputFiles inputs) {
-        return view == null || view.transform().lut().isEmpty() ? inputs : inputs.with(view.transform().lut().get().file());
+        return view.withFile(inputs);
     }
 
     /** Prints what there is to say about the accuracy of the view. */
     public void printViewNotes(Console console) {
-        if (view != null) {
-            view.notes().forEach(note -> console.warn("%s", note));
-        }
+        view.printNotes(console);
     }
 
     /** Returns the memory in bytes available for rendering, after subtracting what writing the image needs. */

@@ -14,8 +14,8 @@ import lightning.format.jen.asset.TextureDecoder;
 import lightning.format.jen.asset.UnusableFileException;
 import lightning.format.mesh.MeshException;
 import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
 import lightning.render.match.ReferenceImage;
-import lightning.render.relight.SceneView;
 import lightning.scene.Scene;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.asset.Texture;
@@ -38,12 +38,13 @@ public final class ReferenceFile {
     }
 
     /**
-     * Reads an image as the light that the picture of a scene shall have. Codes of a display are what the scene's view shall show.
+     * Reads an image as the light that the picture of a scene shall have. Codes of a display are what a view shall show.
      *
+     * @param view   view transform that a display-referred file was made for
      * @param region left column, top row, width and height of the part that counts, in the image's pixels; null for all
      * @throws IOException as {@link #readFilm}, or if the image has another shape than the picture
      */
-    public static ReferenceImage readFor(Scene scene, Path file, int @Nullable [] region) throws IOException {
+    public static ReferenceImage readFor(Scene scene, Path file, ViewTransform view, int @Nullable [] region) throws IOException {
         ReferenceImage image = read(file);
         Film film = image.film();
         int width = scene.picture().width();
@@ -56,7 +57,7 @@ public final class ReferenceFile {
             image = image.within((double) region[0] / film.width(), (double) region[1] / film.height(),
                     (double) ((long) region[0] + region[2]) / film.width(), (double) ((long) region[1] + region[3]) / film.height());
         }
-        return isDisplayReferred(file) ? image.beforeView(SceneView.of(scene), width, height) : image;
+        return isDisplayReferred(file) ? image.beforeView(view, width, height) : image;
     }
 
     /**
