@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.stream.IntStream;
 import lightning.base.text.Language;
 import lightning.base.text.Quote;
 import lightning.cli.option.PictureOptions;
@@ -18,8 +17,8 @@ import lightning.editor.document.cue.CueFolder;
 import lightning.editor.document.cue.ReviewLooks;
 import lightning.format.jen.JenDocument;
 import lightning.format.review.ReviewContent;
+import lightning.format.review.ReviewFilm;
 import lightning.format.review.ReviewPicture;
-import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 import org.jspecify.annotations.Nullable;
@@ -27,13 +26,9 @@ import picocli.CommandLine.Option;
 
 /** Options of a written review page: frames, looks and language. */
 final class ReviewPageOptions {
-    private static final int FRAMES = 8;
     private static final int MAX_FRAMES = 100;
-    /** Width of a frame without --size, in pixels. */
-    private static final int FRAME_WIDTH = 480;
-
     @Option(names = "--frames", paramLabel = "N", split = ",",
-            description = "Frames of the shot that a page shows, separated by commas (default: " + FRAMES + ", evenly spaced).")
+            description = "Frames of the shot that a page shows, separated by commas (default: " + ReviewFilm.FRAMES + ", evenly spaced).")
     private List<Integer> frames = List.of();
     @Option(names = "--look", paramLabel = "NAME",
             description = "Look that a page offers; can be repeated (default: all looks of the scene).")
@@ -69,7 +64,7 @@ final class ReviewPageOptions {
         if (isFilm) {
             Shot shot = document.shot().orElseThrow(() -> new BadInputException(Console.text(
                     "%s: has no shot block (see docs/jen-format.md)", file)));
-            Scene small = picture.hasSize() ? base : reduced(base);
+            Scene small = picture.hasSize() ? base : ReviewFilm.reduced(base);
             for (int frame : chosenFrames(shot)) {
                 pictures.add(picture(OptionalInt.of(frame), sceneAt(shot, small, frame), cues));
             }
@@ -101,12 +96,8 @@ final class ReviewPageOptions {
     }
 
     private List<Integer> chosenFrames(Shot shot) throws BadInputException {
-        int count = shot.last() - shot.first() + 1;
         if (frames.isEmpty()) {
-            int shown = Math.min(FRAMES, count);
-            return IntStream.range(0, shown).map(i -> shot.first() + (int) Math.round((double) i * (count - 1) / Math.max(1, shown - 1)))
-                    .boxed()
-                    .toList();
+            return ReviewFilm.frames(shot);
         }
         for (int frame : frames) {
             if (frame < shot.first() || frame > shot.last()) {
@@ -118,15 +109,6 @@ final class ReviewPageOptions {
             throw new BadInputException("--frames: expected at most " + MAX_FRAMES + " frames, found " + distinct.size());
         }
         return distinct;
-    }
-
-    private static Scene reduced(Scene scene) {
-        PictureSettings picture = scene.picture();
-        if (picture.width() <= FRAME_WIDTH) {
-            return scene;
-        }
-        int height = Math.max(1, Math.round((float) picture.height() * FRAME_WIDTH / picture.width()));
-        return scene.withPicture(picture.withSize(FRAME_WIDTH, height));
     }
 
     private static Scene sceneAt(Shot shot, Scene scene, int frame) throws BadInputException {

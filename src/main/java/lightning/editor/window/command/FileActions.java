@@ -338,7 +338,7 @@ public final class FileActions {
 
     /** Returns a menu item for each export format. */
     public List<MenuItem> exportItems() {
-        return Stream.concat(export.items().stream(), Stream.of(reviews.exportItem())).toList();
+        return Stream.concat(export.items().stream(), reviews.exportItems().stream()).toList();
     }
 
     /** Returns the recent scenes that existed at the last check, latest first. */

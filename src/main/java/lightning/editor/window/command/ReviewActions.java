@@ -5,11 +5,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.Consumer;
 import javafx.scene.control.MenuItem;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.editor.document.Command;
 import lightning.editor.document.EditOutcome;
+import lightning.editor.document.cue.Cue;
 import lightning.editor.document.cue.CueFolder;
 import lightning.editor.document.cue.ReviewLooks;
 import lightning.editor.window.model.EditorModel;
@@ -17,6 +19,7 @@ import lightning.editor.window.model.StatusMessage;
 import lightning.format.jen.JenFile;
 import lightning.format.review.Review;
 import lightning.format.review.ReviewContent;
+import lightning.format.review.ReviewFilm;
 import lightning.format.review.ReviewPage;
 import lightning.format.review.ReviewPicture;
 import lightning.format.review.ReviewReader;
@@ -26,6 +29,8 @@ import lightning.render.image.ViewTransform;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
+import lightning.scene.shot.AnimatedScene;
+import lightning.scene.shot.Shot;
 
 /** Writes the review page of the picture, and opens what a reviewer saved in it: one edit, and a window with the notes. */
 final class ReviewActions {
@@ -44,14 +49,41 @@ final class ReviewActions {
         model.commands().setAction(Command.OPEN_REVIEW, this::promptAndOpen);
     }
 
-    /** Returns the menu item that writes a page. */
-    MenuItem exportItem() {
-        return CommandMenuItems.forMenu(model.commands()).updatingValue(Command.EXPORT, Messages.tr("Review Page…"), this::promptAndExport);
+    /** Returns the menu items that write a page of the picture, and one of the shot. */
+    List<MenuItem> exportItems() {
+        CommandMenuItems items = CommandMenuItems.forMenu(model.commands());
+        return List.of(items.updatingValue(Command.EXPORT, Messages.tr("Review Page…"), () -> promptAndExport(this::export)),
+                items.updatingValue(Command.EXPORT_SHOT, Messages.tr("Review Page of the Shot…"), () -> promptAndExport(this::exportShot)));
     }
 
-    private void promptAndExport() {
+    private void promptAndExport(Consumer<Path> write) {
         prompt.pageToWrite(model.editor().document().proposedFile(JenFile.stem(model.editor().document().name()) + PAGE))
-                .ifPresent(chosen -> notices.withExtension(model.files(), chosen, PAGE, this::export));
+                .ifPresent(chosen -> notices.withExtension(model.files(), chosen, PAGE, write));
+    }
+
+    private void exportShot(Path file) {
+        AnimatedScene content = model.editor().document().content();
+        if (content.shot().isEmpty()) {
+            message.show(Messages.tr("The scene has no shot"));
+            return;
+        }
+        Shot shot = content.shot().get();
+        ViewTransform view = model.picture().outputView();
+        String title = model.editor().document().name();
+        CueFolder folder = model.editor().looksFolder();
+        model.files().runConcurrently(() -> {
+            Scene base = ReviewFilm.reduced(content.base());
+            List<Cue> looks = folder.list(base.stage());
+            List<ReviewPicture> pictures = new ArrayList<>();
+            for (int frame : ReviewFilm.frames(shot)) {
+                Scene scene = shot.sceneAt(base, frame);
+                pictures.add(new ReviewPicture(OptionalInt.of(frame), scene, ReviewLooks.of(looks, scene).looks()));
+            }
+            var film = new ReviewContent(title, base, pictures, view, Optional.empty());
+            film.check();
+            return film;
+        }, film -> write(file, film, Optional.empty()),
+                failure -> notices.showFailure(Messages.tr("The page could not be written"), failure));
     }
 
     private void export(Path file) {
@@ -66,15 +98,17 @@ final class ReviewActions {
         model.files().runConcurrently(() -> {
             ReviewLooks looks = ReviewLooks.of(folder.list(cache.scene().stage()), cache.scene());
             return ReviewContent.of(title, new ReviewPicture(OptionalInt.empty(), cache.scene(), looks.looks()), view);
-        }, content -> write(file, content, cache), failure -> notices.showFailure(Messages.tr("The page could not be written"), failure));
+        }, content -> write(file, content, Optional.of(cache)),
+                failure -> notices.showFailure(Messages.tr("The page could not be written"), failure));
     }
 
-    private void write(Path file, ReviewContent content, PixelCache cache) {
+    /** @param cache cache of the only picture; empty to render */
+    private void write(Path file, ReviewContent content, Optional<PixelCache> cache) {
         message.show(Messages.tr("Writing {0}, about {1} MB", Quote.path(file.getFileName()),
                 Math.max(1, Math.round(content.estimatedBytes() / 1e6))));
         new BackgroundExport(model, notices).start(file, Messages.tr("The page could not be written"), (to, progress) -> {
             try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
-                renderer.restore(cache);
+                cache.ifPresent(renderer::restore);
                 ReviewPage.write(to, content, renderer, RenderOptions.DEFAULT, progress);
             }
         });

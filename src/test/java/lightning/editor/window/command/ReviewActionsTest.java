@@ -7,6 +7,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Predicate;
 import javafx.scene.Node;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuBar;
+import javafx.scene.control.MenuItem;
 import javafx.scene.control.ToggleButton;
 import lightning.editor.document.Command;
 import lightning.editor.document.cue.CueFolder;
@@ -46,6 +49,25 @@ class ReviewActionsTest extends EditorFixture {
                 .orElseThrow().rig().light("lamp").orElseThrow().intensity()).isEqualTo(2 * lamp.intensity());
         robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(model().editor().scene()).isEqualTo(before);
+    }
+
+    @Test
+    @OwnEditor
+    void pageOfTheShot_hasItsFrames() throws IOException {
+        robot.interact(() -> {
+            model().commands().run(Command.NEW_SHOT);
+            model().editor().editShot(s -> s.withShot(s.shot().orElseThrow().withFrames(1, 3)), null);
+        });
+        answer = folder.resolve("film.html");
+        robot.interact(() -> exportItem("Review Page of the Shot…").fire());
+        waitFor("the page is written", () -> Files.exists(answer));
+        assertThat(Files.readString(answer)).contains("\"frame\":1", "\"frame\":2", "\"frame\":3");
+    }
+
+    private MenuItem exportItem(String title) {
+        return robot.lookup(".menu-bar").<MenuBar>query().getMenus().stream().flatMap(menu -> menu.getItems().stream())
+                .filter(Menu.class::isInstance).flatMap(menu -> ((Menu) menu).getItems().stream())
+                .filter(item -> title.equals(item.getText())).findFirst().orElseThrow();
     }
 
     private boolean isChosen(String id) {
