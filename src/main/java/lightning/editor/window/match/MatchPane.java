@@ -381,7 +381,7 @@ public final class MatchPane extends VBox {
         @Override
         public void report(int done, int total) {
             model.files().windowExecutor().execute(() -> {
-                if (isBusy) {
+                if (isBusy && total > 0) {
                     result.setText(Messages.tr(text, done, total));
                 }
             });
