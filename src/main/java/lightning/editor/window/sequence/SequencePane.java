@@ -8,7 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Consumer;
+import java.util.function.ObjIntConsumer;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import javafx.scene.control.Button;
@@ -60,8 +60,15 @@ public final class SequencePane extends VBox implements SequenceFile.Listener {
     private final Label message = new Label();
     private final Map<String, ShotCard> byName = new LinkedHashMap<>();
     private @Nullable ContactSheet sheet;
+    /** Number of sheets so far. */
+    private int sheets;
+    /** Where each picture of the sheet is shown. */
+    private List<Place> places = List.of();
     private @Nullable PathPrompt prompt;
     private String selected = "";
+
+    /** Place of a picture on the card of a shot, from 0. */
+    private record Place(String shot, int picture) {}
 
     public SequencePane(EditorModel model) {
         this.model = model;
@@ -82,11 +89,11 @@ public final class SequencePane extends VBox implements SequenceFile.Listener {
         followsScene.setTooltip(new Tooltip(Messages.tr("On: the lights of the open scene light all shots. Off: those of the rig's file")));
         followsScene.selectedProperty().subscribe(this::showPictures);
         moment.setId("sequence-moment");
-        moment.setAccessibleText(Messages.tr("Frame of the pictures"));
+        moment.setAccessibleText(Messages.tr("Frames of the pictures"));
         moment.getItems().setAll(SheetMoment.values());
         moment.setConverter(SheetMoment.TITLES);
         moment.setValue(SheetMoment.MIDDLE);
-        moment.valueProperty().subscribe(this::showPictures);
+        moment.valueProperty().subscribe(this::showNewPictures);
         cards.setId("sequence-cards");
         cards.getStyleClass().add("cue-gallery");
         var scroll = new ScrollPane(cards);
@@ -145,16 +152,24 @@ public final class SequencePane extends VBox implements SequenceFile.Listener {
     }
 
     private ContactSheet newSheet() {
-        return new ContactSheet(ShotCard.WIDTH, ShotCard.HEIGHT, (i, picture) -> inWindow(i, card -> card.show(picture)),
-                (i, failure) -> inWindow(i, card -> card.setProblem(ErrorMessage.of(failure))));
+        int generation = ++sheets;
+        return new ContactSheet(ShotCard.WIDTH, ShotCard.HEIGHT,
+                (i, picture) -> inWindow(generation, i, (card, index) -> card.show(index, picture)),
+                (i, failure) -> inWindow(generation, i, (card, _) -> card.setProblem(ErrorMessage.of(failure))));
     }
 
-    /** Changes the card of a shot, on the window's thread. */
-    private void inWindow(int index, Consumer<ShotCard> change) {
+    /**
+     * Changes the card of a shot, on the window's thread.
+     *
+     * @param generation number of the sheet; an earlier one changes nothing
+     * @param place      number of a picture
+     * @param change     receives the card and the number of the picture on it
+     */
+    private void inWindow(int generation, int place, ObjIntConsumer<ShotCard> change) {
         model.files().windowExecutor().execute(() -> {
-            LoadedSequence open = file.loaded();
-            if (open != null && index < open.shots().size()) {
-                Optional.ofNullable(byName.get(open.shots().get(index).name())).ifPresent(change);
+            if (generation == sheets && place < places.size()) {
+                Place at = places.get(place);
+                Optional.ofNullable(byName.get(at.shot)).ifPresent(card -> change.accept(card, at.picture));
             }
         });
     }
@@ -178,10 +193,14 @@ public final class SequencePane extends VBox implements SequenceFile.Listener {
     public void opened(LoadedSequence sequence) {
         selected = sequence.shots().getFirst().name();
         Path rig = ParentFolder.of(sequence.file()).resolve(sequence.sequence().rig());
-        followsScene.setSelected(normalized(editor.document().file()).equals(normalized(rig)));
         showSequence();
+        followsScene.setSelected(normalized(editor.document().file()).equals(normalized(rig)));
+        showNewPictures();
+    }
+
+    /** Forgets the pictures, which are of other scenes or frames, and shows new ones. */
+    private void showNewPictures() {
         if (sheet != null) {
-            // The pictures of another sequence are of other scenes.
             closeSheet();
             sheet = newSheet();
         }
@@ -276,11 +295,18 @@ public final class SequencePane extends VBox implements SequenceFile.Listener {
             return;
         }
         Scene lights = followsScene.isSelected() ? editor.scene() : sequence.rig();
-        SheetMoment at = moment.getValue();
+        List<Place> shown = new ArrayList<>();
         List<Supplier<Scene>> scenes = new ArrayList<>();
         for (LoadedSequence.LoadedShot shot : sequence.shots()) {
-            scenes.add(() -> sequence.lit(shot, lights).sceneAt(at.frame(shot.frames())));
+            List<Integer> frames = moment.getValue().frames(shot.frames());
+            requireNonNull(byName.get(shot.name())).setPictureCount(frames.size());
+            for (int i = 0; i < frames.size(); i++) {
+                int frame = frames.get(i);
+                shown.add(new Place(shot.name(), i));
+                scenes.add(() -> sequence.lit(shot, lights).sceneAt(frame));
+            }
         }
+        places = List.copyOf(shown);
         sheet.show(scenes);
     }
 }

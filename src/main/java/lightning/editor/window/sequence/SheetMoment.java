@@ -1,12 +1,16 @@
 package lightning.editor.window.sequence;
 
+import java.util.List;
+import java.util.stream.Stream;
 import javafx.util.StringConverter;
 import lightning.base.text.Messages;
 import lightning.scene.shot.Shot;
 
-/** Frame of each shot that its picture shows. */
+/** Frames of each shot that its pictures show. */
 enum SheetMoment {
-    FIRST, MIDDLE, LAST;
+    FIRST, MIDDLE, LAST,
+    /** The first, the middle and the last frame. */
+    ALL;
 
     /** Titles in a menu. */
     static final StringConverter<SheetMoment> TITLES = new StringConverter<>() {
@@ -21,11 +25,14 @@ enum SheetMoment {
         }
     };
 
-    int frame(Shot shot) {
+    /** Returns one to three different frames, ascending. */
+    List<Integer> frames(Shot shot) {
+        int middle = shot.first() + (shot.last() - shot.first()) / 2;
         return switch (this) {
-            case FIRST -> shot.first();
-            case MIDDLE -> shot.first() + (shot.last() - shot.first()) / 2;
-            case LAST -> shot.last();
+            case FIRST -> List.of(shot.first());
+            case MIDDLE -> List.of(middle);
+            case LAST -> List.of(shot.last());
+            case ALL -> Stream.of(shot.first(), middle, shot.last()).distinct().toList();
         };
     }
 
@@ -34,6 +41,7 @@ enum SheetMoment {
             case FIRST -> Messages.tr("First Frame");
             case MIDDLE -> Messages.tr("Middle Frame");
             case LAST -> Messages.tr("Last Frame");
+            case ALL -> Messages.tr("First, Middle and Last Frame");
         };
     }
 }

@@ -1,10 +1,13 @@
 package lightning.editor.window.sequence;
 
+import java.util.ArrayList;
+import java.util.List;
 import javafx.css.PseudoClass;
 import javafx.scene.control.Label;
 import javafx.scene.control.Tooltip;
 import javafx.scene.image.ImageView;
 import javafx.scene.input.KeyCode;
+import javafx.scene.layout.HBox;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
@@ -12,15 +15,15 @@ import lightning.editor.loop.ContactSheet;
 import lightning.editor.window.widget.PixelImage;
 import lightning.format.sequence.Sequence;
 
-/** Card of a shot: picture, name, and how many values are its own. */
+/** Card of a shot: pictures, name, and how many values are its own. */
 final class ShotCard extends VBox {
     static final int WIDTH = 256;
     static final int HEIGHT = 144;
     private static final PseudoClass SELECTED = PseudoClass.getPseudoClass("selected");
 
     private final String shot;
-    private final StackPane frame = new StackPane();
-    private final ImageView picture = new ImageView();
+    private final HBox frames = new HBox(2);
+    private final List<ImageView> pictures = new ArrayList<>();
     private final Label overrides = new Label();
     private final Label problem = new Label();
 
@@ -40,16 +43,13 @@ final class ShotCard extends VBox {
                 e.consume();
             }
         });
-        frame.getStyleClass().add("cue-frame");
-        frame.setMinSize(WIDTH, HEIGHT);
-        frame.setMaxSize(WIDTH, HEIGHT);
-        frame.getChildren().add(picture);
+        setPictureCount(1);
         overrides.getStyleClass().add("shot-overrides");
         problem.getStyleClass().add("cue-problem");
         problem.setWrapText(true);
         problem.setMaxWidth(WIDTH);
         problem.setManaged(false);
-        getChildren().addAll(frame, new Label(shot), overrides, problem);
+        getChildren().addAll(frames, new Label(shot), overrides, problem);
         show(entry);
     }
 
@@ -62,7 +62,27 @@ final class ShotCard extends VBox {
         Tooltip.install(this, new Tooltip(text.isBlank() ? entry.scene() : text.strip()));
     }
 
-    void show(ContactSheet.SheetPicture newPicture) {
+    /** Sets the number of pictures; existing ones stay if it is the same. */
+    void setPictureCount(int count) {
+        if (count == pictures.size()) {
+            return;
+        }
+        pictures.clear();
+        frames.getChildren().clear();
+        for (int i = 0; i < count; i++) {
+            var picture = new ImageView();
+            var frame = new StackPane(picture);
+            frame.getStyleClass().add("cue-frame");
+            frame.setMinSize(WIDTH, HEIGHT);
+            frame.setMaxSize(WIDTH, HEIGHT);
+            pictures.add(picture);
+            frames.getChildren().add(frame);
+        }
+    }
+
+    /** @param index number of the picture, from 0 */
+    void show(int index, ContactSheet.SheetPicture newPicture) {
+        ImageView picture = pictures.get(index);
         picture.setImage(PixelImage.of(newPicture.width(), newPicture.height(), newPicture.pixels()));
         boolean isCoarse = !newPicture.isExact();
         picture.setFitWidth(isCoarse ? WIDTH : 0);
@@ -75,7 +95,7 @@ final class ShotCard extends VBox {
     void setProblem(String text) {
         problem.setText(text);
         problem.setManaged(!text.isEmpty());
-        picture.setVisible(text.isEmpty());
+        pictures.forEach(picture -> picture.setVisible(text.isEmpty()));
     }
 
     String problem() {

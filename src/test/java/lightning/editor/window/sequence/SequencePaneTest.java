@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import javafx.scene.control.CheckBox;
+import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.TextArea;
 import javafx.scene.control.TextField;
 import javafx.scene.image.Image;
@@ -131,6 +132,23 @@ class SequencePaneTest extends EditorFixture {
         } catch (IOException e) {
             throw new AssertionError(e);
         }
+    }
+
+    /** Shot a has nine frames, b has one. */
+    @Test
+    void threeFrames_areShownForAShot() throws IOException {
+        Files.writeString(folder.resolve("a.jen"),
+                SHOT.replace("%s", "4") + "shot { frames 1 9  light lamp { intensity { 1 1  9 2 } } }\n");
+        robot.interact(() -> pane.open(file));
+        robot.interact(() -> robot.lookup("#sequence-moment").<ChoiceBox<SheetMoment>>query().setValue(SheetMoment.ALL));
+        waitFor("all pictures are shown", () -> pictures("a") == 3 && pictures("b") == 1);
+        robot.interact(() -> robot.lookup("#sequence-moment").<ChoiceBox<SheetMoment>>query().setValue(SheetMoment.FIRST));
+        waitFor("one picture is shown", () -> pictures("a") == 1);
+    }
+
+    private long pictures(String shot) {
+        return robot.lookup("#shot-" + shot).query().lookupAll(".image-view").stream().filter(view -> ((ImageView) view).getImage() != null)
+                .count();
     }
 
     @Test
