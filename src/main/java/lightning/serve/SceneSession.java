@@ -169,6 +169,7 @@ final class SceneSession {
     ObjectNode edit(Scene edited) {
         ObjectNode result = editing.change(edited, null);
         publish();
+        followInReview();
         return result;
     }
 

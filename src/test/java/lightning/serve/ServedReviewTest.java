@@ -8,6 +8,7 @@ import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import lightning.base.work.Await;
@@ -15,6 +16,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 
 /** Live review pages of a server's scenes. */
@@ -119,6 +121,17 @@ class ServedReviewTest {
         picture(url, data -> intensity(data) == 2);
         client.request("replace", "'scene':" + scene + ",'text':'" + SCENE.replace("\n", "\\n").replace("size 8 8", "size 9 7") + "'");
         assertThat(picture(url, data -> data.get("width").asInt() == 9).get("height").asInt()).isEqualTo(7);
+    }
+
+    @Test
+    void match_reachesThePage(@TempDir Path folder) throws Exception {
+        Path reference = folder.resolve("reference.pfm");
+        client.request("render", "'scene':" + scene + ",'file':'" + reference + "'");
+        client.request("set", "'scene':" + scene + ",'edits':'key.intensity=2'");
+        String url = review("").get("url").asString();
+        assertThat(intensity(picture(url, _ -> true))).isEqualTo(2);
+        client.request("match", "'scene':" + scene + ",'reference':'" + reference + "','lights':'key'");
+        picture(url, data -> Math.abs(intensity(data) - 1) < 1e-3);
     }
 
     @Test
