@@ -11,6 +11,9 @@ from meshes import identity
 from output import Output, StageError, numbers
 from pxr import Sdf, Usd, UsdGeom, UsdShade
 
+# Names of the color spaces in which files are read anyway: sRGB for codes, linear Rec. 709 for floats, and numbers that are no colors.
+SPACES = {"", "auto", "raw", "data", "none", "identity", "unknown", "srgb", "srgb_texture", "srgb_rec709_scene", "linear",
+          "lin_rec709", "lin_rec709_scene", "lin_srgb"}
 PREVIEW = {"diffuseColor": [0.18] * 3, "emissiveColor": [0.0] * 3, "useSpecularWorkflow": 0, "specularColor": [0.0] * 3, "metallic": 0.0,
            "roughness": 0.5, "clearcoat": 0.0, "clearcoatRoughness": 0.01, "opacity": 1.0, "opacityThreshold": 0.0, "ior": 1.5, "normal": None, "displacement": 0.0}
 
@@ -248,11 +251,19 @@ class Materials:
             if value is not None:
                 texture[name] = self.out.vector(shader.GetPrim(), f"inputs:{name}", value, [1.0 if name == "scale" else 0.0] * 4)
         texture["space"] = str(self.value(shader, "sourceColorSpace", "auto"))
+        self.note_color_space(shader.GetInput("file"), texture["space"])
         texture["wrap"] = [self.edge(shader, "wrapS", "uaddressmode"), self.edge(shader, "wrapT", "vaddressmode")]
         for name in ("factor", "color", "geomcolor") if kind.startswith("ND_gltf_") else ():
             self.tint(shader, name, texture)
         self.placement(shader, texture, result)
         return texture
+
+    def note_color_space(self, file: UsdShade.Input, space: str) -> None:
+        """Notes a color space that the reader of the file does not know by this name."""
+        attribute = UsdShade.Utils.GetValueProducingAttributes(file)[0]
+        declared = attribute.GetColorSpace() if attribute.HasColorSpace() else space
+        if declared.lower() not in SPACES:
+            self.out.note(f"textures in the color space {declared}, read as their files say")
 
     def tint(self, shader: UsdShade.Shader, name: str, texture: dict[str, Any]) -> None:
         """Multiplies a texture by an input of its own node."""

@@ -96,6 +96,20 @@ class UsdTextureTest {
     }
 
     @Test
+    void unknownColorSpace_isNoted() throws Exception {
+        writePng("a.png", 2, 2, i -> i);
+        material(COLOR, "a.png@ (colorSpace = \"acescg\")\n asset inputs:other = @a.png");
+        assertThat(imported.notes()).containsEntry("textures in the color space acescg, read as their files say", 1);
+    }
+
+    @Test
+    void knownColorSpace_isNotNoted() throws Exception {
+        writePng("a.png", 2, 2, i -> i);
+        material(COLOR, "a.png@ (colorSpace = \"srgb_texture\")\n asset inputs:other = @a.png");
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("color space"));
+    }
+
+    @Test
     void colorOfExr_becomesPng() throws Exception {
         writeExr("a.exr", 0.25f, 0.5f, 1, 0.001f, 3, -1);
         TextureMap map = material(COLOR, "a.exr").texture().orElseThrow();
