@@ -175,7 +175,10 @@ public final class MatchPane extends VBox {
         result.setMaxWidth(Double.MAX_VALUE);
         result.setMinHeight(Region.USE_PREF_SIZE);
         result.getStyleClass().add("pane-note");
-        getChildren().addAll(head, brushRow, view, options, result);
+        HBox.setHgrow(result, Priority.ALWAYS);
+        var resultRow = new HBox(result);
+        resultRow.getStyleClass().add("mixer-tools");
+        getChildren().addAll(head, brushRow, view, options, resultRow);
         setOnDragOver(this::acceptDrag);
         setOnDragDropped(this::drop);
         setReference(Optional.empty());
