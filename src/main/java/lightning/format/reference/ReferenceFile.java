@@ -66,7 +66,7 @@ public final class ReferenceFile {
      * @throws IOException if the extension is unknown
      */
     public static boolean isDisplayReferred(Path file) throws IOException {
-        return isJpeg(file) || ImageFormat.of(file).isDisplayReferred();
+        return isJpeg(file) || format(file).isDisplayReferred();
     }
 
     /**
@@ -75,7 +75,7 @@ public final class ReferenceFile {
      * @throws IOException if the extension is unknown, or the file cannot be read
      */
     public static boolean hasFullFloats(Path file) throws IOException {
-        return !isJpeg(file) && ImageFormat.of(file).hasFullFloats(file);
+        return !isJpeg(file) && format(file).hasFullFloats(file);
     }
 
     /**
@@ -88,7 +88,7 @@ public final class ReferenceFile {
         if (isJpeg(file)) {
             return readJpeg(file);
         }
-        if (ImageFormat.of(file) != ImageFormat.HDR) {
+        if (format(file) != ImageFormat.HDR) {
             return ImageFile.read(file);
         }
         EnvironmentMap map = readHdr(file);
@@ -105,6 +105,12 @@ public final class ReferenceFile {
         } catch (MeshException e) {
             throw new IOException(e.getMessage(), e);
         }
+    }
+
+    /** Returns the format of an image that is no JPEG. */
+    private static ImageFormat format(Path file) throws IOException {
+        return ImageFormat.find(file).orElseThrow(
+                () -> new IOException(Quote.path(file) + ": an image's name must end in .png, .jpg, .xpm, .pfm, .exr or .hdr"));
     }
 
     private static boolean isJpeg(Path file) {

@@ -69,4 +69,10 @@ class ReferenceFileTest {
         Files.writeString(folder.resolve(name), "not an image");
         assertThatIOException().isThrownBy(() -> ReferenceFile.readFilm(folder.resolve(name))).withMessageContaining(name);
     }
+
+    @Test
+    void unknownEnding_namesAllThatAreRead() {
+        assertThatIOException().isThrownBy(() -> ReferenceFile.readFilm(folder.resolve("a.tiff")))
+                .withMessageContainingAll("a.tiff", ".png, .jpg, .xpm, .pfm, .exr or .hdr");
+    }
 }
