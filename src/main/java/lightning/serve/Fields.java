@@ -3,10 +3,12 @@ package lightning.serve;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import lightning.base.text.Quote;
 import lightning.format.jen.asset.NameSuggestion;
 import tools.jackson.databind.JsonNode;
@@ -43,6 +45,20 @@ record Fields(ObjectNode message) {
             throw bad(place, "expected a text, found " + describe(node));
         }
         return node.stringValue();
+    }
+
+    /** Returns the value that a text names in lower case; {@code fallback} without a text. */
+    <E extends Enum<E>> E choice(String name, E fallback) {
+        return optionalString(name).map(word -> choice(name, word, fallback.getDeclaringClass())).orElse(fallback);
+    }
+
+    /** Returns the value of a type that a word names in lower case. */
+    static <E extends Enum<E>> E choice(String place, String word, Class<E> type) {
+        List<E> choices = List.of(type.getEnumConstants());
+        return choices.stream().filter(choice -> choice.name().toLowerCase(Locale.ROOT).equals(word)).findFirst()
+                .orElseThrow(() -> bad(place, "expected one of "
+                        + choices.stream().map(choice -> choice.name().toLowerCase(Locale.ROOT)).collect(Collectors.joining(", "))
+                        + ", found " + Quote.of(word)));
     }
 
     /** Returns a text, or the texts of an array, at least one. */

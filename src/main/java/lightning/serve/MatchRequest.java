@@ -2,10 +2,8 @@ package lightning.serve;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -38,7 +36,8 @@ final class MatchRequest {
         scene = session.scene();
         Fields fields = request.fields();
         fields.flag("progress");
-        settings = new MatchSettings(lights(fields), changes(fields), reference(fields, "exposure"), reference(fields, "white"), 0);
+        settings = new MatchSettings(lights(fields), changes(fields), fields.choice("exposure", MatchSettings.Reference.FIXED),
+                fields.choice("white", MatchSettings.Reference.FIXED), 0);
         reference = ReferenceFile.readFor(scene, Path.of(fields.string("reference")), SceneView.of(scene),
                 fields.has("region") ? fields.integers("region", 4, 0, Integer.MAX_VALUE) : null);
     }
@@ -59,19 +58,8 @@ final class MatchRequest {
 
     private static Set<MatchChange> changes(Fields fields) {
         return !fields.has("change") ? Set.of()
-                : fields.strings("change").stream().map(text -> choice("change", text, MatchChange.values())).collect(Collectors.toSet());
-    }
-
-    private static MatchSettings.Reference reference(Fields fields, String name) {
-        return fields.optionalString(name).map(text -> choice(name, text, MatchSettings.Reference.values()))
-                .orElse(MatchSettings.Reference.FIXED);
-    }
-
-    private static <E extends Enum<E>> E choice(String field, String text, E[] values) {
-        return Arrays.stream(values).filter(value -> value.name().toLowerCase(Locale.ROOT).equals(text)).findFirst()
-                .orElseThrow(() -> Fields.bad(field, "expected one of "
-                        + Arrays.stream(values).map(value -> value.name().toLowerCase(Locale.ROOT)).collect(Collectors.joining(", "))
-                        + ", found " + Quote.of(text)));
+                : fields.strings("change").stream().map(text -> Fields.choice("change", text, MatchChange.class))
+                        .collect(Collectors.toSet());
     }
 
     ObjectNode run() {

@@ -217,15 +217,14 @@ final class SceneSession {
      */
     UpdateResult update(Request request, long reserved) {
         requireFrame();
-        server.turn().await(request);
-        try {
-            var options = server.renderOptions(this);
-            renderer.setOptions(options.withMemory(options.memory() - reserved));
-            return renderer.renderOrClear(scene(), request.progress());
-        } finally {
-            usedBytes = UNKNOWN;
-            server.turn().release(request);
-        }
+        return compute(request, options -> {
+            try {
+                renderer.setOptions(options.withMemory(options.memory() - reserved));
+                return renderer.renderOrClear(scene(), request.progress());
+            } finally {
+                usedBytes = UNKNOWN;
+            }
+        });
     }
 
     /** Runs a computation with all threads when it is the scene's turn. */
@@ -241,15 +240,12 @@ final class SceneSession {
     /** Traces a coarse picture in about so many seconds when it is the scene's turn; the first one has few pixels. */
     CoarsePicture traceCoarse(Request request, double seconds) {
         requireFrame();
-        server.turn().await(request);
-        try {
-            renderer.setOptions(server.renderOptions(this));
+        return compute(request, options -> {
+            renderer.setOptions(options);
             CoarsePicture picture = CoarsePicture.during(seconds, coarsePixelsPerSecond, scene(), renderer, request.progress());
             coarsePixelsPerSecond = picture.pixelsPerSecond();
             return picture;
-        } finally {
-            server.turn().release(request);
-        }
+        });
     }
 
     private void requireFrame() {

@@ -6,10 +6,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
-import java.util.stream.Collectors;
 import lightning.base.file.ParentFolder;
 import lightning.base.file.ShippedFile;
-import lightning.base.text.Quote;
 import lightning.base.work.Progress;
 import lightning.editor.document.OpenDocument;
 import lightning.format.exchange.ImportLighting;
@@ -71,22 +69,12 @@ final class SceneSource {
         return Path.of(name).toAbsolutePath();
     }
 
-    /** Reads the name of a constant in lower case. */
-    private static <E extends Enum<E>> E choice(Fields fields, String field, E fallback) {
-        String word = fields.optionalString(field).orElse(fallback.name().toLowerCase(Locale.ROOT));
-        List<E> choices = List.of(fallback.getDeclaringClass().getEnumConstants());
-        return choices.stream().filter(choice -> choice.name().toLowerCase(Locale.ROOT).equals(word)).findFirst()
-                .orElseThrow(() -> Fields.bad(field, "expected one of "
-                        + choices.stream().map(choice -> choice.name().toLowerCase(Locale.ROOT)).collect(Collectors.joining(", "))
-                        + ", found " + Quote.of(word)));
-    }
-
     /** Imports a file as {@code lightning import} does, without writing the scene file. */
     private OpenDocument read(Path file, Path output, Fields fields, Progress progress) throws IOException, JenException {
-        IndirectChoice indirect = choice(fields, "indirect", IndirectChoice.AUTO);
-        ImportLighting lighting = choice(fields, "lighting", ImportLighting.FILE);
+        IndirectChoice indirect = fields.choice("indirect", IndirectChoice.AUTO);
+        ImportLighting lighting = fields.choice("lighting", ImportLighting.FILE);
         var options = new ImportOptions(
-                fields.has("light_units") ? Optional.of(choice(fields, "light_units", LightUnits.CANDELA)) : Optional.empty(),
+                fields.has("light_units") ? Optional.of(fields.choice("light_units", LightUnits.CANDELA)) : Optional.empty(),
                 fields.integer("subdivision", 0, SceneImporter.MAX_LEVELS, SceneImporter.DEFAULT_LEVELS),
                 fields.has("variant") ? fields.strings("variant") : List.of(), fields.optionalString("camera").orElse(""),
                 fields.number("frame", -ImportOptions.MAX_FRAME, ImportOptions.MAX_FRAME));
