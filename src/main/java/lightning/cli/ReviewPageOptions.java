@@ -2,7 +2,6 @@ package lightning.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -58,18 +57,16 @@ final class ReviewPageOptions {
             throws IOException, BadInputException {
         List<Cue> cues = cues(file, document.scene());
         ReviewLooks.of(cues, document.scene()).problems().forEach(problem -> console.warn("%s", problem));
-        List<ReviewPicture> pictures = new ArrayList<>();
+        List<ReviewPicture> pictures;
         boolean isFilm = !frames.isEmpty() || document.shot().filter(shot -> shot.last() > shot.first()).isPresent();
         Scene base = picture.apply(document.scene());
         if (isFilm) {
             Shot shot = document.shot().orElseThrow(() -> new BadInputException(Console.text(
                     "%s: has no shot block (see docs/jen-format.md)", file)));
             Scene small = picture.hasSize() ? base : ReviewFilm.reduced(base);
-            for (int frame : chosenFrames(shot)) {
-                pictures.add(picture(OptionalInt.of(frame), sceneAt(shot, small, frame), cues));
-            }
+            pictures = film(cues, shot, small);
         } else {
-            pictures.add(picture(OptionalInt.empty(), base, cues));
+            pictures = List.of(new ReviewPicture(OptionalInt.empty(), base, ReviewLooks.of(cues, base).looks()));
         }
         Optional<Language> chosen = Optional.ofNullable(language).map(l -> l == PageLanguage.DE ? Language.GERMAN : Language.ENGLISH);
         var content = new ReviewContent(file.getFileName().toString(), base, pictures, view.of(base), chosen);
@@ -77,8 +74,13 @@ final class ReviewPageOptions {
         return content;
     }
 
-    private static ReviewPicture picture(OptionalInt frame, Scene scene, List<Cue> cues) {
-        return new ReviewPicture(frame, scene, ReviewLooks.of(cues, scene).looks());
+    private List<ReviewPicture> film(List<Cue> cues, Shot shot, Scene scene) throws BadInputException {
+        List<Integer> chosen = chosenFrames(shot);
+        try {
+            return ReviewLooks.film(cues, shot, scene, chosen);
+        } catch (IllegalArgumentException e) {
+            throw new BadInputException(String.valueOf(e.getMessage()));
+        }
     }
 
     private List<Cue> cues(Path file, Scene scene) throws IOException, BadInputException {
@@ -109,13 +111,5 @@ final class ReviewPageOptions {
             throw new BadInputException("--frames: expected at most " + MAX_FRAMES + " frames, found " + distinct.size());
         }
         return distinct;
-    }
-
-    private static Scene sceneAt(Shot shot, Scene scene, int frame) throws BadInputException {
-        try {
-            return shot.sceneAt(scene, frame);
-        } catch (IllegalArgumentException e) {
-            throw new BadInputException(String.valueOf(e.getMessage()));
-        }
     }
 }

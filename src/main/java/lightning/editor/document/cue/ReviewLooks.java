@@ -2,9 +2,12 @@ package lightning.editor.document.cue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalInt;
 import lightning.editor.document.EditOutcome;
 import lightning.format.review.ReviewLook;
+import lightning.format.review.ReviewPicture;
 import lightning.scene.Scene;
+import lightning.scene.shot.Shot;
 
 /**
  * Looks of a scene for a review page.
@@ -33,5 +36,20 @@ public record ReviewLooks(List<ReviewLook> looks, List<String> problems) {
             }
         }
         return new ReviewLooks(List.copyOf(looks), List.copyOf(problems));
+    }
+
+    /**
+     * Returns pictures of frames with the looks that fit them.
+     *
+     * @param base scene of the shot without keyframes applied
+     * @throws IllegalArgumentException as {@link Shot#sceneAt}
+     */
+    public static List<ReviewPicture> film(List<Cue> cues, Shot shot, Scene base, List<Integer> frames) {
+        List<ReviewPicture> pictures = new ArrayList<>();
+        for (int frame : frames) {
+            Scene scene = shot.sceneAt(base, frame);
+            pictures.add(new ReviewPicture(OptionalInt.of(frame), scene, of(cues, scene).looks));
+        }
+        return pictures;
     }
 }

@@ -11,7 +11,6 @@ import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.editor.document.Command;
 import lightning.editor.document.EditOutcome;
-import lightning.editor.document.cue.Cue;
 import lightning.editor.document.cue.CueFolder;
 import lightning.editor.document.cue.ReviewLooks;
 import lightning.editor.window.model.EditorModel;
@@ -73,15 +72,8 @@ final class ReviewActions {
         CueFolder folder = model.editor().looksFolder();
         model.files().runConcurrently(() -> {
             Scene base = ReviewFilm.reduced(content.base());
-            List<Cue> looks = folder.list(base.stage());
-            List<ReviewPicture> pictures = new ArrayList<>();
-            for (int frame : ReviewFilm.frames(shot)) {
-                Scene scene = shot.sceneAt(base, frame);
-                pictures.add(new ReviewPicture(OptionalInt.of(frame), scene, ReviewLooks.of(looks, scene).looks()));
-            }
-            var film = new ReviewContent(title, base, pictures, view, Optional.empty());
-            film.check();
-            return film;
+            List<ReviewPicture> pictures = ReviewLooks.film(folder.list(base.stage()), shot, base, ReviewFilm.frames(shot));
+            return new ReviewContent(title, base, pictures, view, Optional.empty());
         }, film -> write(file, film, Optional.empty()),
                 failure -> notices.showFailure(Messages.tr("The page could not be written"), failure));
     }
