@@ -102,7 +102,7 @@ final class MatchCommand implements Callable<Integer> {
         }
         JenDocument document = input.read(console);
         if (output != null) {
-            InputFiles.of(input.path(), List.of(document.scene())).with(reference).check(output);
+            view.withFile(InputFiles.of(input.path(), List.of(document.scene())).with(reference)).check(output);
         }
         view.printNotes(console);
         Scene scene = picture.apply(document.scene());

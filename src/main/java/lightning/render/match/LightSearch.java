@@ -47,11 +47,12 @@ final class LightSearch implements AutoCloseable {
     private final List<LightParameter> parameters;
     private final Renderer renderer;
     private final Progress progress;
+    /** Contributions at the best values so far: lights that did not move since then are not composed again. */
     private Optional<MatchContributions> known = Optional.empty();
     private int stepsDone;
 
     /** The picture at some values of all parameters, over the cells of a level. */
-    private record State(double[] values, MatchImages images, double[][] factors, double error) {
+    private record State(double[] values, MatchContributions contributions, MatchImages images, double[][] factors, double error) {
         // Arrays in a record: written once by their creator, never after.
     }
 
@@ -134,7 +135,7 @@ final class LightSearch implements AutoCloseable {
             for (int i = 0; i < parameters.size(); i++) {
                 LightParameter parameter = parameters.get(i);
                 if (parameter.isTurn()) {
-                    State found = state(best);
+                    State found = start(best);
                     for (int t = 1; t < TURNS; t++) {
                         State state = state(with(values, i, parameter.min() + t * (parameter.max() - parameter.min()) / TURNS));
                         found = state.error < found.error ? state : found;
@@ -147,7 +148,7 @@ final class LightSearch implements AutoCloseable {
 
         /** Returns the values after steps that make the error smaller. */
         double[] descend(double[] values, double firstRadius) {
-            State best = state(values);
+            State best = start(values);
             double radius = firstRadius;
             for (int step = 0; step < STEPS && radius > LEAST_RADIUS; step++) {
                 progress.report(stepsDone + step, CELLS.length * STEPS);
@@ -158,19 +159,28 @@ final class LightSearch implements AutoCloseable {
                 }
                 State next = state(chosen.values);
                 double gain = (best.error - next.error) / expected;
-                best = next.error < best.error ? next : best;
+                if (next.error < best.error) {
+                    best = next;
+                    known = Optional.of(best.contributions);
+                }
                 radius *= gain < POOR ? SHRINK : gain > GOOD ? GROW : 1;
             }
             return best.values;
         }
 
+        /** Returns the state at some values, whose contributions are those that later ones reuse. */
+        private State start(double[] values) {
+            State state = state(values);
+            known = Optional.of(state.contributions);
+            return state;
+        }
+
         private State state(double[] values) {
             MatchContributions contributions = contributions(values);
-            known = Optional.of(contributions);
             MatchImages images = images(contributions);
             LinearMatch match = new LinearMatch(images, List.of(), target, settings);
             double[][] factors = match.solve(0);
-            return new State(values, images, factors, match.error(factors));
+            return new State(values, contributions, images, factors, match.error(factors));
         }
 
         private MatchImages images(MatchContributions contributions) {
