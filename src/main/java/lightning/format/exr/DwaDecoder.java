@@ -28,8 +28,8 @@ final class DwaDecoder {
             byte[] runs = RunLengthDecoder.decode(inflate(read(in, sizes.runsStored()), sizes.runsEncoded()), sizes.runsBytes());
             ByteBuffer out = ByteBuffer.allocate((int) block.byteCount()).order(ByteOrder.LITTLE_ENDIAN);
             new DwaBlockReader(layout, ac, numbers(dc)).read(out);
-            copyPlain(layout, Scheme.ZLIB, zlib, out);
-            copyPlain(layout, Scheme.RUNS, runs, out);
+            layout.forEachByte(Scheme.ZLIB, (line, stored) -> out.put(line, zlib[stored]));
+            layout.forEachByte(Scheme.RUNS, (line, stored) -> out.put(line, runs[stored]));
             return out.array();
         } catch (BufferUnderflowException e) {
             throw (DataFormatException) new DataFormatException().initCause(e);
@@ -75,34 +75,5 @@ final class DwaDecoder {
         short[] numbers = new short[bytes.length / Short.BYTES];
         ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).asShortBuffer().get(numbers);
         return numbers;
-    }
-
-    /**
-     * Copies the channels of a storage without losses to their lines.
-     *
-     * @param from one channel after the other; of runs the first bytes of all its values, then the second ones
-     */
-    private static void copyPlain(DwaLayout layout, Scheme scheme, byte[] from, ByteBuffer out) {
-        int[] offsets = layout.block().channelOffsets();
-        int lineBytes = (int) layout.block().bytesPerLine();
-        int width = layout.block().width();
-        int start = 0;
-        for (int c = 0; c < layout.rules().size(); c++) {
-            if (layout.rules().get(c).scheme() != scheme) {
-                continue;
-            }
-            int bytes = layout.block().channels().get(c).type().bytes();
-            for (int y = 0; y < layout.block().height(); y++) {
-                int to = y * lineBytes + offsets[c];
-                if (scheme == Scheme.ZLIB) {
-                    out.put(to, from, start + y * width * bytes, width * bytes);
-                } else {
-                    for (int i = 0; i < width * bytes; i++) {
-                        out.put(to + i, from[start + i % bytes * layout.pixels() + y * width + i / bytes]);
-                    }
-                }
-            }
-            start += layout.channelBytes(c);
-        }
     }
 }

@@ -39,27 +39,10 @@ final class DwaEncoder {
         return bytes.length == 0 ? bytes : ExrCompression.deflate(bytes);
     }
 
-    /** Returns the channels of a storage without losses, one after the other; of runs the first bytes of all values, then the second ones. */
+    /** Returns the channels of a storage without losses. */
     private static byte[] plain(DwaLayout layout, Scheme scheme, byte[] raw) {
-        int[] offsets = layout.block().channelOffsets();
-        int lineBytes = (int) layout.block().bytesPerLine();
-        int width = layout.block().width();
         byte[] to = new byte[layout.bytes(scheme)];
-        int start = 0;
-        for (int c = 0; c < layout.rules().size(); c++) {
-            if (layout.rules().get(c).scheme() != scheme) {
-                continue;
-            }
-            int bytes = layout.block().channels().get(c).type().bytes();
-            for (int y = 0; y < layout.block().height(); y++) {
-                int from = y * lineBytes + offsets[c];
-                for (int i = 0; i < width * bytes; i++) {
-                    int at = scheme == Scheme.ZLIB ? y * width * bytes + i : i % bytes * layout.pixels() + y * width + i / bytes;
-                    to[start + at] = raw[from + i];
-                }
-            }
-            start += layout.channelBytes(c);
-        }
+        layout.forEachByte(scheme, (line, stored) -> to[stored] = raw[line]);
         return to;
     }
 }

@@ -56,6 +56,39 @@ record DwaLayout(ExrBlock block, List<DwaRule> rules, List<int[]> sets) {
         return bytes;
     }
 
+    /** Receiver of the two places of a byte. */
+    @FunctionalInterface
+    interface BytePlaces {
+        /**
+         * @param line   place among the lines of the chunk
+         * @param stored place in a storage
+         */
+        void accept(int line, int stored);
+    }
+
+    /**
+     * Visits the bytes of a storage without losses: one channel after the other; of runs the first bytes of all values of a channel, then
+     * the second ones.
+     */
+    void forEachByte(Scheme scheme, BytePlaces visitor) {
+        int[] offsets = block.channelOffsets();
+        int lineBytes = (int) block.bytesPerLine();
+        int start = 0;
+        for (int c = 0; c < rules.size(); c++) {
+            if (rules.get(c).scheme() == scheme) {
+                int bytes = block.channels().get(c).type().bytes();
+                int rowBytes = block.width() * bytes;
+                for (int y = 0; y < block.height(); y++) {
+                    for (int i = 0; i < rowBytes; i++) {
+                        int at = scheme == Scheme.ZLIB ? y * rowBytes + i : i % bytes * pixels() + y * block.width() + i / bytes;
+                        visitor.accept(y * lineBytes + offsets[c] + i, start + at);
+                    }
+                }
+                start += channelBytes(c);
+            }
+        }
+    }
+
     int channelBytes(int channel) {
         return block.channels().get(channel).type().bytes() * pixels();
     }
