@@ -32,7 +32,7 @@ public final class MatchContributions {
     private final Scene scene;
     private final PixelMeans grid;
     private final Map<String, float[][]> images;
-    /** Whether they are of pixel centers alone. */
+    /** True if they are of pixel centers alone. */
     private final boolean omitsFinerSamples;
 
     private MatchContributions(Scene scene, PixelMeans grid, Map<String, float[][]> images, boolean omitsFinerSamples) {

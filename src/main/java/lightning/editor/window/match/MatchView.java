@@ -40,10 +40,10 @@ final class MatchView extends HBox {
     private Arrangement arrangement = Arrangement.WIPE;
     private boolean selectsRegion;
     private Optional<MatchRegion> region = Optional.empty();
-    /** Where a drag of the region began: column and row. */
+    /** Start of a drag of the region: column and row. */
     private double[] corner = {0, 0};
 
-    /** Where the reference is shown. */
+    /** Place of the reference. */
     enum Arrangement {
         /** Over the left part of the picture. */
         WIPE(Messages.key("Over the Left Part")),

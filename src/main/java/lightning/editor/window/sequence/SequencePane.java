@@ -62,7 +62,7 @@ public final class SequencePane extends VBox implements SequenceFile.Listener {
     private @Nullable ContactSheet sheet;
     /** Number of sheets so far. */
     private int sheets;
-    /** Where each picture of the sheet is shown. */
+    /** Place of each picture of the sheet. */
     private List<Place> places = List.of();
     private @Nullable PathPrompt prompt;
     private String selected = "";
