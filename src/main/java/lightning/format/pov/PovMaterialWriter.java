@@ -15,7 +15,6 @@ import lightning.scene.material.LayerMaps;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.ShadingModel;
-import lightning.scene.material.ShadowCasting;
 import lightning.scene.material.SurfaceMaps;
 import lightning.scene.material.Transmission;
 import lightning.scene.node.Solid;
@@ -143,7 +142,11 @@ record PovMaterialWriter(List<String> warnings) {
     }
 
     private static String shadows(Material m) {
-        return m.transmission().shadows() == ShadowCasting.NONE ? "\n  no_shadow" : "";
+        return switch (m.transmission().shadows()) {
+            case FULL, TINTED -> "";
+            case NONE -> "\n  no_shadow";
+            case ONLY -> "\n  no_image no_reflection no_radiosity";
+        };
     }
 
     /**

@@ -17,6 +17,7 @@ import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.ShadowRayHits;
 import lightning.render.trace.solid.SolidGeometry;
 import lightning.render.trace.solid.SurfaceContact;
+import lightning.render.trace.tree.BoxSet;
 import lightning.render.trace.tree.Bvh;
 import lightning.render.trace.tree.RayTraversal;
 import lightning.render.trace.tree.ShadowRayTarget;
@@ -42,7 +43,12 @@ public final class Geometry {
     private final Scene scene;
     private final PrimitiveTable primitives;
     private final MaterialTable materials;
+    /** BVH over the primitives that rays of this geometry meet. */
     private final Bvh bvh;
+    /** BVH over all primitives. */
+    private final Bvh all;
+    /** Primitives that rays other than shadow rays meet; null if all are. */
+    private final boolean @Nullable [] seen;
     private final boolean castsShadows;
     /** Meshes among {@link #tintCasters} that do not contain the eye, ascending. */
     private final int[] tintMeshes;
@@ -58,20 +64,36 @@ public final class Geometry {
      */
     private volatile @Nullable WeakReference<ShapeChange> lastChange;
 
-    private Geometry(ShapeSurfaces surfaces, Bvh bvh, PrimitiveTable primitives, ShadowBlockers blockers) {
+    /**
+     * @param all  BVH over all primitives
+     * @param cast BVH over those that cast shadows, for a geometry of shadow rays; null for one of other rays
+     */
+    private Geometry(ShapeSurfaces surfaces, Bvh all, @Nullable Bvh cast, ShadowBlockers blockers) {
         this.surfaces = surfaces;
         scene = surfaces.scene();
         materials = surfaces.materials();
-        this.bvh = bvh;
-        this.primitives = primitives;
+        this.all = all;
+        primitives = all.primitives;
         this.blockers = blockers;
+        seen = cast == null ? seenPrimitives() : null;
+        bvh = cast != null ? cast : seen == null ? all : all.subset(seen);
         castsShadows = blockers.castShadows();
         tintMeshes = tintMeshes();
         hasShadowlessMaterials = materials.hasShadowlessMaterials();
     }
 
-    private Geometry(ShapeSurfaces surfaces, Bvh bvh) {
-        this(surfaces, bvh, bvh.primitives, ShadowBlockers.ALL);
+    private Geometry(ShapeSurfaces surfaces, Bvh all) {
+        this(surfaces, all, null, ShadowBlockers.ALL);
+    }
+
+    private boolean @Nullable [] seenPrimitives() {
+        boolean[] result = new boolean[primitives.count];
+        boolean isAllSeen = true;
+        for (int s = 0; s < result.length; s++) {
+            result[s] = material(s).transmission().isSeen();
+            isAllSeen &= result[s];
+        }
+        return isAllSeen ? null : result;
     }
 
     /** Prepares the shapes of a scene. */
@@ -90,25 +112,25 @@ public final class Geometry {
     }
 
     private Geometry withMaterials(Scene other) {
-        return new Geometry(surfaces.withMaterialsOf(other, castsReflections()), bvh, primitives, blockers);
+        return new Geometry(surfaces.withMaterialsOf(other, castsReflections()), all);
     }
 
     /** Returns a version in which only some primitives cast shadows; the BVH contains only these. */
     private Geometry withBlockers(boolean[] newShadowCasters, boolean @Nullable [] newTintCasters) {
-        var changed = new ShadowBlockers(newShadowCasters, newTintCasters, newTintCasters == null ? null : bvh.subset(newTintCasters));
-        return new Geometry(surfaces, changed.castShadows() ? bvh.subset(newShadowCasters) : bvh, primitives, changed);
+        var changed = new ShadowBlockers(newShadowCasters, newTintCasters, newTintCasters == null ? null : all.subset(newTintCasters));
+        return new Geometry(surfaces, all, all.subset(newShadowCasters), changed);
     }
 
     /** Returns these shapes seen by another camera; reuses the topology of the BVH. */
     private Geometry seenFrom(Scene other, Predicate<Material> newCastsReflections) {
         return new Geometry(surfaces.withMaterialsOf(other, newCastsReflections),
-                new Bvh(primitives.movedCamera(other.camera().origin()), bvh));
+                new Bvh(primitives.movedCamera(other.camera().origin()), all));
     }
 
     /** Returns other shapes seen from the same camera position; materials keep their indices. */
     private Geometry withShapes(Scene other) {
         ShapeSurfaces changed = surfaces.withShapesOf(other);
-        return new Geometry(changed, Bvh.refitOrRebuild(changed.primitives(), bvh));
+        return new Geometry(changed, Bvh.refitOrRebuild(changed.primitives(), all));
     }
 
     /** Returns for each primitive whether it belongs to a linked shape; callers must not modify the array. */
@@ -121,7 +143,7 @@ public final class Geometry {
      * Returns the geometry for shadow rays of a light that only linked shapes shadow. Primitives keep their indices and boxes.
      */
     public Geometry shadowGeometry(ShapeLinks links) {
-        return links.isAll() && !hasShadowlessMaterials ? this
+        return links.isAll() && !hasShadowlessMaterials && seen == null ? this
                 : shadowGeometries.computeIfAbsent(links,
                         requested -> withBlockers(shadowCasters(requested), tintCasters(requested)));
     }
@@ -361,9 +383,19 @@ public final class Geometry {
         return primitives;
     }
 
-    /** Returns the BVH over the primitives. */
+    /** Returns the BVH over the primitives that its rays meet. */
     public Bvh bvh() {
         return bvh;
+    }
+
+    /** Returns the boxes of some primitives, also of those that its rays do not meet. */
+    public BoxSet boxes(int[] ofPrimitives, int count) {
+        return BoxSet.of(all, ofPrimitives, count);
+    }
+
+    /** Returns whether rays other than shadow rays meet a primitive. */
+    public boolean isSeen(int primitive) {
+        return seen == null || seen[primitive];
     }
 
     /** Converts a point from scene coordinates to render space. */
@@ -385,7 +417,7 @@ public final class Geometry {
         int nearest = -1;
         double minDistance = SolidGeometry.MISS;
         for (int s = 0; s < primitives.count; s++) {
-            double t = distance(s, ray);
+            double t = isSeen(s) ? distance(s, ray) : SolidGeometry.MISS;
             if (t < minDistance) {
                 minDistance = t;
                 nearest = s;

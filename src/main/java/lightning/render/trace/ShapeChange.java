@@ -78,10 +78,10 @@ public final class ShapeChange {
             if (sameGeometry) {
                 last = s;
                 newIndex[s] = t;
-            } else {
+            } else if (after.isSeen(t)) {
                 added[addedCount++] = t;
             }
-            if (sameGeometry && (before.materialIndex(s) != after.materialIndex(t)
+            if (sameGeometry && (before.isSeen(s) != after.isSeen(t) || before.materialIndex(s) != after.materialIndex(t)
                     || before.primitives().hasVertexColors(s) != after.primitives().hasVertexColors(t)
                     || !before.primitives().hasSameNormals(s, after.primitives(), t)
                     || !before.primitives().refractsLike(s, after.primitives(), t))) {
@@ -90,17 +90,21 @@ public final class ShapeChange {
         }
         int[] removed = new int[count];
         int removedCount = 0;
+        int changedCount = restyledCount;
         for (int s = 0; s < count; s++) {
             if (newIndex[s] < 0) {
-                removed[removedCount++] = s;
+                changedCount++;
+                if (before.isSeen(s)) {
+                    removed[removedCount++] = s;
+                }
             }
         }
-        hasUnchanged = removedCount + restyledCount < count;
+        hasUnchanged = changedCount < count;
         hasSameIndices = IntStream.range(0, count).allMatch(s -> newIndex[s] < 0 || newIndex[s] == s);
-        this.removedBoxes = BoxSet.of(before.bvh(), removed, removedCount);
-        this.addedBoxes = BoxSet.of(after.bvh(), added, addedCount);
+        this.removedBoxes = before.boxes(removed, removedCount);
+        this.addedBoxes = after.boxes(added, addedCount);
         tintChanges = BoxSet.NONE;
-        visibleChanges = this.removedBoxes.union(this.addedBoxes).union(BoxSet.of(after.bvh(), restyled, restyledCount));
+        visibleChanges = this.removedBoxes.union(this.addedBoxes).union(after.boxes(restyled, restyledCount));
     }
 
     /** Creates the difference for shadow rays alone. */
@@ -144,7 +148,7 @@ public final class ShapeChange {
             }
         }
         int[] added = IntStream.range(0, newCasters.length).filter(t -> newCasters[t] && !kept[t]).toArray();
-        return new ShapeChange(this, BoxSet.of(previous.bvh(), removed, removedCount), BoxSet.of(next.bvh(), added, added.length),
+        return new ShapeChange(this, previous.boxes(removed, removedCount), next.boxes(added, added.length),
                 tintChanges(previous, next, from, to));
     }
 
@@ -165,7 +169,7 @@ public final class ShapeChange {
             }
         }
         int[] added = newTints == null ? new int[0] : IntStream.range(0, newTints.length).filter(t -> newTints[t] && !kept[t]).toArray();
-        return BoxSet.of(previous.bvh(), removed, removedCount).union(BoxSet.of(next.bvh(), added, added.length));
+        return previous.boxes(removed, removedCount).union(next.boxes(added, added.length));
     }
 
     /** Returns the number of leading primitives with the same names. */

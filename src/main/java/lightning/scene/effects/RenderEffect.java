@@ -65,7 +65,10 @@ public final class RenderEffect {
             UnaryOperator.identity(), false);
     public static final RenderEffect TRANSMISSION = register("clear", "transparent materials",
             uses -> uses.materials(m -> m.transmission().isTransparent() || !m.transmission().castsShadows()),
-            scene -> EffectRemoval.mapMaterials(scene, m -> m.withTransmission(Transmission.NONE)), UnaryOperator.identity(), false);
+            scene -> EffectRemoval.mapMaterials(scene,
+                    m -> m.withTransmission(m.transmission().isSeen() ? Transmission.NONE
+                            : Transmission.NONE.withShadows(ShadowCasting.ONLY))),
+            UnaryOperator.identity(), false);
     public static final RenderEffect GLOW = register("glow", "glowing materials", uses -> uses.materials(m -> !m.emission().isBlack()),
             scene -> EffectRemoval.mapMaterials(scene, m -> m.withGlow(Rgb.BLACK).withGlowMap(Optional.empty()).withBulb(Bulb.NONE)),
             UnaryOperator.identity(), false);

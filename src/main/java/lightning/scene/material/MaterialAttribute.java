@@ -239,9 +239,9 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     public static final MaterialAttribute<ShadowCasting> SHADOWS =
             transmissionAttribute("shadows", "shadows",
                     ChoiceKind.of(ShadowCasting.class)
-                            .withLabels(List.of(Messages.key("opaque"), Messages.key("tinted"), Messages.key("off"))),
+                            .withLabels(List.of(Messages.key("opaque"), Messages.key("tinted"), Messages.key("off"), Messages.key("only"))),
                     ShadowCasting.FULL, "", Transmission::shadows, Transmission::withShadows, MaterialTerm.SHADOW,
-                    "Shadows of objects with this material: opaque, tinted by the transmitted color, or off");
+                    "Shadows of objects with this material: opaque, tinted by the transmitted color, off, or only: a blocker that is not seen");
 
     /** All attributes, in declaration order; the model comes before the attributes that depend on it. */
     public static final List<MaterialAttribute<?>> ALL = List.copyOf(REGISTRY);

@@ -7,5 +7,7 @@ public enum ShadowCasting {
     /** Shadows tinted by the transmitted color; opaque if the material is. */
     TINTED,
     /** No shadows. */
-    NONE
+    NONE,
+    /** Opaque shadows of lights alone: no ray of the camera, of mirrors or of indirect light meets the shape. */
+    ONLY
 }

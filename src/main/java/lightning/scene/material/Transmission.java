@@ -42,10 +42,15 @@ public record Transmission(Rgb color, double ior, boolean thin, Rgb tint, double
     /** Returns whether shapes with the material block light. */
     public boolean castsShadows() {
         return switch (shadows) {
-            case FULL -> true;
+            case FULL, ONLY -> true;
             case TINTED -> !isTransparent();
             case NONE -> false;
         };
+    }
+
+    /** Returns whether rays other than shadow rays meet shapes with the material. */
+    public boolean isSeen() {
+        return shadows != ShadowCasting.ONLY;
     }
 
     /** Returns whether shapes with the material tint the light that passes them on its way to a shading point. */

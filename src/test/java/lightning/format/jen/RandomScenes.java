@@ -253,7 +253,7 @@ final class RandomScenes {
     private Transmission clarity() {
         return new Transmission(color(1), chance() ? 1.5 : 1 + 3 * random.nextDouble(), chance(), color(1),
                 chance() ? 1 : Math.abs(scale(1e-9, 1e9)),
-                ShadowCasting.values()[random.nextInt(3)]);
+                ShadowCasting.values()[random.nextInt(4)]);
     }
 
     private AlphaCutout cutout() {

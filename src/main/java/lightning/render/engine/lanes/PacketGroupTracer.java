@@ -43,7 +43,7 @@ final class PacketGroupTracer {
         primitiveLanes = new PrimitiveLanes(primitives);
         stack = new int[bvh.depth + 1];
         stackSet = new long[bvh.depth + 1];
-        allPrimitives = primitives.count <= Math.max(maxLinear, 1) ? CandidateList.fromBvh(bvh) : null;
+        allPrimitives = bvh.size() <= Math.max(maxLinear, 1) ? CandidateList.fromBvh(bvh) : null;
         for (int k = 0; k < MAX_PACKETS; k++) {
             packets[k] = new RayPacket();
             boxTest[k] = new BoxTestLanes();

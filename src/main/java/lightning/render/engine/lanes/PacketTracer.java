@@ -47,7 +47,7 @@ public final class PacketTracer {
         surfaceLanes = new SurfaceHitLanes(primitives);
         stack = new int[bvh.depth + 1];
         stackMask = new int[bvh.depth + 1];
-        allPrimitives = primitives.count <= Math.max(maxLinear, 1) ? CandidateList.fromBvh(bvh) : null;
+        allPrimitives = bvh.size() <= Math.max(maxLinear, 1) ? CandidateList.fromBvh(bvh) : null;
     }
 
     /** Finds the nearest hit of the first {@code laneCount} lanes; writes {@code t} and {@code primitive}. */

@@ -117,7 +117,7 @@ public final class PathMemo {
                 primitives[count++] = p;
             }
         }
-        return BoxSet.of(of.bvh(), primitives, count);
+        return of.boxes(primitives, count);
     }
 
     /** Returns the geometry before the edit. */

@@ -84,7 +84,8 @@ public final class GlowShapes {
             any |= glow;
         }
         int[] found = any
-                ? IntStream.range(0, geometry.primitiveCount()).filter(p -> glows[geometry.materialIndex(p)] && !geometry.isLightFace(p))
+                ? IntStream.range(0, geometry.primitiveCount())
+                        .filter(p -> glows[geometry.materialIndex(p)] && !geometry.isLightFace(p) && geometry.isSeen(p))
                         .limit(MAX_SHAPES + 1L).toArray()
                 : NONE.primitives;
         return found.length == 0 ? NONE : found.length > MAX_SHAPES ? TOO_MANY : new GlowShapes(geometry, found);

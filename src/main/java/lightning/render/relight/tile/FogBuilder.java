@@ -109,7 +109,7 @@ final class FogBuilder {
         }
         LayerPlan plan = requireNonNull(job.topPlan()).layers().get(l);
         FogLight known = plan.base() == null ? null : before.lights()[plan.base().index()];
-        if (known == null || job.shapeChange().isEmpty()) {
+        if (known == null || job.shapeChange() == ShapeChange.NONE) {
             return known;
         }
         // The change of shapes is that of the shapes which shadowed the layer.

@@ -1,8 +1,10 @@
 package lightning.render.trace.tree;
 
+import java.util.stream.IntStream;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.trace.primitive.PrimitiveTable;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Binary BVH over the primitives as flat arrays, one primitive per leaf.
@@ -26,9 +28,12 @@ public final class Bvh {
     public final int depth;
     /** Total area of all boxes when the topology was built. */
     private final double builtArea;
+    /** Primitives in it, ascending; null for all. */
+    private final int @Nullable [] members;
 
     public Bvh(PrimitiveTable.BoxedPrimitives boxed) {
         primitives = boxed.primitives();
+        members = null;
         BvhBuilder built = new BvhBuilder(boxed.boxes());
         child = built.child;
         boxes = primitives.count == 1 ? boxed.boxes() : built.boxes;
@@ -46,6 +51,7 @@ public final class Bvh {
     /** Refits the topology of another BVH to the same primitives seen from another camera position. */
     public Bvh(PrimitiveTable.BoxedPrimitives boxed, Bvh topology) {
         primitives = boxed.primitives();
+        members = topology.members;
         child = topology.child;
         leafBox = topology.leafBox;
         axis = topology.axis;
@@ -76,11 +82,19 @@ public final class Bvh {
         return refitted.totalArea() <= REBUILD_RATIO * topology.builtArea ? refitted : new Bvh(boxed);
     }
 
-    /** Creates the BVH of selected primitives of another, with its boxes, in the order of its nodes; at least one is selected. */
+    /** Creates the BVH of selected primitives of another, with its boxes, in the order of its nodes. */
     private Bvh(Bvh source, boolean[] selected) {
         primitives = source.primitives;
         depth = source.depth;
         builtArea = source.builtArea;
+        members = IntStream.range(0, selected.length).filter(s -> selected[s]).toArray();
+        if (members.length == 0) {
+            child = new int[0];
+            boxes = new float[0];
+            axis = new byte[0];
+            leafBox = new int[primitives.count];
+            return;
+        }
         int[] selectedBelow = new int[source.axis.length];
         int count = 0;
         // Children come after their node.
@@ -144,10 +158,20 @@ public final class Bvh {
     /**
      * Returns a BVH over some of the primitives; their indices and boxes stay.
      *
-     * @param selected flag for each primitive; at least one is selected
+     * @param selected flag for each primitive
      */
     public Bvh subset(boolean[] selected) {
-        return primitives.count == 1 ? this : new Bvh(this, selected);
+        return primitives.count == 1 && selected[0] ? this : new Bvh(this, selected);
+    }
+
+    /** Returns the number of primitives in it. */
+    public int size() {
+        return members == null ? primitives.count : members.length;
+    }
+
+    /** Returns the index of a primitive in it, ascending from 0 … {@link #size} − 1. */
+    public int member(int i) {
+        return members == null ? i : members[i];
     }
 
     private double totalArea() {

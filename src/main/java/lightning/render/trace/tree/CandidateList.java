@@ -27,12 +27,12 @@ public final class CandidateList {
     /** Returns all primitives of a small scene. */
     public static CandidateList fromBvh(Bvh bvh) {
         CandidateList c = new CandidateList();
-        c.count = bvh.primitives.count;
+        c.count = bvh.size();
         c.primitive = new int[c.count];
-        Arrays.setAll(c.primitive, s -> s);
+        Arrays.setAll(c.primitive, bvh::member);
         c.boxes = new float[6 * c.count];
-        for (int s = 0; s < c.count; s++) {
-            System.arraycopy(bvh.boxes, bvh.leafBox[s], c.boxes, 6 * s, 6);
+        for (int i = 0; i < c.count; i++) {
+            System.arraycopy(bvh.boxes, bvh.leafBox[c.primitive[i]], c.boxes, 6 * i, 6);
         }
         c.masks = new int[c.count];
         return c;
@@ -64,9 +64,9 @@ public final class CandidateList {
             stack = new int[bvh.depth + 2];
         }
         int top = 0;
-        if (bvh.primitives.count == 1) {
+        if (bvh.size() == 1 && bvh.primitives.count == 1) {
             add(bvh, 0, beam.entryTime(bvh.boxes, bvh.leafBox[0]));
-        } else if (bvh.primitives.count > 1) {
+        } else if (bvh.size() > 0) {
             stack[top++] = 0;
         }
         while (top > 0) {

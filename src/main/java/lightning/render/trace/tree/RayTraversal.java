@@ -60,7 +60,7 @@ public final class RayTraversal {
         nearestPrimitive = -1;
         int top = 0;
         int next = root();
-        boolean more = primitives.count > 0;
+        boolean more = bvh.size() > 0;
         while (more) {
             if (next < 0) {
                 testPrimitive(~next);
@@ -88,8 +88,8 @@ public final class RayTraversal {
     public int nearestBruteForce() {
         nearestDistance = SolidGeometry.MISS;
         nearestPrimitive = -1;
-        for (int s = 0; s < primitives.count; s++) {
-            testPrimitive(s);
+        for (int i = 0; i < bvh.size(); i++) {
+            testPrimitive(bvh.member(i));
         }
         return nearestPrimitive;
     }
@@ -149,7 +149,7 @@ public final class RayTraversal {
             return true;
         }
         int top = 0;
-        if (primitives.count > 0) {
+        if (bvh.size() > 0) {
             stack[top++] = root();
         }
         while (top > 0) {

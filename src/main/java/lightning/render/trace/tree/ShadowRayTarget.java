@@ -42,7 +42,7 @@ public final class ShadowRayTarget {
         int count = 0;
         int[] stack = new int[bvh.depth + 2];
         int top = 0;
-        if (primitives.count > 0) {
+        if (bvh.size() > 0) {
             stack[top++] = primitives.count == 1 ? ~0 : 0;
         }
         while (top > 0) {
@@ -64,8 +64,8 @@ public final class ShadowRayTarget {
 
     /** Returns the target of shadow rays to a point; tests every primitive. */
     public static ShadowRayTarget findBruteForce(Vec3 point, Bvh bvh) {
-        int[] candidates = new int[bvh.primitives.count];
-        Arrays.setAll(candidates, s -> s);
+        int[] candidates = new int[bvh.size()];
+        Arrays.setAll(candidates, bvh::member);
         return findAmong(candidates, candidates.length, point, bvh);
     }
 
