@@ -97,6 +97,8 @@ public enum Command {
             "mdi2l-lightbulb-on-outline"),
     ADD_LIGHT(Messages.key("Add Light"), Messages.key("Add a light to the scene"), "mdi2l-lightbulb-on-outline", "Shortcut+L",
             DisabledReasons.unlessAnimating(DisabledReasons::tooManyLights)),
+    ADD_BLOCKER(Messages.key("Add Blocker"), Messages.key("Add a card that blocks light and is not seen, between the light and the scene"),
+            "mdi2c-card-outline", "", DisabledReasons.unlessAnimating(DisabledReasons::tooManyShapes)),
     DUPLICATE_LIGHT(Messages.key("Duplicate Light"), Messages.key("Duplicate the selected light"), "mdi2c-content-duplicate", "Shortcut+D",
             DisabledReasons.unlessAnimating(DisabledReasons::noLightOrTooManyLights)),
     DELETE_LIGHT(Messages.key("Delete Light"), Messages.key("Delete the selected light"), "mdi2t-trash-can-outline", "Shortcut+Delete",

@@ -83,8 +83,12 @@ final class DisabledReasons {
     }
 
     static Optional<String> noShapeOrTooManyShapes(EditorState s) {
-        return noShape(s).or(() -> reasonUnless(s.scene().stage().shapeCount() < SceneLimits.MAX_SHAPES,
-                Messages.tr("a scene can have at most {0} objects", SceneLimits.MAX_SHAPES)));
+        return noShape(s).or(() -> tooManyShapes(s));
+    }
+
+    static Optional<String> tooManyShapes(EditorState s) {
+        return reasonUnless(s.scene().stage().shapeCount() < SceneLimits.MAX_SHAPES,
+                Messages.tr("a scene can have at most {0} objects", SceneLimits.MAX_SHAPES));
     }
 
     static Optional<String> nothingCopied(EditorState s) {

@@ -82,13 +82,14 @@ public final class MaterialLibrary {
     }
 
     /** Returns the material with the name that it has in the scene. */
-    private static Material unique(Scene scene, Material material) {
+    static Material unique(Scene scene, Material material) {
         return Stream.iterate(1, i -> i + 1).map(i -> i == 1 ? material : material.withName(material.name() + " " + i))
                 .filter(m -> scene.materials().stream().allMatch(other -> !other.name().equals(m.name()) || other.equals(m)))
                 .findFirst().orElseThrow();
     }
 
-    private static Scene with(Scene scene, Material material) {
+    /** Returns the scene with a material, which it may have already. */
+    static Scene with(Scene scene, Material material) {
         if (scene.materials().contains(material)) {
             return scene;
         }

@@ -316,7 +316,8 @@ class CommandTest {
         }
         assertThat(heldBack).containsExactlyInAnyOrder(Command.LOAD_FILE, Command.LOAD_RECENT, Command.RELOAD, Command.SAVE_SCENE,
                 Command.SAVE_SCENE_AS, Command.UNDO, Command.REDO, Command.UNDO_LIGHT, Command.REDO_LIGHT, Command.PASTE_SETTINGS,
-                Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, Command.RENAME_LIGHT, Command.SHOW_SHAPE,
+                Command.ADD_LIGHT, Command.ADD_BLOCKER, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, Command.RENAME_LIGHT,
+                Command.SHOW_SHAPE,
                 Command.HIDE_SHAPE,
                 Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, Command.NEW_BANK,
                 Command.DELETE_BANK, Command.NEW_SCENE, Command.PASTE_PROPERTY, Command.RESET_PROPERTY, Command.LOAD_RIG, Command.ADD_RIG,

@@ -2,6 +2,7 @@ package lightning.editor.window.model;
 
 import lightning.editor.document.Command;
 import lightning.editor.document.EditOutcome;
+import lightning.editor.document.NewBlocker;
 import lightning.editor.document.NodeEdits;
 import lightning.scene.ObjectLight;
 import lightning.scene.node.SceneNode;
@@ -16,6 +17,7 @@ final class NodeActions {
         commands.setAction(Command.DUPLICATE_SHAPE, () -> editor.selection().node().ifPresent(n -> duplicate(editor, n)));
         commands.setAction(Command.MAKE_LIGHT, () -> editor.selection().node().ifPresent(n -> makeLight(editor, n.name())));
         commands.setAction(Command.LIGHTS_OF_GLOW, () -> editor.editOrReport(scene -> EditOutcome.of(() -> ObjectLight.makeAll(scene))));
+        commands.setAction(Command.ADD_BLOCKER, () -> addBlocker(editor));
         commands.setAction(Command.DELETE_SHAPE, () -> editor.selection().node()
                 .ifPresent(n -> editor.editOrReport(scene -> NodeEdits.delete(scene, n.name()))));
     }
@@ -26,6 +28,12 @@ final class NodeActions {
         if (editor.editOrReport(scene -> NodeEdits.makeLight(scene, shape, light)).isEmpty()) {
             editor.selection().selectLight(light);
         }
+    }
+
+    /** Adds a blocker before the selected light and selects it. */
+    private static void addBlocker(SceneEditor editor) {
+        String light = editor.selection().lightName();
+        editor.editAndSelect(scene -> NewBlocker.add(scene, light), NewBlocker.name(editor.scene()));
     }
 
     /** Duplicates a shape or group and selects the copy. */

@@ -1,0 +1,53 @@
+package lightning.editor.document;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import lightning.base.math.Vec3;
+import lightning.editor.document.manipulation.ViewFocus;
+import lightning.format.jen.JenReader;
+import lightning.scene.Scene;
+import lightning.scene.node.SceneNode;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class NewBlockerTest {
+    private static Scene scene(String lights) throws Exception {
+        return JenReader.read("jen 1\ncamera { from 0 5 10 to 0 0 0 }\nplane floor { scale 20 1 20 }\n" + lights, "test.jen", Path.of("")).scene();
+    }
+
+    private static SceneNode added(Scene scene, String light) {
+        Scene after = ((EditOutcome.Applied) NewBlocker.add(scene, light)).scene();
+        assertThat(after.material("blocker").orElseThrow().transmission().isSeen()).isFalse();
+        return after.nodes().getLast();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"point { at 4 6 2 }", "spot { at -4 0.5 -3 }", "rect { at 0 6 0 }", "directional { direction 1 -2 -0.5 }",
+        "directional { direction 0 -1 0 }"})
+    void card_facesTheLightHalfway(String light) throws Exception {
+        Scene scene = scene("light key " + light);
+        SceneNode card = added(scene, "key");
+        Vec3 focus = ViewFocus.of(scene);
+        Vec3 toLight = scene.lights().getFirst().type().hasPosition() ? scene.lights().getFirst().position().minus(focus)
+                : scene.lights().getFirst().direction().negated();
+        Vec3 normal = card.placement().transform().transformVector(new Vec3(0, 1, 0)).normalized();
+        assertThat(normal.dot(toLight.normalized())).isGreaterThan(1 - 1e-12);
+        assertThat(card.placement().position().minus(focus).cross(toLight).length()).isLessThan(1e-9);
+    }
+
+    @Test
+    void sceneWithoutLights_getsCardAbove() throws Exception {
+        SceneNode card = added(scene(""), "");
+        assertThat(card.placement().position().y()).isPositive();
+    }
+
+    @Test
+    void secondBlocker_hasAnotherNameAndTheSameMaterial() throws Exception {
+        Scene once = ((EditOutcome.Applied) NewBlocker.add(scene("light key point { at 1 2 3 }"), "key")).scene();
+        Scene twice = ((EditOutcome.Applied) NewBlocker.add(once, "key")).scene();
+        assertThat(twice.nodes()).extracting(SceneNode::name).containsExactly("floor", "blocker", "blocker2");
+        assertThat(twice.materials()).hasSize(once.materials().size());
+    }
+}
