@@ -14,7 +14,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class NewBlockerTest {
     private static Scene scene(String lights) throws Exception {
-        return JenReader.read("jen 1\ncamera { from 0 5 10 to 0 0 0 }\nplane floor { scale 20 1 20 }\n" + lights, "test.jen", Path.of("")).scene();
+        return JenReader.read("jen 1\ncamera { from 0 5 10 to 0 0 0 }\nplane floor { scale 20 1 20 }\n" + lights, "test.jen", Path.of(""))
+                .scene();
     }
 
     private static SceneNode added(Scene scene, String light) {
