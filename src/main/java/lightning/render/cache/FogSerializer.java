@@ -47,13 +47,15 @@ final class FogSerializer {
                 out.writeInt(1);
                 out.writeArray(bounced.gridRay());
                 out.writeArray(bounced.path());
+                out.writeArray(bounced.material());
                 out.writeFloatArrays(bounced.lines());
             }
         }
     }
 
     private static FogRays readRays(FogGrid grid, ColumnReader in) throws IOException {
-        return in.readInt() == 0 ? grid : new BounceRays(grid, in.readInts(), in.readInts(), requireNonNull(in.readOptionalFloatArrays()));
+        return in.readInt() == 0 ? grid
+                : new BounceRays(grid, in.readInts(), in.readInts(), in.readInts(), requireNonNull(in.readOptionalFloatArrays()));
     }
 
     static @Nullable PictureFog read(Scene scene, ColumnReader in) throws IOException {

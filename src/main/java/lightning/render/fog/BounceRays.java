@@ -10,13 +10,14 @@ import org.jspecify.annotations.Nullable;
  */
 public final class BounceRays implements FogRays {
     /** Bytes of a ray, without its place in the index. */
-    public static final int BYTES = 2 * Integer.BYTES + 6 * Float.BYTES;
+    public static final int BYTES = 3 * Integer.BYTES + 6 * Float.BYTES;
     /** Path of the ray that is mirrored at the first surface; path n is refracted n times. */
     public static final int MIRRORED = 0;
 
     private final FogGrid grid;
     private final int[] gridRay;
     private final int[] path;
+    private final int[] material;
     /** Origin and direction of each ray: ox, oy, oz, dx, dy, dz. */
     private final float[][] lines;
     /** Ray by path and ray of the grid, −1 for none; null for paths without a ray. */
@@ -25,12 +26,14 @@ public final class BounceRays implements FogRays {
     /**
      * @param gridRay ray of the grid that each ray starts from: {@code int[rays]}
      * @param path    path of each ray: {@code int[rays]}
+     * @param material index of the material from which each ray bounces: {@code int[rays]}
      * @param lines   origin and direction of each ray: {@code float[6][rays]}; directions have nearly length 1
      */
-    public BounceRays(FogGrid grid, int[] gridRay, int[] path, float[][] lines) {
+    public BounceRays(FogGrid grid, int[] gridRay, int[] path, int[] material, float[][] lines) {
         this.grid = grid;
         this.gridRay = gridRay;
         this.path = path;
+        this.material = material;
         this.lines = lines;
         index = new int[1 + Arrays.stream(path).max().orElse(0)][];
         for (int i = 0; i < path.length; i++) {
@@ -104,6 +107,11 @@ public final class BounceRays implements FogRays {
         return path;
     }
 
+    /** Returns the index of the material from which each ray bounces: {@code int[rays]}; must not be modified. */
+    public int[] material() {
+        return material;
+    }
+
     /** Returns origins and directions: {@code float[6][rays]}; must not be modified. */
     public float[][] lines() {
         return lines;
@@ -111,7 +119,8 @@ public final class BounceRays implements FogRays {
 
     /** Returns whether both are the same rays. */
     public boolean areSame(BounceRays o) {
-        return Arrays.equals(gridRay, o.gridRay) && Arrays.equals(path, o.path) && Arrays.deepEquals(lines, o.lines);
+        return Arrays.equals(gridRay, o.gridRay) && Arrays.equals(path, o.path) && Arrays.equals(material, o.material)
+                && Arrays.deepEquals(lines, o.lines);
     }
 
     /** Returns the same ray among others: with its path, origin and direction; −1 for none. */

@@ -165,12 +165,12 @@ public final class PixelExplainer {
         PointReport reflected = materials.isReflective(hit.material()) && depth > 0
                 ? explainBounce(hit.reflectedRay(materials.material(hit.material())), depth - 1,
                         materials.isClear(hit.material()) && requireNonNull(hit.backSide()).isInside(), null,
-                        place != null && place.refractions == 0 ? light(place, BounceRays.MIRRORED) : null)
+                        place != null && place.refractions == 0 ? light(place, BounceRays.MIRRORED, hit.material()) : null)
                 : null;
         Ray through = materials.isClear(hit.material()) && depth > 0 ? hit.refractedRay() : null;
         PointReport refracted = through == null ? null
                 : explainBounce(through, depth - 1, !hit.isInAirBehind(), place == null ? null : place.behind(),
-                        place == null ? null : light(place, place.refractions + 1));
+                        place == null ? null : light(place, place.refractions + 1, hit.material()));
         List<LightReport> reports = new ArrayList<>();
         for (WeightedLight light : lights) {
             reports.add(lightReport(light, hit, normals));
@@ -232,11 +232,11 @@ public final class PixelExplainer {
         float[] along(Ray ray, double length);
     }
 
-    /** Returns the light that is seen along rays of a path at a place of the image; null for none. */
-    private @Nullable BounceLight light(BouncePlace place, int path) {
+    /** Returns the light that is seen along rays of a path from a material at a place of the image; null for none. */
+    private @Nullable BounceLight light(BouncePlace place, int path, int material) {
         PictureFog bounced = bounceFog;
         return bounced == null ? null
-                : (ray, length) -> BounceFog.scatteredAlong(bounced, ray, length, place.x, place.y, path,
+                : (ray, length) -> BounceFog.scatteredAlong(bounced, ray, length, place.x, place.y, path, material,
                         lights.toArray(WeightedLight[]::new));
     }
 

@@ -136,7 +136,7 @@ public final class BounceFog {
             line.dx = direction[0];
             line.dy = direction[1];
             line.dz = direction[2];
-            lookup.add(start.x()[i], start.y()[i], path, distance[i]);
+            lookup.add(start.x()[i], start.y()[i], path, above.material(i), distance[i]);
         }
         return lookup.lookUp(lights);
     }
@@ -147,9 +147,11 @@ public final class BounceFog {
      * @param bounced fog along bounced rays
      * @param length  distance of what it hits; infinite for none
      * @param x       image coordinates of the pixel that shows it, as {@code y}
-     * @param path    its path, as in {@link lightning.render.fog.BounceRays}
+     * @param path     its path, as in {@link lightning.render.fog.BounceRays}
+     * @param material index of the material from which it bounces
      */
-    public static float[] scatteredAlong(PictureFog bounced, Ray ray, double length, double x, double y, int path, WeightedLight[] lights) {
+    public static float[] scatteredAlong(PictureFog bounced, Ray ray, double length, double x, double y, int path, int material,
+            WeightedLight[] lights) {
         var lookup = new BounceLookup(bounced);
         FogRay line = lookup.next();
         line.ox = ray.origin().x();
@@ -158,7 +160,7 @@ public final class BounceFog {
         line.dx = ray.direction().x();
         line.dy = ray.direction().y();
         line.dz = ray.direction().z();
-        lookup.add(x, y, path, length);
+        lookup.add(x, y, path, material, length);
         float[] @Nullable [] columns = lookup.lookUp(lights);
         float[] light = new float[lights.length];
         for (int l = 0; l < light.length; l++) {

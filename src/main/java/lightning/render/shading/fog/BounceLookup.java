@@ -11,21 +11,18 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Looks up the light of lamps in the fog along bounced rays, between the sampled rays around their places in the image. Of these 4×4 rays, those
- * count that bounced in the same way, with the weights of {@link FogSums}; and those most whose direction is similar, so that edges of mirrors and
- * facets stay sharp. Casts no ray. Holds scratch memory: use one instance per thread.
+ * count that bounced in the same way, with the weights of {@link FogSums}; and most those from the same material in a similar direction, so that edges
+ * of mirrors and facets stay sharp. Casts no ray. Holds scratch memory: use one instance per thread.
  */
 final class BounceLookup {
     /** Rays along a side of the filter. */
     private static final int SIDE = 4;
     private static final int NEIGHBORS = SIDE * SIDE;
     private static final int PLACES = FogGrid.SAMPLES * FogGrid.PHASES;
-    /** Cosine between two rays from which on they are similar; that up to which they are not. */
-    private static final double SIMILAR = 0.9;
-    private static final double DIFFERENT = 0.7;
-    /** Weight of a ray in another direction: it counts if there is no better one. */
+    /** Weight of a ray in another direction, and factor of one from another material: such a ray counts if there is no better one. */
     private static final double OTHER_WEIGHT = 1.0 / 64;
     /** Sum of weights below which light fades out. */
-    private static final float MIN_WEIGHT = 1f / 256;
+    private static final float MIN_WEIGHT = 1f / 8192;
 
     private final BounceRays rays;
     private final FogLight[] lights;
@@ -85,9 +82,10 @@ final class BounceLookup {
      *
      * @param x      image coordinates of the pixel or sample that shows it, as {@code y}
      * @param onPath its path, as in {@link BounceRays}
+     * @param material index of the material from which it bounces
      * @param length distance of what it hits; infinite for none
      */
-    void add(double x, double y, int onPath, double length) {
+    void add(double x, double y, int onPath, int material, double length) {
         FogRay line = lines[count];
         FogGrid grid = rays.grid();
         int column = Math.clamp((int) grid.position(x), 1, grid.columns() - 3);
@@ -101,13 +99,21 @@ final class BounceLookup {
             if (ray >= 0) {
                 int s = slot(ray);
                 double cosine = line.dx * slotX[s] + line.dy * slotY[s] + line.dz * slotZ[s];
-                double similar = Math.clamp((cosine - DIFFERENT) / (SIMILAR - DIFFERENT), OTHER_WEIGHT, 1);
+                double similar = similarity(cosine) * (rays.material()[ray] == material ? 1 : OTHER_WEIGHT);
                 weight[at] = (float) (filter(n % SIDE, u) * filter(n / SIDE, v) * similar);
                 neighbor[at] = s;
             }
         }
         distance[count] = length;
         count++;
+    }
+
+    /** Returns the weight of a ray at an angle: cos<sup>16</sup> of its half. */
+    private static double similarity(double cosine) {
+        double square = 0.5 + 0.5 * cosine;
+        double fourth = square * square;
+        double eighth = fourth * fourth;
+        return Math.clamp(eighth * eighth, OTHER_WEIGHT, 1);
     }
 
     /** Returns the weight of a ray of four in a line: the mean of the filters 1, 2, 1 around the second and the third. */

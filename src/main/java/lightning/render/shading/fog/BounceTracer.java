@@ -75,34 +75,39 @@ public final class BounceTracer {
     private static BounceRays join(FogGrid grid, Found[] found, int count) {
         int[] gridRay = new int[count];
         int[] path = new int[count];
+        int[] material = new int[count];
         float[][] lines = new float[6][count];
         int at = 0;
         for (Found part : found) {
             System.arraycopy(part.gridRay, 0, gridRay, at, part.count);
             System.arraycopy(part.path, 0, path, at, part.count);
+            System.arraycopy(part.material, 0, material, at, part.count);
             for (int c = 0; c < lines.length; c++) {
                 System.arraycopy(part.lines[c], 0, lines[c], at, part.count);
             }
             at += part.count;
         }
-        return new BounceRays(grid, gridRay, path, lines);
+        return new BounceRays(grid, gridRay, path, material, lines);
     }
 
     /** Rays that start from a group of the grid. */
     private static final class Found {
         private int[] gridRay = new int[16];
         private int[] path = new int[16];
+        private int[] material = new int[16];
         private final float[][] lines = new float[6][16];
         private int count;
 
-        void add(int from, int onPath, Ray ray) {
+        void add(int from, int onPath, int ofMaterial, Ray ray) {
             if (count == path.length) {
                 gridRay = Arrays.copyOf(gridRay, 2 * count);
                 path = Arrays.copyOf(path, 2 * count);
+                material = Arrays.copyOf(material, 2 * count);
                 Arrays.setAll(lines, c -> Arrays.copyOf(lines[c], 2 * count));
             }
             gridRay[count] = from;
             path[count] = onPath;
+            material[count] = ofMaterial;
             Vec3 o = ray.origin();
             Vec3 d = ray.direction();
             double[] line = {o.x(), o.y(), o.z(), d.x(), d.y(), d.z()};
@@ -132,7 +137,7 @@ public final class BounceTracer {
         }
         Material material = geometry.materials().material(hit.material());
         if (!material.isClear() || !isInside(hit)) {
-            found.add(from, BounceRays.MIRRORED, hit.reflectedRay(material));
+            found.add(from, BounceRays.MIRRORED, hit.material(), hit.reflectedRay(material));
         }
         for (int n = 1; n <= depth && hit != null && hit.clearSide() != null; n++) {
             Ray through = hit.refractedRay();
@@ -140,7 +145,7 @@ public final class BounceTracer {
                 return;
             }
             if (hit.isInAirBehind()) {
-                found.add(from, n, through);
+                found.add(from, n, hit.material(), through);
             }
             hit = n < depth ? bouncingSurface(through) : null;
         }

@@ -21,9 +21,12 @@ final class ReferenceBounceFog {
     private final WeightedLight[] lights;
     private final ReferenceFog.Visibility visibility;
     private final ReferenceFogSamples samples;
-    private final Map<Long, Optional<Ray>> rays = new HashMap<>();
+    private final Map<Long, Optional<NearRay>> rays = new HashMap<>();
     /** Sums of the samples before each one, by ray and light. */
     private final Map<Long, float[]> sums = new HashMap<>();
+
+    /** Ray that bounces from the grid, and the material from which it bounces. */
+    private record NearRay(Ray ray, Material from) {}
 
     ReferenceBounceFog(Scene scene, WeightedLight[] lights, ReferenceFog.Visibility visibility) {
         grid = new FogGrid(scene.camera(), scene.picture());
@@ -40,13 +43,14 @@ final class ReferenceBounceFog {
      * @param distance distance of what it hits; infinite for none
      * @param place    image coordinates; null if it shows no light in fog
      * @param path     number of refractions; 0 for a ray that is mirrored at the first surface
+     * @param material name of the material from which it bounces
      */
-    float[] color(Ray ray, float[] color, double distance, double[] place, int path) {
+    float[] color(Ray ray, float[] color, double distance, double[] place, int path, String material) {
         float passed = (float) samples.transmittance(ray, distance);
         float[] scattered = new float[3];
         for (int l = 0; l < lights.length && place != null; l++) {
             if (!lights[l].isDarkInFog()) {
-                float one = light(l, ray, distance, place, path);
+                float one = light(l, ray, distance, place, path, material);
                 for (int c = 0; c < 3; c++) {
                     scattered[c] += lights[l].fog().channel(c) * one;
                 }
@@ -58,8 +62,8 @@ final class ReferenceBounceFog {
             FogComposer.color(color[2], passed, (float) fog.color().b(), (float) fog.ambient().b(), scattered[2])};
     }
 
-    /** Returns the mean of what the 4×4 rays around a place see, in the filter 1, 2, 1 between the two next to it, by similar directions. */
-    private float light(int l, Ray ray, double distance, double[] place, int path) {
+    /** Returns the mean of what the 4×4 rays around a place see, in the filter 1, 2, 1 between the two next to it, by material and direction. */
+    private float light(int l, Ray ray, double distance, double[] place, int path, String material) {
         double column = place[0] / grid.step() + 1;
         double line = place[1] / grid.step() + 1;
         int left = Math.min(Math.max((int) column, 1), grid.columns() - 3) - 1;
@@ -73,19 +77,22 @@ final class ReferenceBounceFog {
         for (int y = 0; y < 4; y++) {
             for (int x = 0; x < 4; x++) {
                 int from = (top + y) * grid.columns() + left + x;
-                Ray near = ray(from, path);
+                NearRay near = ray(from, path);
                 if (near != null) {
                     Vec3 a = ray.direction();
-                    Vec3 b = near.direction();
+                    Vec3 b = near.ray.direction();
                     double cosine = a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
-                    double similar = Math.min(Math.max((cosine - 0.7) / (0.9 - 0.7), 1.0 / 64), 1);
+                    double square = 0.5 + 0.5 * cosine;
+                    double fourth = square * square;
+                    double similar = Math.min(Math.max(fourth * fourth * (fourth * fourth), 1.0 / 64), 1);
+                    similar *= near.from.name().equals(material) ? 1 : 1.0 / 64;
                     float weight = (float) (across[x] * down[y] * similar);
                     weights += weight;
-                    sum += weight * before(l, from, path, near, counted);
+                    sum += weight * before(l, from, path, near.ray, counted);
                 }
             }
         }
-        return sum / Math.max(weights, 1f / 256);
+        return sum / Math.max(weights, 1f / 8192);
     }
 
     private static double[] filter(double u) {
@@ -121,11 +128,11 @@ final class ReferenceBounceFog {
     }
 
     /** Returns the ray of a path that starts from a ray of the grid; null if there is none in the air. */
-    private Ray ray(int from, int path) {
+    private NearRay ray(int from, int path) {
         return rays.computeIfAbsent(key(from, path), _ -> Optional.ofNullable(trace(from, path))).orElse(null);
     }
 
-    private Ray trace(int from, int path) {
+    private NearRay trace(int from, int path) {
         double[] dx = new double[1];
         double[] dy = new double[1];
         double[] dz = new double[1];
@@ -138,7 +145,7 @@ final class ReferenceBounceFog {
         }
         if (path == 0) {
             boolean mirrors = material.isMirror() || material.isClear() && !hit.backSide().isInside();
-            return mirrors ? rounded(hit.reflectedRay(material)) : null;
+            return mirrors ? new NearRay(rounded(hit.reflectedRay(material)), material) : null;
         }
         for (int n = 1; n <= path; n++) {
             if (hit == null || !visibility.material(hit).isClear()) {
@@ -150,7 +157,7 @@ final class ReferenceBounceFog {
             }
             boolean isInAir = hit.backSide().isInside() || hit.backSide().transmission().thin();
             if (n == path) {
-                return isInAir ? rounded(ray) : null;
+                return isInAir ? new NearRay(rounded(ray), visibility.material(hit)) : null;
             }
             hit = visibility.surface(ray);
         }

@@ -206,8 +206,10 @@ public final class ReferenceTracer {
      * @param shown place whose bounced rays show light in fog, if this one does; null otherwise
      * @param path  number of refractions of this ray; 0 for a mirrored one
      * @param next  place of the surface that it hits; null if that has none
+     * @param from  name of the material from which it bounces
      */
-    private float[] bouncedColor(Ray ray, int depth, int pattern, boolean isInside, BouncePlace shown, int path, BouncePlace next) {
+    private float[] bouncedColor(Ray ray, int depth, int pattern, boolean isInside, BouncePlace shown, int path, BouncePlace next,
+            String from) {
         float[] color = color(ray, depth, pattern, next);
         if (forEdges || isInside || !scene.world().fog().isPresent()) {
             return color;
@@ -222,7 +224,7 @@ public final class ReferenceTracer {
             distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
         }
         bounceFog = bounceFog == null ? new ReferenceBounceFog(scene, lights, new AirVisibility()) : bounceFog;
-        return bounceFog.color(ray, color, distance, shown == null ? null : new double[] {shown.x, shown.y}, path);
+        return bounceFog.color(ray, color, distance, shown == null ? null : new double[] {shown.x, shown.y}, path, from);
     }
 
     /** Visibility of lights from points in the air. */
@@ -264,7 +266,7 @@ public final class ReferenceTracer {
         if (materials.isReflective(material) && depth > 0) {
             mirrored = mirrorTracer.bouncedColor(hit.reflectedRay(materials.material(material)), depth - 1, pattern,
                     materials.isClear(material) && hit.backSide().isInside(),
-                    place != null && place.refractions == 0 ? place : null, 0, null);
+                    place != null && place.refractions == 0 ? place : null, 0, null, materials.material(material).name());
         }
         Ray through = materials.isClear(material) && depth > 0 ? hit.refractedRay() : null;
         float[] refracted = new float[3];
@@ -272,7 +274,7 @@ public final class ReferenceTracer {
             boolean isInside = !hit.backSide().isInside() && !hit.backSide().transmission().thin();
             int path = place == null ? 0 : place.refractions + 1;
             refracted = mirrorTracer.bouncedColor(through, depth - 1, pattern, isInside, place, path,
-                    place == null ? null : new BouncePlace(place.x, place.y, path));
+                    place == null ? null : new BouncePlace(place.x, place.y, path), materials.material(material).name());
         }
         float[] color = new float[3];
         float[][] terms = terms(hit, pattern);
