@@ -264,8 +264,9 @@ final class TileTracer {
                 assert images != null;
                 compose(mirrorLevels, level + 1, below, images.forBounce(bounce), edges != null ? edges.forBounce(bounce) : null, progress);
                 if (bounceFog != null) {
-                    bounceFog.add(rows, levels[level + 1], bounce, mirrorLevels.materials, start, mirrorLevels.lights,
-                            images.forBounce(bounce));
+                    bounceFog.add(rows, levels[level + 1], bounce, mirrorLevels.materials,
+                            bounceFog.columns(rows, levels[level + 1], bounce, mirrorLevels.materials, start, mirrorLevels.lights, null),
+                            mirrorLevels.lights, images.forBounce(bounce));
                 }
             }
         }

@@ -15,6 +15,7 @@ import lightning.render.image.Film;
 import lightning.render.shading.ClearMaterialShader;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.RowContribution;
+import lightning.render.shading.fog.BounceColumns;
 import lightning.render.shading.fog.BounceFog;
 import lightning.render.shading.fog.BounceStart;
 import lightning.render.shading.fog.FogComposer;
@@ -269,9 +270,8 @@ public final class LightThumbnails {
                         float[] passed = new float[Film.TILE_PIXELS];
                         bounceFog.writeTransmittances(levels[at].rows(), seen, bounce, mirrorMaterials, passed);
                         selected.transmittances[bounce.ordinal()] = passed;
-                        selected.scattered[bounce.ordinal()] = Arrays.stream(bounceFog.scattered(levels[at].rows(), seen, bounce,
-                                mirrorMaterials, start, allMirrorLights, selected.row))
-                                .map(column -> column == null ? null : Arrays.copyOf(column, selected.count)).toArray(float[][]::new);
+                        selected.columns[bounce.ordinal()] = bounceFog.columns(levels[at].rows(), seen, bounce, mirrorMaterials, start,
+                                allMirrorLights, levels[below].fog());
                     }
                 }
             }
@@ -286,8 +286,8 @@ public final class LightThumbnails {
         private final SelectedRows[] bounces = new SelectedRows[BounceKind.values().length];
         /** Transmittance of the fog along the rays from all rows of the level, by {@link BounceKind}; null in clear air. */
         private final float[] @Nullable [] transmittances = new float[BounceKind.values().length][];
-        /** Light in this fog by {@link BounceKind}, light of the mirrored scene and selected row; null for lights that are dark there. */
-        private final float[] @Nullable [] @Nullable [] scattered = new float[BounceKind.values().length][][];
+        /** Light in this fog, by {@link BounceKind}; null if none is seen. */
+        private final @Nullable BounceColumns[] columns = new BounceColumns[BounceKind.values().length];
         private final int[] row;
         private final int[] material;
         /** Number of each row's parent. */
@@ -357,17 +357,18 @@ public final class LightThumbnails {
             for (int i = 0; passed != null && i < images.length; i++) {
                 images[i] *= passed[row[i / 3]];
             }
-            if (levels.mirrorLights[layer] != null && scattered[bounce.ordinal()] != null) {
-                addScattered(scattered[bounce.ordinal()], levels.mirrorLights[layer], levels.mirrorLayer[layer], levels.mirrorFog, images);
+            BounceColumns fog = columns[bounce.ordinal()];
+            if (fog != null && levels.mirrorLights[layer] != null && !levels.mirrorLights[layer].isDarkInFog()) {
+                addScattered(fog.columns()[levels.mirrorLayer[layer]], levels.mirrorLights[layer], levels.mirrorFog, images);
             }
             return images;
         }
 
-        /** @param columns light in fog of each light of the mirrored scene */
-        private static void addScattered(float[] @Nullable [] columns, WeightedLight light, int layer, Fog fog, float[] images) {
-            float[] column = layer < columns.length ? columns[layer] : null;
+        private void addScattered(float @Nullable [] column, WeightedLight light, Fog fog, float[] images) {
             for (int i = 0; column != null && i < images.length; i++) {
-                images[i] += ClearMaterialShader.channel(fog.color(), i % 3) * (light.fog().channel(i % 3) * column[i / 3]);
+                // Only the first rows cast rays.
+                float seen = row[i / 3] < column.length ? column[row[i / 3]] : 0;
+                images[i] += ClearMaterialShader.channel(fog.color(), i % 3) * (light.fog().channel(i % 3) * seen);
             }
         }
     }

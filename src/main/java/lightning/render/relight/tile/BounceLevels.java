@@ -10,10 +10,13 @@ import lightning.render.cache.CachedTile;
 import lightning.render.cache.TileLevel;
 import lightning.render.relight.paper.ReflectionHitList;
 import lightning.render.shading.BounceImages;
+import lightning.render.shading.WeightedLight;
+import lightning.render.shading.fog.BounceColumns;
 import lightning.render.shading.fog.BounceFog;
 import lightning.render.shading.fog.BounceStart;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
 import lightning.render.trace.RowSplice;
 import lightning.render.trace.SamplePositions;
 import lightning.render.trace.TileVisibility;
@@ -249,8 +252,11 @@ final class BounceLevels {
                         worker.compose(levels.get(at), job.storesMirrorRows() ? job.mirrorPlan() : null, below,
                                 requireNonNull(images).forBounce(bounce)));
                 if (fog != null) {
-                    fog.add(rows, seen, bounce, job.mirrorTarget().geometry().materials(), start, job.mirrorTarget().lights(),
-                            images.forBounce(bounce));
+                    MaterialTable materials = job.mirrorTarget().geometry().materials();
+                    WeightedLight[] lights = job.mirrorTarget().lights();
+                    BounceColumns columns = fog.columns(rows, seen, bounce, materials, start, lights, levels.get(at).fog());
+                    levels.set(at, levels.get(at).withFog(columns));
+                    fog.add(rows, seen, bounce, materials, columns, lights, images.forBounce(bounce));
                 }
             }
         }

@@ -109,7 +109,9 @@ public final class TileRecomposer {
                 mirror.composeLevel(seen, lights, levels[at].layers(), world, indirect(levels[at], mirrorIndirect), below,
                         requireNonNull(images).forBounce(bounce));
                 if (mirrorFog != null) {
-                    mirrorFog.add(rows, seen, bounce, mirrored, start, lights, images.forBounce(bounce));
+                    mirrorFog.add(rows, seen, bounce, mirrored,
+                            mirrorFog.columns(rows, seen, bounce, mirrored, start, lights, levels[at].fog()), lights,
+                            images.forBounce(bounce));
                 }
             }
         }

@@ -1,5 +1,7 @@
 package lightning.render.shading.fog;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.base.math.Ray;
 import lightning.render.fog.FogMedium;
@@ -21,8 +23,6 @@ import org.jspecify.annotations.Nullable;
  * per thread.
  */
 public final class BounceFog {
-    private static final float[] @Nullable [] NO_LIGHT = {};
-
     private final FogMedium medium;
     private final Fog fog;
     /** Null if no light is seen in the fog. */
@@ -62,23 +62,22 @@ public final class BounceFog {
     /**
      * Adds fog to the colors of the rays that bounce from a level's rows.
      *
-     * @param below  rows that these rays hit
-     * @param start  the level's rows as the start of these rays; null if they show no light in fog
-     * @param lights lights of the scene, in its order
-     * @param colors red, green and blue by row of the level above; overwritten
+     * @param below   rows that these rays hit
+     * @param columns light of lamps along these rays; null if they show none
+     * @param lights  lights of the scene, in its order
+     * @param colors  red, green and blue by row of the level above; overwritten
      */
-    public void add(HitRows above, HitRows below, BounceKind bounce, MaterialTable materials, @Nullable BounceStart start,
+    public void add(HitRows above, HitRows below, BounceKind bounce, MaterialTable materials, @Nullable BounceColumns columns,
             WeightedLight[] lights, float[][] colors) {
         int count = bounce.rowCount(above);
         writeTransmittances(above, below, bounce, materials, transmittance);
-        float[] @Nullable [] scattered = scattered(above, below, bounce, materials, start, lights, null);
         for (int c = 0; c < 3; c++) {
             float tint = ClearMaterialShader.channel(fog.color(), c);
             float ambient = ClearMaterialShader.channel(fog.ambient(), c);
             Arrays.fill(sum, 0, count, 0);
-            for (int l = 0; l < scattered.length; l++) {
-                float[] column = scattered[l];
-                float weight = column == null ? 0 : lights[l].fog().channel(c);
+            for (int l = 0; columns != null && l < lights.length; l++) {
+                float[] column = lights[l].isDarkInFog() ? null : columns.columns()[l];
+                float weight = lights[l].fog().channel(c);
                 for (int i = 0; column != null && i < count; i++) {
                     sum[i] += weight * column[i];
                 }
@@ -106,39 +105,63 @@ public final class BounceFog {
     }
 
     /**
-     * Looks up the light of each lamp of weight 1 in the fog along rays that bounce from a level's rows.
+     * Looks up the light of lamps in the fog along rays that bounce from a level's rows. Keeps columns that are known.
      *
      * @param start  the level's rows as the start of these rays; null if they show no light in fog
      * @param lights lights of the scene, in its order
-     * @param rows   rows to look up; null for all
-     * @return a column for each light, in the order of these rows, null for lights that are dark there; no column if {@code start} is null. Scratch
-     *         memory, valid until the next call
+     * @param known  columns that were looked up before; null for none
+     * @return null if no light is seen along these rays
      */
-    public float[] @Nullable [] scattered(HitRows above, HitRows below, BounceKind bounce, MaterialTable materials,
-            @Nullable BounceStart start, WeightedLight[] lights, int @Nullable [] rows) {
+    public @Nullable BounceColumns columns(HitRows above, HitRows below, BounceKind bounce, MaterialTable materials,
+            @Nullable BounceStart start, WeightedLight[] lights, @Nullable BounceColumns known) {
         int path = start == null ? -1 : start.path(bounce);
         if (lookup == null || start == null || path < 0) {
-            return NO_LIGHT;
+            return null;
         }
+        @Nullable
+        FogLight[] sources = lookup.sources(lights);
+        BounceColumns same = known != null && known.areBetween(above, below) ? known : null;
+        if (same != null && Arrays.equals(sources, same.sources(), (a, b) -> a == b ? 0 : 1)) {
+            return same;
+        }
+        boolean[] isUnknown = new boolean[sources.length];
+        boolean any = false;
+        for (int l = 0; l < sources.length; l++) {
+            FogLight source = sources[l];
+            isUnknown[l] = source != null && (same == null || same.index(source) < 0);
+            any |= isUnknown[l];
+        }
+        if (any) {
+            setRays(above, below, bounce, materials, start, path);
+        }
+        float[] @Nullable [] columns = new float[sources.length][];
+        for (int l = 0; l < sources.length; l++) {
+            FogLight source = sources[l];
+            if (source != null) {
+                columns[l] = isUnknown[l] || same == null ? lookup.lookUp(l, lights[l]) : same.columns()[same.index(source)];
+            }
+        }
+        return new BounceColumns(above, below, sources, columns);
+    }
+
+    private void setRays(HitRows above, HitRows below, BounceKind bounce, MaterialTable materials, BounceStart start, int path) {
+        BounceLookup rays = requireNonNull(lookup);
         writeDistances(above, below, bounce);
-        lookup.clear();
-        int count = bounce.rowCount(above);
-        for (int k = 0; k < (rows == null ? count : rows.length); k++) {
-            int i = rows == null ? k : rows[k];
-            if (i >= count || !passesFog(above, i, bounce, materials)) {
-                lookup.addNone();
+        rays.clear();
+        for (int i = 0; i < bounce.rowCount(above); i++) {
+            if (!passesFog(above, i, bounce, materials)) {
+                rays.addNone();
                 continue;
             }
-            FogRay line = lookup.next();
+            FogRay line = rays.next();
             line.ox = bounce.originX(above)[i];
             line.oy = bounce.originY(above)[i];
             line.oz = bounce.originZ(above)[i];
             line.dx = direction[0];
             line.dy = direction[1];
             line.dz = direction[2];
-            lookup.add(start.x()[i], start.y()[i], path, above.material(i), distance[i]);
+            rays.add(start.x()[i], start.y()[i], path, above.material(i), distance[i]);
         }
-        return lookup.lookUp(lights);
     }
 
     /**
@@ -161,10 +184,12 @@ public final class BounceFog {
         line.dy = ray.direction().y();
         line.dz = ray.direction().z();
         lookup.add(x, y, path, material, length);
-        float[] @Nullable [] columns = lookup.lookUp(lights);
         float[] light = new float[lights.length];
+        @Nullable
+        FogLight[] sources = lookup.sources(lights);
         for (int l = 0; l < light.length; l++) {
-            light[l] = columns[l] == null ? 0 : columns[l][0];
+            float[] column = sources[l] == null ? null : lookup.lookUp(l, lights[l]);
+            light[l] = column == null ? 0 : column[0];
         }
         return light;
     }

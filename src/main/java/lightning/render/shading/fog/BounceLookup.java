@@ -1,5 +1,7 @@
 package lightning.render.shading.fog;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import lightning.render.fog.BounceRays;
 import lightning.render.fog.FogGrid;
@@ -25,7 +27,7 @@ final class BounceLookup {
     private static final float MIN_WEIGHT = 1f / 8192;
 
     private final BounceRays rays;
-    private final FogLight[] lights;
+    private final @Nullable FogLight[] lights;
     private final @Nullable FogSamples[] samples;
     private final FogPath path = new FogPath();
     private final FogRay sampled = new FogRay();
@@ -45,7 +47,6 @@ final class BounceLookup {
     private int slotCount;
     /** Sums of the samples before each one, by slot. */
     private float[] sums = new float[0];
-    private float[] @Nullable [] columns = {};
 
     /** @param fog fog along bounced rays */
     BounceLookup(PictureFog fog) {
@@ -145,28 +146,29 @@ final class BounceLookup {
         return slot[ray];
     }
 
+    /** Returns the light in the fog of each light that shines in it; null for others. */
+    @Nullable
+    FogLight[] sources(WeightedLight[] of) {
+        @Nullable
+        FogLight[] sources = new FogLight[of.length];
+        Arrays.setAll(sources, l -> of[l].isDarkInFog() ? null : lights[l]);
+        return sources;
+    }
+
     /**
-     * Looks up the light of each light of weight 1 along the rays that were added.
+     * Looks up the light of a light of weight 1 along the rays that were added.
      *
-     * @param of lights of the scene, in its order
-     * @return a column for each light: {@code float[1024]}, in the order of the rays; null for lights that are dark there. Scratch memory, valid
-     *         until the next call
+     * @param l index of the light
+     * @return light by ray: {@code float[rays]}; null if it is dark there
      */
-    float[] @Nullable [] lookUp(WeightedLight[] of) {
-        if (columns.length != of.length) {
-            columns = new float[of.length][];
+    float @Nullable [] lookUp(int l, WeightedLight of) {
+        FogLight light = requireNonNull(lights[l]);
+        if (!setSums(light)) {
+            return null;
         }
-        float[] @Nullable [] found = new float[of.length][];
-        for (int l = 0; l < of.length; l++) {
-            FogLight light = of[l].isDarkInFog() ? null : lights[l];
-            if (light != null && setSums(light)) {
-                float[] column = columns[l] == null ? new float[TermKernel.MAX_ROWS] : columns[l];
-                columns[l] = column;
-                lookUp(samples(l, of[l]), light, column);
-                found[l] = column;
-            }
-        }
-        return found;
+        float[] column = new float[count];
+        lookUp(samples(l, of), light, column);
+        return column;
     }
 
     /** Sums the samples of the rays in all slots; returns false if none has light. */
@@ -203,7 +205,6 @@ final class BounceLookup {
 
     private void lookUp(FogSamples of, FogLight light, float[] to) {
         for (int i = 0; i < count; i++) {
-            to[i] = 0;
             if (distance[i] < 0) {
                 continue;
             }

@@ -28,6 +28,15 @@ public record PictureFog(FogRays rays, FogMedium medium, float[] depths, @Nullab
         return rays * (Float.BYTES + lights + bounced);
     }
 
+    /**
+     * Returns the maximum bytes of fog for each camera ray of a picture: a column of each light and one of what passes, and a column of each light for
+     * each bounce that shows it; 0 in clear air.
+     */
+    public static long maxBytesPerRay(Scene scene) {
+        return FogMedium.of(scene) == null ? 0
+                : Float.BYTES * (1 + scene.rig().effectiveLights().size() * (1 + BounceTracer.maxPaths(scene)));
+    }
+
     /** Returns the grid of camera rays. */
     public FogGrid grid() {
         return rays.grid();
