@@ -144,7 +144,7 @@ final class ReferenceBounceFog {
             return null;
         }
         if (path == 0) {
-            boolean mirrors = material.isMirror() || material.isClear() && !hit.backSide().isInside();
+            boolean mirrors = material.isClear() ? !hit.backSide().isInside() : material.isMirror();
             return mirrors ? new NearRay(rounded(hit.reflectedRay(material)), material) : null;
         }
         for (int n = 1; n <= path; n++) {
