@@ -27,7 +27,6 @@ import lightning.render.shading.explanation.LightReport;
 import lightning.render.shading.explanation.PixelExplainer;
 import lightning.render.shading.explanation.PointContributions;
 import lightning.render.shading.explanation.PointReport;
-import lightning.render.shading.fog.PictureFog;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.NormalSteps;
 import lightning.render.trace.SurfacePoint;
@@ -86,7 +85,7 @@ final class ExplainCommand implements Callable<Integer> {
         }
         PixelExplainer direct = new PixelExplainer(scene);
         IndirectLight indirect = traceIndirect(scene, direct.geometry());
-        PixelExplainer explainer = direct.withIndirect(indirect).withFog(traceFog(scene, direct.geometry()));
+        PixelExplainer explainer = withFog(direct.withIndirect(indirect), scene);
         PointReport report = explainer.explainPixel(pixel.x(), pixel.y());
         console.print("pixel %d,%d of %d x %d", pixel.x(), pixel.y(), width, height);
         print(explainer, report, "", 1);
@@ -110,10 +109,11 @@ final class ExplainCommand implements Callable<Integer> {
         }
     }
 
-    /** Returns the fog of the picture; null if the air is clear. */
-    private static @Nullable PictureFog traceFog(Scene scene, Geometry geometry) {
+    /** Returns an explainer with the fog of the picture. */
+    private static PixelExplainer withFog(PixelExplainer explainer, Scene scene) {
         try (WorkerPool workers = new WorkerPool(WorkerPool.processorCount())) {
-            return new TraditionalTracer(scene, geometry).traceFog(workers, Progress.NONE);
+            var tracer = new TraditionalTracer(scene, explainer.geometry());
+            return explainer.withFog(tracer.traceFog(workers, Progress.NONE), tracer.traceBounceFog(workers, Progress.NONE));
         }
     }
 

@@ -6,6 +6,7 @@ import lightning.format.json.ReportMapper;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.shading.explanation.PixelExplainer;
+import lightning.render.shading.fog.PictureFog;
 import lightning.scene.Scene;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -35,8 +36,10 @@ final class PixelRequest {
         session.update(request, 0);
         Renderer renderer = session.renderer();
         var indirect = renderer.cache().indirect();
+        PictureFog bounceFog = renderer.cache().hasCurrentReflections() ? renderer.cache().mirrored().fog() : null;
         PixelExplainer explainer = new PixelExplainer(renderer.scene(), renderer.cache().geometry())
-                .withIndirect(indirect == null ? null : indirect.light()).withFog(renderer.cache().shown().fog()).withPassedCutouts();
+                .withIndirect(indirect == null ? null : indirect.light()).withFog(renderer.cache().shown().fog(), bounceFog)
+                .withPassedCutouts();
         Film film = renderer.film();
         ExplainReport report = new PixelReporter(scene, explainer).report(x, y, explainer.explainPixel(x, y),
                 new float[] {film.red(x, y), film.green(x, y), film.blue(x, y)});

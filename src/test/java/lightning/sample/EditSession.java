@@ -27,6 +27,11 @@ public final class EditSession {
         return Combinators.combine(EditArbitraries.sequences(), SceneArbitraries.scenes()).as(EditSession::new);
     }
 
+    /** Returns sessions of one to twelve edits of scenes in fog with mirrors and glass. */
+    public static Arbitrary<EditSession> fogSessions() {
+        return Combinators.combine(EditArbitraries.sequences(), FogArbitraries.scenes()).as(EditSession::new);
+    }
+
     /** Returns sessions of which a small share has indirect light, which takes much more time. */
     public static Arbitrary<EditSession> mixedSessions() {
         return Arbitraries.frequencyOf(Tuple.of(11, sessions()), Tuple.of(1, indirectSessions()));

@@ -1,9 +1,14 @@
 package lightning.sample;
 
+import java.util.ArrayList;
 import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.FogAttributes;
+import lightning.scene.Scene;
+import lightning.scene.material.Material;
+import lightning.scene.material.ShadowCasting;
+import lightning.scene.material.Transmission;
 import lightning.scene.value.Fog;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -20,6 +25,32 @@ final class FogArbitraries {
                 .combine(densities(), NumberArbitraries.colors().map(FogArbitraries::limited), ambients(), anisotropies(), heights(),
                         falloffs(), centers(), sizes())
                 .as(Fog::new);
+    }
+
+    /** Returns scenes in fog with materials that mirror, and some that are clear. */
+    static Arbitrary<Scene> scenes() {
+        Arbitrary<Integer> kinds = Arbitraries.integers().between(0, 3).withoutEdgeCases();
+        return Combinators.combine(SceneArbitraries.scenes(), fogs(), kinds.list().ofSize(3), Arbitraries.of(1, 2, 3, 5))
+                .as((scene, fog, bounces, depth) -> scene.withWorld(scene.world().withFog(fog))
+                        .withPicture(scene.picture().withDepth(depth)).withMaterials(bouncing(scene.materials(), bounces)));
+    }
+
+    /** @param kinds for each material: mirror, glass, thin glass, or as it is */
+    private static List<Material> bouncing(List<Material> materials, List<Integer> kinds) {
+        List<Material> result = new ArrayList<>();
+        for (Material material : materials) {
+            result.add(switch (kinds.get(result.size() % kinds.size())) {
+                case 0 -> material.withReflective(Rgb.gray(0.7)).withTransmission(Transmission.NONE);
+                case 1 -> material.withTransmission(glass(false));
+                case 2 -> material.withTransmission(glass(true));
+                default -> material;
+            });
+        }
+        return result;
+    }
+
+    private static Transmission glass(boolean thin) {
+        return new Transmission(new Rgb(0.9, 0.95, 1), 1.4, thin, Rgb.WHITE, 1, ShadowCasting.FULL);
     }
 
     private static Rgb limited(Rgb color) {

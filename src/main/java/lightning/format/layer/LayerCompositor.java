@@ -67,9 +67,9 @@ final class LayerCompositor {
         composer.setShowsGlow(false);
         ofSets = new TileRecomposer(cache, engine, ViewEffects.ALL);
         ofSets.setShowsGlow(false);
-        ofSets.setMirrorFog(BounceFog.of(mirrored.withWorld(darkMirroredWorld)));
+        ofSets.setMirrorFog(BounceFog.of(mirrored.withWorld(darkMirroredWorld), cache.mirrored().fog()));
         ofRest = new TileRecomposer(cache, engine, ViewEffects.ALL);
-        ofRest.setMirrorFog(BounceFog.of(mirrored));
+        ofRest.setMirrorFog(BounceFog.of(mirrored, cache.mirrored().fog()));
     }
 
     /** Returns the colors of a layer: red, green, blue, {@code float[1024]} each; for a block of samples those of the samples. */
@@ -87,10 +87,10 @@ final class LayerCompositor {
                 composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld, BLACK, result);
                 composer.setShowsGlow(false);
             }
-            case Layer.OfLights some -> addPart(some, sets.get(some.set()), tile, result);
+            case Layer.OfLights some -> addPart(some, sets.get(some.set()), samplePositions, tile, result);
             case Layer.Gathered _ -> addGathered(tile.levels[0], sets.getLast().gathered(), result);
             case Layer.Reflections _ -> addReflections(rows,
-                    mirrorsSets ? images(ofRest, sets.getLast(), tile, mirrored.world()) : tile.images, result);
+                    mirrorsSets ? images(ofRest, sets.getLast(), samplePositions, tile, mirrored.world()) : tile.images, result);
         }
         if (tile.fog != null) {
             addFog(layer, tile.fog, result);
@@ -98,7 +98,7 @@ final class LayerCompositor {
         return result;
     }
 
-    private void addPart(Layer.OfLights some, SetLight light, CachedTile tile, float[][] to) {
+    private void addPart(Layer.OfLights some, SetLight light, SamplePositions places, CachedTile tile, float[][] to) {
         if (!light.shines()) {
             return;
         }
@@ -107,7 +107,7 @@ final class LayerCompositor {
             case DIFFUSE -> addDirect(LightComponent.DIFFUSE, some, light, tile, to);
             case SPECULAR -> addDirect(LightComponent.SPECULAR, some, light, tile, to);
             case GATHERED -> addGathered(tile.levels[0], light.gathered(), to);
-            case REFLECTIONS -> addReflections(rows, images(ofSets, light, tile, darkMirroredWorld), to);
+            case REFLECTIONS -> addReflections(rows, images(ofSets, light, places, tile, darkMirroredWorld), to);
             // Fog is added to all layers.
             case FOG -> {
             }
@@ -145,9 +145,10 @@ final class LayerCompositor {
         }
     }
 
-    private static @Nullable BounceImages images(TileRecomposer recomposer, SetLight light, CachedTile tile, World world) {
+    private static @Nullable BounceImages images(TileRecomposer recomposer, SetLight light, SamplePositions places, CachedTile tile,
+            World world) {
         recomposer.setIndirect(light.gathered(), light.mirroredGathered());
-        return tile.rows().reflectiveCount == 0 ? null : recomposer.composeImages(tile.levels, light.mirrored(), world);
+        return tile.rows().reflectiveCount == 0 ? null : recomposer.composeImages(places, tile.levels, light.mirrored(), world);
     }
 
     /** Dims a layer by fog, and adds what fog itself shows: a part of each set's light, and ambient light to the ambient layer. */

@@ -66,6 +66,7 @@ public final class CacheSerializer {
     public static void writeColors(PixelCache cache, ColumnWriter out) throws IOException {
         IndirectSerializer.writeLight(cache, out);
         FogSerializer.write(cache.shown(), out);
+        FogSerializer.write(cache.mirrored(), out);
         for (CachedTile tile : cache.tiles()) {
             writeColors(tile, out);
         }
@@ -104,6 +105,7 @@ public final class CacheSerializer {
         rows.expectEnd();
         IndirectSerializer.Pair indirect = IndirectSerializer.withLight(paths, colors);
         PictureFog fog = FogSerializer.read(outline.scenes().scene(), colors);
+        PictureFog bounceFog = FogSerializer.read(outline.scenes().mirrored(), colors);
         for (int i = 0; i < tiles.length; i++) {
             tiles[i] = withColors(tiles[i], fog, colors);
         }
@@ -115,7 +117,7 @@ public final class CacheSerializer {
         colors.expectEnd();
         return new PixelCache(outline.geometry(), tiles, fine,
                 new CachedScene(outline.scenes().scene(), outline.lights(), indirect.scene(), fog),
-                new CachedScene(outline.scenes().mirrored(), outline.mirroredLights(), indirect.mirrored(), null));
+                new CachedScene(outline.scenes().mirrored(), outline.mirroredLights(), indirect.mirrored(), bounceFog));
     }
 
     private static FineSamples readSamples(IndirectSerializer.Pair indirect, ColumnReader in) throws IOException {

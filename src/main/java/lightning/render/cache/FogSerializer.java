@@ -6,8 +6,10 @@ import java.io.IOException;
 import java.util.List;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
+import lightning.render.fog.BounceRays;
 import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogMedium;
+import lightning.render.fog.FogRays;
 import lightning.render.shading.fog.FogLight;
 import lightning.render.shading.fog.FogTile;
 import lightning.render.shading.fog.PictureFog;
@@ -19,12 +21,13 @@ import org.jspecify.annotations.Nullable;
 final class FogSerializer {
     private FogSerializer() {}
 
-    /** Writes the fog of a picture; of lights that are off nothing, because they may show an older scene. */
+    /** Writes the fog of a scene that a picture shows; of lights that are off nothing, because they may show an older scene. */
     static void write(CachedScene shown, ColumnWriter out) throws IOException {
         PictureFog fog = shown.fog();
         out.writeInt(fog == null ? 0 : 1);
         if (fog != null) {
             out.writeFloatArrays(new float[][] {fog.depths()});
+            writeRays(fog.rays(), out);
         }
         for (int l = 0; fog != null && l < fog.lights().length; l++) {
             FogLight light = shown.scene().isActive(shown.lights().get(l).light()) ? fog.lights()[l] : null;
@@ -36,6 +39,25 @@ final class FogSerializer {
         }
     }
 
+    /** Writes bounced rays; camera rays follow from the scene. */
+    private static void writeRays(FogRays rays, ColumnWriter out) throws IOException {
+        switch (rays) {
+            case FogGrid _ -> out.writeInt(0);
+            case BounceRays bounced -> {
+                out.writeInt(1);
+                out.writeArray(bounced.gridRay());
+                out.writeArray(bounced.path());
+                out.writeArray(bounced.material());
+                out.writeFloatArrays(bounced.lines());
+            }
+        }
+    }
+
+    private static FogRays readRays(FogGrid grid, ColumnReader in) throws IOException {
+        return in.readInt() == 0 ? grid
+                : new BounceRays(grid, in.readInts(), in.readInts(), in.readInts(), requireNonNull(in.readOptionalFloatArrays()));
+    }
+
     static @Nullable PictureFog read(Scene scene, ColumnReader in) throws IOException {
         if (in.readInt() == 0) {
             return null;
@@ -43,6 +65,7 @@ final class FogSerializer {
         List<Light> lights = scene.rig().effectiveLights();
         FogMedium medium = requireNonNull(FogMedium.of(scene));
         float[] depths = requireNonNull(in.readOptionalFloatArrays())[0];
+        FogRays rays = readRays(new FogGrid(scene.camera(), scene.picture()), in);
         @Nullable
         FogLight[] read = new FogLight[lights.size()];
         for (int l = 0; l < read.length; l++) {
@@ -51,7 +74,7 @@ final class FogSerializer {
                         requireNonNull(in.readOptionalFloatArrays())[0]);
             }
         }
-        return new PictureFog(new FogGrid(scene.camera(), scene.picture()), medium, depths, read);
+        return new PictureFog(rays, medium, depths, read);
     }
 
     static void write(@Nullable FogTile tile, ColumnWriter out) throws IOException {

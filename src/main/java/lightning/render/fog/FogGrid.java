@@ -12,7 +12,7 @@ import lightning.scene.PictureSettings;
  * <p>Rays of a block of 2×2 are sampled at four different places in turn, like the interleaved pixels of Keller and Heidrich (Interleaved
  * sampling, 2001). A filter over neighbors adds them up.
  */
-public final class FogGrid {
+public final class FogGrid implements FogRays {
     /** Largest number of pixels between neighboring rays, along x and y: that of pictures from 960 × 540 on. */
     private static final int MAX_STEP = 4;
     /** Number of rays of a picture of this size; a smaller one has as many at most. */
@@ -21,6 +21,8 @@ public final class FogGrid {
     public static final int SAMPLES = 32;
     /** Different places of samples. */
     public static final int PHASES = 4;
+    /** Rays along a side of a group. */
+    private static final int SIDE = 32;
     private static final int[] ORDER = {0, 2, 3, 1};
 
     private final CameraRays camera;
@@ -53,12 +55,39 @@ public final class FogGrid {
         return lines;
     }
 
-    /** Returns the number of rays. */
+    @Override
+    public FogGrid grid() {
+        return this;
+    }
+
+    @Override
     public int count() {
         return columns * lines;
     }
 
-    /** Returns the origin of all rays, render space. */
+    @Override
+    public int groupCount() {
+        return groupsAcross() * ((lines + SIDE - 1) / SIDE);
+    }
+
+    private int groupsAcross() {
+        return (columns + SIDE - 1) / SIDE;
+    }
+
+    @Override
+    public int writeGroup(int group, int[] to) {
+        int left = group % groupsAcross() * SIDE;
+        int top = group / groupsAcross() * SIDE;
+        int count = 0;
+        for (int y = top; y < Math.min(lines, top + SIDE); y++) {
+            for (int x = left; x < Math.min(columns, left + SIDE); x++) {
+                to[count++] = y * columns + x;
+            }
+        }
+        return count;
+    }
+
+    /** Returns the origin of its rays, render space. */
     public Vec3 eye() {
         return eye;
     }
@@ -74,7 +103,7 @@ public final class FogGrid {
     }
 
     /** Returns the place of a sample along a ray, 0…1, exclusive. */
-    public double place(int sample, int phase) {
+    public static double place(int sample, int phase) {
         return (sample + (phase + 0.5) / PHASES) / SAMPLES;
     }
 
@@ -83,9 +112,16 @@ public final class FogGrid {
         return pixels / step + 1;
     }
 
-    /** Writes the unit direction of a ray to index {@code i}. */
-    public void writeDirection(int ray, double[] dx, double[] dy, double[] dz, int i) {
-        camera.writeDirection(step * (ray % columns - 1), step * (ray / columns - 1), dx, dy, dz, i);
+    @Override
+    public void set(int ray, FogRay to) {
+        to.ox = eye.x();
+        to.oy = eye.y();
+        to.oz = eye.z();
+        Vec3 direction = camera.imageRay(step * (ray % columns - 1), step * (ray / columns - 1)).direction();
+        to.dx = direction.x();
+        to.dy = direction.y();
+        to.dz = direction.z();
+        to.phase = phase(ray);
     }
 
     /** Writes the unit direction of the ray through image coordinates x, y to index {@code i}. */

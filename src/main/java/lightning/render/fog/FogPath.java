@@ -1,9 +1,7 @@
 package lightning.render.fog;
 
-import lightning.base.math.Vec3;
-
 /**
- * Places along a whole camera ray at which fog is sampled for one light. They depend on the ray and the light's position only, so that they
+ * Places along a whole ray at which fog is sampled for one light. They depend on the ray and the light's position only, so that they
  * stay where they are if anything else changes.
  *
  * <p>For a light at a point they are dense near it, as its falloff is: with x the distance along the ray from the point next to the light
@@ -14,7 +12,7 @@ import lightning.base.math.Vec3;
  * <p>For a directional light, t = s·u/(1 − u) where s is the distance to the point that the camera looks at. Not thread-safe.
  */
 public final class FogPath {
-    /** Smallest distance of a ray from a light, relative to the light's distance from the eye and to the scale. */
+    /** Smallest distance of a ray from a light, relative to the light's distance from the origin and to the scale. */
     private static final double MIN_OFFSET = 1e-3;
     private static final double MIN_SHARE_OF_SCALE = 1e-6;
 
@@ -28,13 +26,14 @@ public final class FogPath {
     /**
      * Sets a ray and the position of a light.
      *
-     * @param light position relative to the eye, scene units
+     * @param lx    x of the light relative to the ray's origin, scene units, as {@code ly} and {@code lz}
+     * @param dx    x of the ray's unit direction, as {@code dy} and {@code dz}
      * @param scale distance to the point that the camera looks at
      */
-    public void aimAtPoint(Vec3 light, double dx, double dy, double dz, double scale) {
+    public void aimAtPoint(double lx, double ly, double lz, double dx, double dy, double dz, double scale) {
         isPoint = true;
-        double squared = light.x() * light.x() + light.y() * light.y() + light.z() * light.z();
-        nearest = light.x() * dx + light.y() * dy + light.z() * dz;
+        double squared = lx * lx + ly * ly + lz * lz;
+        nearest = lx * dx + ly * dy + lz * dz;
         double distance = Math.sqrt(squared);
         double perpendicular = squared - nearest * nearest;
         offset = Math.max(Math.sqrt(perpendicular > 0 ? perpendicular : 0), Math.max(MIN_OFFSET * distance, MIN_SHARE_OF_SCALE * scale));

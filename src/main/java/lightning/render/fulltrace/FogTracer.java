@@ -1,19 +1,22 @@
 package lightning.render.fulltrace;
 
+import java.util.Arrays;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.engine.EngineChoice;
+import lightning.render.fog.BounceRays;
 import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogMedium;
+import lightning.render.fog.FogRays;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.fog.BounceTracer;
 import lightning.render.shading.fog.FogDepths;
 import lightning.render.shading.fog.FogLight;
 import lightning.render.shading.fog.FogShadows;
 import lightning.render.shading.fog.FogSolver;
 import lightning.render.shading.fog.PictureFog;
 import lightning.render.trace.Geometry;
-import lightning.render.trace.ShapeChange;
 import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
 import org.jspecify.annotations.Nullable;
@@ -36,28 +39,42 @@ final class FogTracer {
     }
 
     /**
-     * Returns the fog; null if the air is clear.
+     * Returns the fog along camera rays; null if the air is clear.
      *
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
     @Nullable
     PictureFog trace(WeightedLight[] lights) {
         FogMedium medium = FogMedium.of(scene);
-        if (medium == null) {
+        return medium == null ? null : trace(new FogGrid(scene.camera(), scene.picture()), medium, lights);
+    }
+
+    /**
+     * Returns the fog along bounced rays; null if no light is seen there.
+     *
+     * @throws java.util.concurrent.CancellationException if the progress requested cancellation
+     */
+    @Nullable
+    PictureFog traceBounces(WeightedLight[] lights) {
+        FogMedium medium = FogMedium.of(scene);
+        if (medium == null || Arrays.stream(lights).allMatch(WeightedLight::isDarkInFog)) {
             return null;
         }
-        FogGrid grid = new FogGrid(scene.camera(), scene.picture());
-        float[] depths = FogDepths.trace(grid, geometry, workers, progress);
-        var solver = new FogSolver(grid, medium, scene.world().fog().anisotropy(), depths, workers, progress);
-        var shadows = new FogShadows(grid, geometry, ViewEffects.ALL, engines, workers, progress);
+        BounceRays rays = BounceTracer.trace(new FogGrid(scene.camera(), scene.picture()), geometry, scene, workers, progress);
+        return rays == null ? null : trace(rays, medium, lights);
+    }
+
+    private PictureFog trace(FogRays rays, FogMedium medium, WeightedLight[] lights) {
+        float[] depths = FogDepths.trace(rays, geometry, workers, progress);
+        var solver = new FogSolver(rays, medium, scene.world().fog().anisotropy(), depths, workers, progress);
+        var shadows = new FogShadows(rays, geometry, ViewEffects.ALL, engines, workers, progress);
         @Nullable
         FogLight[] traced = new FogLight[lights.length];
         for (int l = 0; l < lights.length; l++) {
-            traced[l] = lights[l].isDarkInFog() ? null
-                    : solver.solve(lights[l].source(), shadows.visible(lights[l].source(), null, ShapeChange.NONE));
+            traced[l] = lights[l].isDarkInFog() ? null : solver.solve(lights[l].source(), shadows.visible(lights[l].source()));
         }
         shadowRays += shadows.rayCount();
-        return new PictureFog(grid, medium, depths, traced);
+        return new PictureFog(rays, medium, depths, traced);
     }
 
     /** Returns the rays cast so far. */

@@ -21,6 +21,7 @@ import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.EdgeDetector;
 import lightning.render.shading.composition.TileComposer;
 import lightning.render.shading.fog.BounceFog;
+import lightning.render.shading.fog.BounceStart;
 import lightning.render.shading.fog.FogComposer;
 import lightning.render.shading.fog.FogLookup;
 import lightning.render.shading.fog.PictureFog;
@@ -75,21 +76,22 @@ final class TileTracer {
      * @param indirect         indirect light of the first level; null if the scene has none
      * @param mirroredIndirect indirect light of the levels in mirrors; null if their scene has none
      * @param fog              fog before the first level; null if the air is clear
+     * @param bounceFog        fog along bounced rays; null if no light is seen there
      */
     record SceneLights(WeightedLight[] direct, WeightedLight[] mirrored, @Nullable IndirectLight indirect,
-            @Nullable IndirectLight mirroredIndirect, @Nullable PictureFog fog) {
+            @Nullable IndirectLight mirroredIndirect, @Nullable PictureFog fog, @Nullable PictureFog bounceFog) {
         static SceneLights of(RenderedScenes scenes) {
             WeightedLight[] lights = WeightedLight.ofScene(scenes.scene());
             return new SceneLights(lights, scenes.mirrored() == scenes.scene() ? lights : WeightedLight.ofScene(scenes.mirrored()), null,
-                    null, null);
+                    null, null, null);
         }
 
         SceneLights withIndirect(@Nullable IndirectLight light, @Nullable IndirectLight inMirrors) {
-            return new SceneLights(direct, mirrored, light, inMirrors, fog);
+            return new SceneLights(direct, mirrored, light, inMirrors, fog, bounceFog);
         }
 
-        SceneLights withFog(@Nullable PictureFog v) {
-            return new SceneLights(direct, mirrored, indirect, mirroredIndirect, v);
+        SceneLights withFog(@Nullable PictureFog v, @Nullable PictureFog bounced) {
+            return new SceneLights(direct, mirrored, indirect, mirroredIndirect, v, bounced);
         }
     }
 
@@ -144,7 +146,7 @@ final class TileTracer {
                         : new LevelContext(mirroredGeometry, scenes.mirrored(), lights.mirrored(), lights.mirroredIndirect(), engine,
                                 tracer);
         fogLookup = lights.fog() == null ? null : new FogLookup(lights.fog(), lights.direct());
-        bounceFog = BounceFog.of(scenes.mirrored());
+        bounceFog = BounceFog.of(scenes.mirrored(), lights.bounceFog());
         centerLevels = new HitRows[depth + 1];
         sampleLevels = new HitRows[depth + 1];
         layers = new LightLayer[Math.max(eyeLevel.lights.length, mirrorLevels.lights.length)];
@@ -229,7 +231,7 @@ final class TileTracer {
 
     /** Composes the colors of the first level's rows. */
     private void composeTile(SamplePositions places, boolean detectEdges, float[][] colors, Progress progress) {
-        BouncedColors images = traceImages(0, detectEdges, progress);
+        BouncedColors images = traceImages(0, bounceFog == null ? null : bounceFog.start(places, levels[0]), detectEdges, progress);
         eyeLevel.composer.fillBackground(levels[0], eyeLevel.scene, places, colors);
         if (detectEdges) {
             eyeLevel.edgeComposer.fillBackground(levels[0], eyeLevel.scene, places, requireNonNull(edgeColors));
@@ -240,8 +242,12 @@ final class TileTracer {
         }
     }
 
-    /** Traces the rays that bounce from the rows of a level; returns their colors. */
-    private BouncedColors traceImages(int level, boolean detectEdges, Progress progress) {
+    /**
+     * Traces the rays that bounce from the rows of a level; returns their colors.
+     *
+     * @param start the rows as the start of bounced rays; null if these show no light in fog
+     */
+    private BouncedColors traceImages(int level, @Nullable BounceStart start, boolean detectEdges, Progress progress) {
         HitRows rows = levels[level];
         if (level == depth || rows.reflectiveCount == 0) {
             return new BouncedColors(mirrorLevels.composer.blackImages(rows),
@@ -253,11 +259,14 @@ final class TileTracer {
             if (bounce.rowCount(rows) > 0 && !progress.isCanceled()) {
                 mirrorLevels.visibility.traceBounceRays(rows, bounce, null, (count, textured, clear) -> levelRows(level + 1));
                 bounceRays += mirrorLevels.visibility.rayCount();
-                BouncedColors below = traceImages(level + 1, detectEdges, progress);
+                BouncedColors below =
+                        traceImages(level + 1, start == null ? null : start.below(bounce, levels[level + 1]), detectEdges, progress);
                 assert images != null;
                 compose(mirrorLevels, level + 1, below, images.forBounce(bounce), edges != null ? edges.forBounce(bounce) : null, progress);
                 if (bounceFog != null) {
-                    bounceFog.add(rows, levels[level + 1], bounce, mirrorLevels.materials, images.forBounce(bounce));
+                    bounceFog.add(rows, levels[level + 1], bounce, mirrorLevels.materials,
+                            bounceFog.columns(rows, levels[level + 1], bounce, mirrorLevels.materials, start, mirrorLevels.lights, null),
+                            mirrorLevels.lights, images.forBounce(bounce));
                 }
             }
         }

@@ -102,6 +102,15 @@ public final class TraditionalTracer {
         return new FogTracer(geometry, scene, engines, workers, progress).trace(WeightedLight.ofScene(scene));
     }
 
+    /**
+     * Traces the fog along bounced rays alone, of the scene that mirrors show; returns null if no light is seen there.
+     *
+     * @throws java.util.concurrent.CancellationException if the progress requested cancellation
+     */
+    public @Nullable PictureFog traceBounceFog(WorkerPool workers, Progress progress) {
+        return new FogTracer(mirroredGeometry, mirrored, engines, workers, progress).traceBounces(WeightedLight.ofScene(mirrored));
+    }
+
     private int[] allTiles() {
         int tilesPerRow = Film.tilesAlong(scene.picture().width());
         int tileRows = Film.tilesAlong(scene.picture().height());
@@ -139,12 +148,13 @@ public final class TraditionalTracer {
                 : new IndirectTracer(mirroredGeometry, mirrored, lights.mirrored(), engines, workers, indirectProgress);
         IndirectLight light = indirect.trace();
         FogTracer fog = new FogTracer(geometry, scene, engines, workers, progress);
+        FogTracer mirroredFog = new FogTracer(mirroredGeometry, mirrored, engines, workers, progress);
         List<EngineWorkers<TileTracer>> threads =
                 createTracers(workers, scenes, lights.withIndirect(light, inMirrors == indirect ? light : inMirrors.trace())
-                        .withFog(fog.trace(lights.direct())));
+                        .withFog(fog.trace(lights.direct()), mirroredFog.traceBounces(lights.mirrored())));
         Film film = trace(workers, threads, tiles, progress);
         RayCounts rays = indirect.rays().plus(inMirrors == indirect ? RayCounts.NONE : inMirrors.rays());
-        rays = rays.plus(fog.rays());
+        rays = rays.plus(fog.rays()).plus(mirroredFog.rays());
         for (EngineWorkers<TileTracer> thread : threads) {
             for (TileTracer tracer : thread.workers()) {
                 rays = rays.plus(tracer.rays());

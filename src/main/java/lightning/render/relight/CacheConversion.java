@@ -144,7 +144,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
             eye = new LayerConverter(cache.geometry(), to, engine);
             mirror = new LayerConverter(cache.mirroredGeometry(), to, engine);
             recomposer = new TileRecomposer(cache, engine, to.view());
-            recomposer.setMirrorFog(BounceFog.of(cache.mirrored().scene()));
+            recomposer.setMirrorFog(BounceFog.of(cache.mirrored().scene(), cache.mirrored().fog()));
         }
 
         CachedTile convert(SamplePositions places, CachedTile old, LevelLights top, LevelLights mirrors) {
@@ -153,7 +153,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
                 levels[k] = k == 0 ? eye.convert(old.levels[k], top) : mirror.convert(old.levels[k], mirrors);
                 rowsComposed += levels[k].rows().count;
             }
-            BounceImages scratch = recomposer.composeImages(levels, mirrors.lights(), mirrors.scene().world());
+            BounceImages scratch = recomposer.composeImages(places, levels, mirrors.lights(), mirrors.scene().world());
             BounceImages images = scratch == null ? null : scratch.compact(levels[0].rows());
             float[][] film = recomposer.composeFilm(levels[0], top.lights(), top.scene(), places, images);
             if (old.fog != null) {

@@ -1,10 +1,12 @@
 package lightning.render.relight;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
@@ -92,14 +94,18 @@ public final class LightImage {
             TileRecomposer recomposer = new TileRecomposer(cache, engine, options.view());
             recomposer.setShowsGlow(false);
             recomposer.setIndirect(indirect, mirroredIndirect);
-            recomposer.setMirrorFog(BounceFog.of(composedScene(cache.mirrored().scene(), light)));
+            recomposer.setMirrorFog(BounceFog.of(composedScene(cache.mirrored().scene(), light), cache.mirrored().fog()));
             return recomposer;
         });
         float[][][] films = new float[Math.max(cache.tileCount(), cache.fineCount())][][];
+        int tilesX = Film.tilesAlong(scene.picture().width());
         workers.run(films.length, (worker, i) -> {
-            Function<CachedTile, float[][]> share = tile -> tileImage(tile, recomposers.get(worker).forTile(i), top, mirrors, scene);
-            CachedTile center = cache.tileCount() == 0 ? null : cache.tile(i);
-            films[i] = cache.fineCount() == 0 ? share.apply(center) : cache.fineTile(i).film(center, share);
+            BiFunction<SamplePositions, CachedTile, CachedTile> share =
+                    (places, tile) -> tileImage(places, tile, recomposers.get(worker).forTile(i), top, mirrors, scene);
+            SamplePositions centers = SamplePositions.centers(i % tilesX * Film.TILE_SIZE, i / tilesX * Film.TILE_SIZE);
+            CachedTile center = cache.tileCount() == 0 ? null : share.apply(centers, cache.tile(i));
+            films[i] = requireNonNull(cache.fineCount() == 0 ? requireNonNull(center).film
+                    : cache.fineTile(i).map(center, centers, share).film());
         }, progress);
         return film(scene, films);
     }
@@ -112,18 +118,20 @@ public final class LightImage {
                         BackgroundLight.NONE);
     }
 
-    private static float[][] tileImage(CachedTile tile, TileRecomposer recomposer, WeightedLight[] top, WeightedLight[] mirrors,
+    /** Returns a tile with the colors of the contribution. */
+    private static CachedTile tileImage(SamplePositions places, CachedTile tile, TileRecomposer recomposer, WeightedLight[] top,
+            WeightedLight[] mirrors,
             Scene scene) {
         if (!tile.storesRows()) {
             throw new IllegalStateException("mirror levels are stored as hit shapes");
         }
         // Without an environment map, no color needs ray directions.
-        float[][] colors = recomposer.composeFilm(tile.levels[0], top, scene, SamplePositions.centers(0, 0),
-                recomposer.composeImages(tile.levels, mirrors, scene.world()));
+        float[][] colors = recomposer.composeFilm(tile.levels[0], top, scene, places,
+                recomposer.composeImages(places, tile.levels, mirrors, scene.world()));
         if (tile.fog != null) {
             new FogComposer().add(tile.fog, top, scene.world().fog(), colors);
         }
-        return colors;
+        return new CachedTile(tile.levels, tile.hitShapes, tile.images, colors, tile.edges, tile.fog);
     }
 
     private static Film film(Scene scene, float[][][] tiles) {

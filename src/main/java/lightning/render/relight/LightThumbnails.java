@@ -12,15 +12,19 @@ import lightning.render.cache.PixelCache;
 import lightning.render.cache.SampleBlock;
 import lightning.render.cache.TileLevel;
 import lightning.render.image.Film;
+import lightning.render.shading.ClearMaterialShader;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.RowContribution;
+import lightning.render.shading.fog.BounceColumns;
 import lightning.render.shading.fog.BounceFog;
+import lightning.render.shading.fog.BounceStart;
 import lightning.render.shading.fog.FogComposer;
 import lightning.render.shading.fog.FogTile;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
+import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
 import lightning.scene.value.Fog;
 import org.jspecify.annotations.Nullable;
@@ -159,9 +163,13 @@ public final class LightThumbnails {
         private final RowContribution eyeShader;
         private final RowContribution mirrorShader;
         private final Fog fog;
+        /** Fog of the mirrored scene, and all its lights. */
+        private final Fog mirrorFog;
+        private final WeightedLight[] allMirrorLights;
         private final @Nullable BounceFog bounceFog;
         private final MaterialTable mirrorMaterials;
         private final int depth;
+        private final int tilesAcross;
         private final List<SelectedPart> parts = new ArrayList<>();
         private IndirectByLight.Solution indirect = IndirectByLight.Solution.NONE;
         private TileLevel[] levels = {};
@@ -171,6 +179,7 @@ public final class LightThumbnails {
         LevelWalk(PixelCache cache, WeightedLight[] top) {
             this.lights = top;
             depth = cache.scene().picture().depth();
+            tilesAcross = Film.tilesAlong(cache.scene().picture().width());
             mirrorLights = new WeightedLight[top.length];
             mirrorLayer = new int[top.length];
             WeightedLight[] known = WeightedLight.ofScene(cache.mirrored().scene());
@@ -183,15 +192,18 @@ public final class LightThumbnails {
                 }
             }
             fog = cache.scene().world().fog();
-            bounceFog = BounceFog.of(cache.mirrored().scene());
+            bounceFog = BounceFog.of(cache.mirrored().scene(), cache.mirrored().fog());
+            mirrorFog = cache.mirrored().scene().world().fog();
+            allMirrorLights = known;
             mirrorMaterials = cache.mirroredGeometry().materials();
             eyeShader = new RowContribution(cache.geometry().materials());
             mirrorShader = new RowContribution(cache.mirroredGeometry().materials());
         }
 
         void addTile(PixelCache cache, int index, short[] target, TilePart part) {
+            SamplePositions centers = SamplePositions.centers(index % tilesAcross * Film.TILE_SIZE, index / tilesAcross * Film.TILE_SIZE);
             if (cache.tileCount() > 0) {
-                addRows(cache.tile(index), target, part);
+                addRows(cache.tile(index), centers, target, part);
                 return;
             }
             FineSamples all = cache.fineTile(index).first();
@@ -201,18 +213,19 @@ public final class LightThumbnails {
                 for (int i = 0; i < block.pixels().length; i++) {
                     first[i * all.cells().count()] = target[block.pixels()[i]];
                 }
-                addRows(block.rows(), first, part);
+                addRows(block.rows(), new SamplePositions(centers.x0(), centers.y0(), block.pixels(), all.cells()), first, part);
             }
         }
 
         /** @param target for each position of the tile its index in the part, or −1 */
-        private void addRows(CachedTile tile, short[] target, TilePart part) {
+        private void addRows(CachedTile tile, SamplePositions places, short[] target, TilePart part) {
             if (!tile.storesRows()) {
                 throw new IllegalStateException("mirror levels are stored as hit shapes");
             }
             levels = tile.levels;
             nextLevel = 1;
-            parts.add(new SelectedPart(part, collectLevel(0, 0, target), tile.fog, tile.fog == null ? target : target.clone()));
+            parts.add(new SelectedPart(part, collectLevel(0, bounceFog == null ? null : bounceFog.start(places, tile.rows()), 0, target),
+                    tile.fog, tile.fog == null ? target : target.clone()));
         }
 
         /** Sets the indirect light that is added from now on. */
@@ -239,18 +252,26 @@ public final class LightThumbnails {
             }
         }
 
-        /** Collects a level and all levels seen from it, in the order of {@code relight.tile.BounceLevels}. */
-        private SelectedRows collectLevel(int at, int level, short[] above) {
+        /**
+         * Collects a level and all levels seen from it, in the order of {@code relight.tile.BounceLevels}.
+         *
+         * @param start the level's rows as the start of bounced rays; null if these show no light in fog
+         */
+        private SelectedRows collectLevel(int at, @Nullable BounceStart start, int level, short[] above) {
             SelectedRows selected = new SelectedRows(levels[at], above);
             short[] numbers = selected.numbers();
             for (BounceKind bounce : BounceKind.values()) {
                 if (level < depth && bounce.rowCount(levels[at].rows()) > 0) {
                     int below = nextLevel++;
-                    selected.bounces[bounce.ordinal()] = collectLevel(below, level + 1, numbers);
+                    HitRows seen = levels[below].rows();
+                    selected.bounces[bounce.ordinal()] =
+                            collectLevel(below, start == null ? null : start.below(bounce, seen), level + 1, numbers);
                     if (bounceFog != null) {
                         float[] passed = new float[Film.TILE_PIXELS];
-                        bounceFog.writeTransmittances(levels[at].rows(), levels[below].rows(), bounce, mirrorMaterials, passed);
+                        bounceFog.writeTransmittances(levels[at].rows(), seen, bounce, mirrorMaterials, passed);
                         selected.transmittances[bounce.ordinal()] = passed;
+                        selected.columns[bounce.ordinal()] = bounceFog.columns(levels[at].rows(), seen, bounce, mirrorMaterials, start,
+                                allMirrorLights, levels[below].fog());
                     }
                 }
             }
@@ -265,6 +286,8 @@ public final class LightThumbnails {
         private final SelectedRows[] bounces = new SelectedRows[BounceKind.values().length];
         /** Transmittance of the fog along the rays from all rows of the level, by {@link BounceKind}; null in clear air. */
         private final float[] @Nullable [] transmittances = new float[BounceKind.values().length][];
+        /** Light in this fog, by {@link BounceKind}; null if none is seen. */
+        private final @Nullable BounceColumns[] columns = new BounceColumns[BounceKind.values().length];
         private final int[] row;
         private final int[] material;
         /** Number of each row's parent. */
@@ -334,7 +357,19 @@ public final class LightThumbnails {
             for (int i = 0; passed != null && i < images.length; i++) {
                 images[i] *= passed[row[i / 3]];
             }
+            BounceColumns fog = columns[bounce.ordinal()];
+            if (fog != null && levels.mirrorLights[layer] != null && !levels.mirrorLights[layer].isDarkInFog()) {
+                addScattered(fog.columns()[levels.mirrorLayer[layer]], levels.mirrorLights[layer], levels.mirrorFog, images);
+            }
             return images;
+        }
+
+        private void addScattered(float @Nullable [] column, WeightedLight light, Fog fog, float[] images) {
+            for (int i = 0; column != null && i < images.length; i++) {
+                // Only the first rows cast rays.
+                float seen = row[i / 3] < column.length ? column[row[i / 3]] : 0;
+                images[i] += ClearMaterialShader.channel(fog.color(), i % 3) * (light.fog().channel(i % 3) * seen);
+            }
         }
     }
 

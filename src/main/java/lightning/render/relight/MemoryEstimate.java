@@ -68,15 +68,9 @@ public final class MemoryEstimate {
         };
         // Samples store their colors if errors are bounded.
         long colored = !options.method().isExact() ? samples : sampling.antialias() == AntialiasMode.EVERY ? 0 : 1;
-        return IndirectEstimate.upperBound(scene, levels, texelBytes, lights, glows) + fogBytes(scene) + pixels(picture)
-                * (samples * (row + mirrored) + colored * BYTES_PER_COLOR + edgeColorBytes(sampling)
+        return IndirectEstimate.upperBound(scene, levels, texelBytes, lights, glows) + PictureFog.maxBytes(scene) + pixels(picture)
+                * (samples * (row + mirrored + PictureFog.maxBytesPerRay(scene)) + colored * BYTES_PER_COLOR + edgeColorBytes(sampling)
                         + (sampling.isSupersampled() ? 3 * BYTES_PER_COLOR : 0));
-    }
-
-    /** Returns the maximum bytes of fog: samples along rays, and for the pixels a column of each light and one of what passes. */
-    private static long fogBytes(Scene scene) {
-        long samples = PictureFog.maxBytes(scene);
-        return samples == 0 ? 0 : samples + pixels(scene.picture()) * Float.BYTES * (1 + scene.rig().effectiveLights().size());
     }
 
     /** Returns the bytes of a cached picture: columns, colors and film. */

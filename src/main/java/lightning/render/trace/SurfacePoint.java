@@ -59,6 +59,12 @@ public record SurfacePoint(int primitive, int material, float px, float py, floa
         return backSide == null || backSide.frosted ? null : backSide;
     }
 
+    /** Returns whether the refracted ray of a clear material is outside of its body: the material is a thin sheet, or the ray leaves the body. */
+    public boolean isInAirBehind() {
+        BackSide side = clearSide();
+        return side != null && (side.isInside() || side.transmission().thin());
+    }
+
     /** Returns the refracted ray of a clear material; null if reflection is total. */
     public @Nullable Ray refractedRay() {
         assert backSide != null;

@@ -3,7 +3,6 @@ package lightning.render.fog;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import lightning.base.math.Vec3;
 import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -12,7 +11,7 @@ import net.jqwik.api.constraints.DoubleRange;
 class FogPathTest {
     private static FogPath toPoint(double x, double y, double z) {
         FogPath path = new FogPath();
-        path.aimAtPoint(new Vec3(x, y, z), 0, 0, 1, 1);
+        path.aimAtPoint(x, y, z, 0, 0, 1, 1);
         return path;
     }
 

@@ -7,10 +7,12 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.relight.paper.ReflectionMode;
+import lightning.render.shading.fog.PictureFog;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
 import lightning.scene.light.LightType;
+import lightning.scene.node.SceneNode;
 import lightning.scene.value.Attenuation;
 import lightning.scene.value.Fog;
 import org.junit.jupiter.api.Test;
@@ -78,6 +80,49 @@ class FogWorkTest {
     void narrowerCone_castsNoRay() {
         try (StudioRenderer studio = studio(LightType.SPOT)) {
             assertNoRay(studio, studio.edit(light -> light.withAngle(0.5 * light.angle())));
+        }
+    }
+
+    /** The studio's floor is a mirror: rays bounce from half of the picture. */
+    @Test
+    void lightInMirrors_isInThePicture() {
+        try (StudioRenderer studio = studio(LightType.SPOT)) {
+            PictureFog fog = studio.renderer().cache().mirrored().fog();
+            assertThat(fog.rays().count()).isGreaterThan(100);
+            assertThat(fog.lights()[0].visible()).contains(-1);
+        }
+    }
+
+    @Test
+    void sceneWithoutMirrors_hasNoFogAlongBouncedRays() {
+        Scene scene = withFog(StudioScene.of(LightType.SPOT), _ -> FOG);
+        Scene matte = scene.withMaterials(scene.materials().stream().map(m -> m.withReflective(Rgb.BLACK)).toList());
+        try (var studio = new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, matte)) {
+            assertThat(studio.renderer().cache().mirrored().fog()).isNull();
+        }
+    }
+
+    @Test
+    void outdatedReflections_keepLightInFog() {
+        Scene scene = withFog(StudioScene.of(LightType.SPOT), _ -> FOG);
+        try (var studio = new StudioRenderer(ReflectionMode.STALE, MirrorStorage.FULL_ROWS, scene)) {
+            PictureFog before = studio.renderer().cache().mirrored().fog();
+            studio.edit(light -> light.withPosition(light.position().plus(new Vec3(0.5, 0, 0))));
+            assertThat(studio.renderer().cache().mirrored().fog()).isSameAs(before);
+            assertThat(studio.renderer().film().hasSameBits(new ReferenceTracer(studio.scene(), scene).trace())).isTrue();
+        }
+    }
+
+    /** Rays that bounce from a ball that moves are tested again; all others keep their samples unless the ball is between. */
+    @Test
+    void movedMirror_testsFewSamplesAgain() {
+        try (StudioRenderer studio = studio(LightType.POINT)) {
+            long all = studio.edit(light -> light.withPosition(light.position().plus(new Vec3(0.1, 0, 0)))).rays().shadow();
+            SceneNode ball = studio.scene().stage().node("mirror").orElseThrow();
+            Vec3 to = ball.placement().position().plus(new Vec3(-0.1, 0, 0));
+            Scene moved = studio.scene().withNode("mirror", ball.withPlacement(ball.placement().withPosition(to)));
+            assertThat(studio.render(moved).rays().shadow()).isLessThan(all * 2 / 3);
+            assertExact(studio);
         }
     }
 

@@ -10,10 +10,15 @@ import lightning.render.cache.CachedTile;
 import lightning.render.cache.TileLevel;
 import lightning.render.relight.paper.ReflectionHitList;
 import lightning.render.shading.BounceImages;
+import lightning.render.shading.WeightedLight;
+import lightning.render.shading.fog.BounceColumns;
 import lightning.render.shading.fog.BounceFog;
+import lightning.render.shading.fog.BounceStart;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
 import lightning.render.trace.RowSplice;
+import lightning.render.trace.SamplePositions;
 import lightning.render.trace.TileVisibility;
 import org.jspecify.annotations.Nullable;
 
@@ -41,7 +46,7 @@ final class BounceLevels {
 
     BounceLevels(RenderJob job, LevelWorker worker) {
         this.job = job;
-        fog = BounceFog.of(job.mirrorTarget().scene());
+        fog = BounceFog.of(job.mirrorTarget().scene(), job.bounceFog());
         this.worker = worker;
     }
 
@@ -72,16 +77,17 @@ final class BounceLevels {
     /**
      * Traces all levels.
      *
+     * @param places image positions of the first level's rays
      * @param top    the first level
      * @param shapes cached hit shapes of the rays
      */
-    TracedLevels traceAll(TileLevel top, int[][] shapes) {
+    TracedLevels traceAll(SamplePositions places, TileLevel top, int[][] shapes) {
         begin(top, NONE, shapes);
         trace(top.rows(), 0);
         if (job.progress().isCanceled()) {
             return new TracedLevels(new TileLevel[] {top}, shapes, null, true);
         }
-        BounceImages images = composeImages();
+        BounceImages images = composeImages(places);
         return job.storesMirrorRows() ? new TracedLevels(levels.toArray(TileLevel[]::new), ReflectionHitList.NONE, images, true)
                 : new TracedLevels(new TileLevel[] {top}, hitShapes.list(), images, true);
     }
@@ -90,13 +96,14 @@ final class BounceLevels {
      * Updates all levels. Levels stored as rows keep cached rows and cast rays only for the rest; others are traced from their hit
      * shapes.
      *
+     * @param places image positions of the first level's rays
      * @param before the old tile
      * @param top    its new first level
      * @param order  splice of that level's rows; null if they are unchanged
      */
-    TracedLevels updateAll(CachedTile before, TileLevel top, @Nullable RowSplice order) {
+    TracedLevels updateAll(SamplePositions places, CachedTile before, TileLevel top, @Nullable RowSplice order) {
         if (!job.storesMirrorRows()) {
-            return traceAll(top,
+            return traceAll(places, top,
                     order == null
                             ? ReflectionHitList.validAfter(before.hitShapes, requireNonNull(job.plan()), job.mirrorTarget().geometry())
                             : ReflectionHitList.NONE);
@@ -104,12 +111,13 @@ final class BounceLevels {
         begin(top, before.levels, ReflectionHitList.NONE);
         changed = order != null || job.mirrorPlan() != null && job.mirrorPlan().recomposeAll();
         changedEdges = changed;
+        changed |= job.changesBounceFog();
         update(top.rows(), order, before.levels[0].rows(), 0);
         if (job.progress().isCanceled()) {
             return new TracedLevels(before.levels, before.hitShapes, null, true);
         }
         // Composing caches partial sums and terms in the levels.
-        BounceImages images = changed ? composeImages() : before.images;
+        BounceImages images = changed ? composeImages(places) : before.images;
         return new TracedLevels(levels.toArray(TileLevel[]::new), before.hitShapes, images, changedEdges);
     }
 
@@ -222,13 +230,15 @@ final class BounceLevels {
     }
 
     /** Composes all levels; returns the colors of the rays that bounce from the first level's rows. */
-    private @Nullable BounceImages composeImages() {
+    private @Nullable BounceImages composeImages(SamplePositions places) {
         nextOldLevel = 1;
-        BounceImages images = composeImages(levels.getFirst().rows(), 0);
-        return images == null ? null : images.compact(levels.getFirst().rows());
+        HitRows top = levels.getFirst().rows();
+        BounceImages images = composeImages(top, fog == null ? null : fog.start(places, top), 0);
+        return images == null ? null : images.compact(top);
     }
 
-    private @Nullable BounceImages composeImages(HitRows rows, int depth) {
+    /** @param start the rows as the start of bounced rays; null if these show no light in fog */
+    private @Nullable BounceImages composeImages(HitRows rows, @Nullable BounceStart start, int depth) {
         if (depth == job.depth() || rows.reflectiveCount == 0) {
             return worker.composer.blackImages(rows);
         }
@@ -236,12 +246,17 @@ final class BounceLevels {
         for (BounceKind bounce : BounceKind.values()) {
             if (bounce.rowCount(rows) > 0) {
                 int at = nextOldLevel++;
-                BounceImages below = composeImages(levels.get(at).rows(), depth + 1);
+                HitRows seen = levels.get(at).rows();
+                BounceImages below = composeImages(seen, start == null ? null : start.below(bounce, seen), depth + 1);
                 levels.set(at,
                         worker.compose(levels.get(at), job.storesMirrorRows() ? job.mirrorPlan() : null, below,
                                 requireNonNull(images).forBounce(bounce)));
                 if (fog != null) {
-                    fog.add(rows, levels.get(at).rows(), bounce, job.mirrorTarget().geometry().materials(), images.forBounce(bounce));
+                    MaterialTable materials = job.mirrorTarget().geometry().materials();
+                    WeightedLight[] lights = job.mirrorTarget().lights();
+                    BounceColumns columns = fog.columns(rows, seen, bounce, materials, start, lights, levels.get(at).fog());
+                    levels.set(at, levels.get(at).withFog(columns));
+                    fog.add(rows, seen, bounce, materials, columns, lights, images.forBounce(bounce));
                 }
             }
         }

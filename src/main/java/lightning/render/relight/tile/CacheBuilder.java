@@ -66,10 +66,10 @@ public final class CacheBuilder {
         IndirectCache mirroredIndirect = planned.mirrorTarget() == planned.target() ? indirect : requireNonNull(old).mirrored().indirect();
         RenderJob job = planned.withIndirect(indirect, mirroredIndirect, old, indirectBuilder.pointChanges())
                 .withProgress(indirectBuilder.tileProgress());
-        FogBuilder fogBuilder = new FogBuilder(job, workers, old);
-        job = job.withFog(fogBuilder.build());
+        FogUpdate fog = new FogUpdate(job, workers, old);
+        job = fog.apply();
         BuildResult tiles = new CacheBuilder(job, workers, old).buildTiles(indirect, mirroredIndirect, centersOnly);
-        return new BuildResult(tiles.cache(), tiles.work().plus(indirectBuilder.work()).plus(fogBuilder.work()));
+        return new BuildResult(tiles.cache(), tiles.work().plus(indirectBuilder.work()).plus(fog.work()));
     }
 
     /**
@@ -80,7 +80,8 @@ public final class CacheBuilder {
      * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
      */
     public static BuildResult finish(RenderJob planned, WorkerPool workers, @Nullable PixelCache old, PixelCache centers) {
-        RenderJob job = planned.withIndirect(centers.indirect(), centers.mirrored().indirect(), old, null).withFog(centers.shown().fog());
+        RenderJob job = planned.withIndirect(centers.indirect(), centers.mirrored().indirect(), old, null).withFog(centers.shown().fog())
+                .withBounceFog(centers.mirrored().fog(), true);
         return new CacheBuilder(job, workers, old).addSamples(centers);
     }
 
@@ -93,7 +94,7 @@ public final class CacheBuilder {
                         : lightsAfter(job.mirrorPlan());
         return new BuildResult(
                 new PixelCache(job.target().geometry(), centers, fine, new CachedScene(job.scene(), lights, indirect, job.fog()),
-                        new CachedScene(job.mirrorTarget().scene(), mirrored, mirroredIndirect, null)),
+                        new CachedScene(job.mirrorTarget().scene(), mirrored, mirroredIndirect, job.bounceFog())),
                 work());
     }
 

@@ -179,7 +179,7 @@ final class LevelWorker {
         }
         BranchSums sums = old.branches() != null && old.branches().key() == update.key() ? old.branches() : null;
         return sums == old.branches() && Arrays.equals(layers, old.layers()) ? old
-                : new TileLevel(old.rows(), layers, sums, old.clearTerms(), old.weights());
+                : new TileLevel(old.rows(), layers, sums, old.clearTerms(), old.weights(), old.fog());
     }
 
     /**

@@ -28,13 +28,17 @@ import org.jspecify.annotations.Nullable;
  * @param indirectChange changed indirect light of the first level
  * @param mirroredIndirectChange changed indirect light of the mirror levels
  * @param fog fog of the target scene; null if its air is clear, or before it is computed
+ * @param bounceFog fog along bounced rays of the target scene of mirrors; null if no light is seen there, or before it is computed
+ * @param changesBounceFog whether it shows other light than in the last picture
  */
 public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, RenderOptions options, UpdatePlan.@Nullable Relight plan,
-        Progress progress, IndirectChange indirectChange, IndirectChange mirroredIndirectChange, @Nullable PictureFog fog) {
+        Progress progress, IndirectChange indirectChange, IndirectChange mirroredIndirectChange, @Nullable PictureFog fog,
+        @Nullable PictureFog bounceFog,
+        boolean changesBounceFog) {
 
     private RenderJob(PreparedScene target, PreparedScene mirrorTarget, RenderOptions options, UpdatePlan.@Nullable Relight plan,
             Progress progress) {
-        this(target, mirrorTarget, options, plan, progress, IndirectChange.NONE, IndirectChange.NONE, null);
+        this(target, mirrorTarget, options, plan, progress, IndirectChange.NONE, IndirectChange.NONE, null, null, false);
     }
 
     /** Creates the job of a first pass. */
@@ -84,7 +88,7 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
                 change,
                 mirroredBefore == shownBefore && mirroredLight == shownLight ? change
                         : IndirectChange.between(mirroredBefore, mirroredLight),
-                fog);
+                fog, bounceFog, changesBounceFog);
     }
 
     private static @Nullable IndirectLight light(@Nullable IndirectCache indirect) {
@@ -93,12 +97,23 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
 
     /** Returns this job with another progress. */
     RenderJob withProgress(Progress v) {
-        return new RenderJob(target, mirrorTarget, options, plan, v, indirectChange, mirroredIndirectChange, fog);
+        return new RenderJob(target, mirrorTarget, options, plan, v, indirectChange, mirroredIndirectChange, fog, bounceFog,
+                changesBounceFog);
     }
 
     /** Returns this job with the fog of the target scene. */
     RenderJob withFog(@Nullable PictureFog v) {
-        return new RenderJob(target, mirrorTarget, options, plan, progress, indirectChange, mirroredIndirectChange, v);
+        return new RenderJob(target, mirrorTarget, options, plan, progress, indirectChange, mirroredIndirectChange, v, bounceFog,
+                changesBounceFog);
+    }
+
+    /**
+     * Returns this job with fog along bounced rays.
+     *
+     * @param changed whether it shows other light than in the last picture
+     */
+    RenderJob withBounceFog(@Nullable PictureFog v, boolean changed) {
+        return new RenderJob(target, mirrorTarget, options, plan, progress, indirectChange, mirroredIndirectChange, fog, v, changed);
     }
 
     /** Returns whether fog may have another color although none of its light changes: a weight of a light changed. */

@@ -11,6 +11,7 @@ import lightning.render.shading.IndirectRows;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.TileComposer;
 import lightning.render.shading.fog.BounceFog;
+import lightning.render.shading.fog.BounceStart;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
@@ -83,14 +84,17 @@ public final class TileRecomposer {
      * Composes the colors of the rays that bounce from the first level's rows. Returns scratch memory, valid until the next call;
      * null if there are none.
      *
+     * @param places image positions of the first level's rays
      * @param levels all levels; {@code lights} light those from the second on
      */
-    public @Nullable BounceImages composeImages(TileLevel[] levels, WeightedLight[] lights, World world) {
+    public @Nullable BounceImages composeImages(SamplePositions places, TileLevel[] levels, WeightedLight[] lights, World world) {
         nextLevel = 1;
-        return composeImages(levels, 0, 0, lights, world);
+        return composeImages(levels, 0, mirrorFog == null ? null : mirrorFog.start(places, levels[0].rows()), 0, lights, world);
     }
 
-    private @Nullable BounceImages composeImages(TileLevel[] levels, int index, int level, WeightedLight[] lights, World world) {
+    /** @param start the level's rows as the start of bounced rays; null if these show no light in fog */
+    private @Nullable BounceImages composeImages(TileLevel[] levels, int index, @Nullable BounceStart start, int level,
+            WeightedLight[] lights, World world) {
         HitRows rows = levels[index].rows();
         if (level == depth || rows.reflectiveCount == 0) {
             return mirror.blackImages(rows);
@@ -99,11 +103,15 @@ public final class TileRecomposer {
         for (BounceKind bounce : BounceKind.values()) {
             if (bounce.rowCount(rows) > 0) {
                 int at = nextLevel++;
-                BounceImages below = composeImages(levels, at, level + 1, lights, world);
-                mirror.composeLevel(levels[at].rows(), lights, levels[at].layers(), world, indirect(levels[at], mirrorIndirect), below,
+                HitRows seen = levels[at].rows();
+                BounceImages below =
+                        composeImages(levels, at, start == null ? null : start.below(bounce, seen), level + 1, lights, world);
+                mirror.composeLevel(seen, lights, levels[at].layers(), world, indirect(levels[at], mirrorIndirect), below,
                         requireNonNull(images).forBounce(bounce));
                 if (mirrorFog != null) {
-                    mirrorFog.add(rows, levels[at].rows(), bounce, mirrored, images.forBounce(bounce));
+                    mirrorFog.add(rows, seen, bounce, mirrored,
+                            mirrorFog.columns(rows, seen, bounce, mirrored, start, lights, levels[at].fog()), lights,
+                            images.forBounce(bounce));
                 }
             }
         }

@@ -119,11 +119,12 @@ final class TileWorker {
         TileLevel top = eyeWorker.withWeights(eyeWorker.lightLevel(rows));
         BounceLevels.TracedLevels below =
                 top.rows().reflectiveCount == 0 ? new BounceLevels.TracedLevels(new TileLevel[] {top}, new int[0][], null, true)
-                        : bounceLevels().traceAll(top, new int[0][]);
+                        : bounceLevels().traceAll(places, top, new int[0][]);
         if (job.progress().isCanceled()) {
             return null;
         }
-        return buildTile(places, top, below, false, null, detectEdges ? edgeColors(places, top, edgeImages(top)) : null, fine, null);
+        return buildTile(places, top, below, false, null, detectEdges ? edgeColors(places, top, edgeImages(places, top)) : null, fine,
+                null);
     }
 
     private TileRecomposer edgeComposer() {
@@ -141,12 +142,12 @@ final class TileWorker {
     }
 
     /** Returns the colors for edges of the rays that bounce from the first level's rows, of the levels traced or updated last. */
-    private @Nullable BounceImages edgeImages(TileLevel top) {
-        return top.rows().reflectiveCount == 0 ? null : edgeImages(bounceLevels().lastLevels());
+    private @Nullable BounceImages edgeImages(SamplePositions places, TileLevel top) {
+        return top.rows().reflectiveCount == 0 ? null : edgeImages(places, bounceLevels().lastLevels());
     }
 
-    private @Nullable BounceImages edgeImages(TileLevel[] levels) {
-        return edgeComposer().composeImages(bounceLevels().withTerms(levels), job.mirrorTarget().edgeLights(),
+    private @Nullable BounceImages edgeImages(SamplePositions places, TileLevel[] levels) {
+        return edgeComposer().composeImages(places, bounceLevels().withTerms(levels), job.mirrorTarget().edgeLights(),
                 job.mirrorTarget().scene().world());
     }
 
@@ -258,7 +259,7 @@ final class TileWorker {
                 && (knowsEdges || job.storesMirrorRows() || top.rows().reflectiveCount == 0);
         BounceLevels.TracedLevels below =
                 reusesBounces ? new BounceLevels.TracedLevels(old.levels, old.hitShapes, old.images, false)
-                        : updateLower(old, top, order);
+                        : updateLower(places, old, top, order);
         if (job.progress().isCanceled()) {
             return null;
         }
@@ -266,7 +267,7 @@ final class TileWorker {
                 || job.indirectChange().changesEdges(top.weights());
         EdgeColors edges = !detectEdges ? null
                 : !changesEdges ? old.edges
-                : edgeColors(places, top, reusesBounces ? knownEdgeImages(old) : edgeImages(top)).reuseIfEqual(old.edges);
+                : edgeColors(places, top, reusesBounces ? knownEdgeImages(places, old) : edgeImages(places, top)).reuseIfEqual(old.edges);
         FogTile fog = order == null ? old.fog : null;
         boolean isUnchanged = order == null && below.images() == old.images && !job.topPlan().canChangeColors(sorted, top.layers())
                 && !job.indirectChange().changesColors(top.weights())
@@ -275,11 +276,11 @@ final class TileWorker {
     }
 
     /** Returns the colors for edges of the rays that bounce in an old tile, whose bounce levels do not change; null if none bounces. */
-    private @Nullable BounceImages knownEdgeImages(CachedTile old) {
+    private @Nullable BounceImages knownEdgeImages(SamplePositions places, CachedTile old) {
         if (old.levels[0].rows().reflectiveCount == 0) {
             return null;
         }
-        return job.storesMirrorRows() ? edgeImages(old.levels) : requireNonNull(old.edges).images();
+        return job.storesMirrorRows() ? edgeImages(places, old.levels) : requireNonNull(old.edges).images();
     }
 
     /**
@@ -320,10 +321,10 @@ final class TileWorker {
     }
 
     /** @param order splice of the first level's rows; null if they are unchanged */
-    private BounceLevels.TracedLevels updateLower(CachedTile old, TileLevel top, @Nullable RowSplice order) {
+    private BounceLevels.TracedLevels updateLower(SamplePositions places, CachedTile old, TileLevel top, @Nullable RowSplice order) {
         if (top.rows().reflectiveCount == 0) {
             return new BounceLevels.TracedLevels(new TileLevel[] {top}, new int[0][], null, old.levels[0].rows().reflectiveCount > 0);
         }
-        return bounceLevels().updateAll(old, top, order);
+        return bounceLevels().updateAll(places, old, top, order);
     }
 }

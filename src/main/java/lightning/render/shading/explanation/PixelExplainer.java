@@ -12,6 +12,7 @@ import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
+import lightning.render.fog.BounceRays;
 import lightning.render.fog.FogMedium;
 import lightning.render.gather.RowWeigher;
 import lightning.render.shading.AreaSamples;
@@ -25,6 +26,7 @@ import lightning.render.shading.LightingEquation;
 import lightning.render.shading.SurfaceWeights;
 import lightning.render.shading.Transmittance;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.fog.BounceFog;
 import lightning.render.shading.fog.FogComposer;
 import lightning.render.shading.fog.FogLookup;
 import lightning.render.shading.fog.FogTile;
@@ -54,24 +56,27 @@ public final class PixelExplainer {
     private final @Nullable RowWeigher weigher;
     /** Null for reports without fog. */
     private final @Nullable PictureFog pictureFog;
+    /** Null if no light is seen in fog along bounced rays. */
+    private final @Nullable PictureFog bounceFog;
 
     /** Shadow ray targets by light position. */
     private final Map<Vec3, ShadowRayTarget> shadowRayTargets;
 
     /** Creates an explainer that also reports cutouts that rays passed; builds a second BVH for this. */
     public PixelExplainer(Scene scene) {
-        this(scene, Geometry.of(scene), new HashMap<>(), withoutCutouts(scene), null, null);
+        this(scene, Geometry.of(scene), new HashMap<>(), withoutCutouts(scene), null, null, null);
     }
 
     /** @param known existing geometry that serves the scene, from its traced picture */
     public PixelExplainer(Scene scene, Geometry known) {
-        this(scene, known.forScene(scene, known.castsReflections()), new HashMap<>(), null, null, null);
+        this(scene, known.forScene(scene, known.castsReflections()), new HashMap<>(), null, null, null, null);
     }
 
     private PixelExplainer(Scene scene, Geometry geometry, Map<Vec3, ShadowRayTarget> ends, @Nullable Geometry uncut,
-            @Nullable IndirectLight indirect, @Nullable PictureFog fog) {
+            @Nullable IndirectLight indirect, @Nullable PictureFog fog, @Nullable PictureFog bounced) {
         this.scene = scene;
         pictureFog = fog;
+        bounceFog = bounced;
         this.geometry = geometry;
         this.shadowRayTargets = ends;
         materials = geometry.materials();
@@ -85,22 +90,29 @@ public final class PixelExplainer {
     public PixelExplainer forScene(Scene other, Geometry known) {
         boolean isUnchanged = geometry.canServe(other);
         return new PixelExplainer(other, (isUnchanged ? geometry : known).forScene(other, known.castsReflections()),
-                isUnchanged ? shadowRayTargets : new HashMap<>(), null, null, null);
+                isUnchanged ? shadowRayTargets : new HashMap<>(), null, null, null, null);
     }
 
     /** Returns this explainer with the indirect light of its scene; null for none, as initially. */
     public PixelExplainer withIndirect(@Nullable IndirectLight light) {
-        return light == indirect ? this : new PixelExplainer(scene, geometry, shadowRayTargets, uncutGeometry, light, pictureFog);
+        return light == indirect ? this
+                : new PixelExplainer(scene, geometry, shadowRayTargets, uncutGeometry, light, pictureFog, bounceFog);
     }
 
-    /** Returns this explainer with the fog of its scene's picture; null for reports without fog, as initially. */
-    public PixelExplainer withFog(@Nullable PictureFog fog) {
-        return new PixelExplainer(scene, geometry, shadowRayTargets, uncutGeometry, indirect, fog);
+    /**
+     * Returns this explainer with the fog of its scene's picture.
+     *
+     * @param fog     fog along camera rays; null for reports without fog, as initially
+     * @param bounced fog along bounced rays; null if no light is seen there
+     */
+    public PixelExplainer withFog(@Nullable PictureFog fog, @Nullable PictureFog bounced) {
+        return new PixelExplainer(scene, geometry, shadowRayTargets, uncutGeometry, indirect, fog, bounced);
     }
 
     /** Returns this explainer with a report of the cutouts that rays passed; builds a second BVH if the scene has any. */
     public PixelExplainer withPassedCutouts() {
-        return uncutGeometry == null ? new PixelExplainer(scene, geometry, shadowRayTargets, withoutCutouts(scene), indirect, pictureFog)
+        return uncutGeometry == null ? new PixelExplainer(scene, geometry, shadowRayTargets, withoutCutouts(scene), indirect, pictureFog,
+                bounceFog)
                 : this;
     }
 
@@ -117,7 +129,7 @@ public final class PixelExplainer {
     /** Explains the pixel in column {@code x} from the left and row {@code y} from the top. */
     public PointReport explainPixel(int x, int y) {
         Ray ray = new PixelRays(scene).ray(x, y);
-        PointReport report = explainRay(ray, scene.picture().depth());
+        PointReport report = explainRay(ray, scene.picture().depth(), new BouncePlace(x + 0.5, y + 0.5, 0));
         if (pictureFog == null) {
             return report;
         }
@@ -127,7 +139,21 @@ public final class PixelExplainer {
                 c -> FogComposer.scattered(tile, 0, weighted, 0, weighted.length, c));
     }
 
-    private PointReport explainRay(Ray ray, int depth) {
+    /**
+     * Place in the image of a surface from which rays bounce that show light in fog.
+     *
+     * @param x           image coordinates, pixels, as {@code y}
+     * @param refractions number of refractions before the surface
+     */
+    private record BouncePlace(double x, double y, int refractions) {
+        /** Returns that of the surface behind this one. */
+        BouncePlace behind() {
+            return new BouncePlace(x, y, refractions + 1);
+        }
+    }
+
+    /** @param place place of the surface that the ray hits; null if rays that bounce from there show no light in fog */
+    private PointReport explainRay(Ray ray, int depth, @Nullable BouncePlace place) {
         int shape = geometry.nearest(ray);
         if (shape < 0) {
             return new PointReport(null, passedCutouts(ray, Double.POSITIVE_INFINITY), null,
@@ -138,10 +164,13 @@ public final class PixelExplainer {
         NormalSteps normals = geometry.normalSteps(shape, ray);
         PointReport reflected = materials.isReflective(hit.material()) && depth > 0
                 ? explainBounce(hit.reflectedRay(materials.material(hit.material())), depth - 1,
-                        materials.isClear(hit.material()) && requireNonNull(hit.backSide()).isInside())
+                        materials.isClear(hit.material()) && requireNonNull(hit.backSide()).isInside(), null,
+                        place != null && place.refractions == 0 ? light(place, BounceRays.MIRRORED, hit.material()) : null)
                 : null;
         Ray through = materials.isClear(hit.material()) && depth > 0 ? hit.refractedRay() : null;
-        PointReport refracted = through == null ? null : explainBounce(through, depth - 1, !requireNonNull(hit.backSide()).isInside());
+        PointReport refracted = through == null ? null
+                : explainBounce(through, depth - 1, !hit.isInAirBehind(), place == null ? null : place.behind(),
+                        place == null ? null : light(place, place.refractions + 1, hit.material()));
         List<LightReport> reports = new ArrayList<>();
         for (WeightedLight light : lights) {
             reports.add(lightReport(light, hit, normals));
@@ -196,9 +225,29 @@ public final class PixelExplainer {
                 refracted, null);
     }
 
-    /** Explains a reflected or refracted ray with the fog along it. */
-    private PointReport explainBounce(Ray ray, int depth, boolean isInside) {
-        PointReport report = explainRay(ray, depth);
+    /** Light in fog along a bounced ray with a length. */
+    @FunctionalInterface
+    private interface BounceLight {
+        /** Returns the light of each lamp of weight 1. */
+        float[] along(Ray ray, double length);
+    }
+
+    /** Returns the light that is seen along rays of a path from a material at a place of the image; null for none. */
+    private @Nullable BounceLight light(BouncePlace place, int path, int material) {
+        PictureFog bounced = bounceFog;
+        return bounced == null ? null
+                : (ray, length) -> BounceFog.scatteredAlong(bounced, ray, length, place.x, place.y, path, material,
+                        lights.toArray(WeightedLight[]::new));
+    }
+
+    /**
+     * Explains a reflected or refracted ray with the fog along it.
+     *
+     * @param place as in {@link #explainRay}
+     * @param light light in the fog; null for none
+     */
+    private PointReport explainBounce(Ray ray, int depth, boolean isInside, @Nullable BouncePlace place, @Nullable BounceLight light) {
+        PointReport report = explainRay(ray, depth, place);
         FogMedium medium = pictureFog == null || isInside ? null : pictureFog.medium();
         if (medium == null) {
             return report;
@@ -206,7 +255,17 @@ public final class PixelExplainer {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
         float passed = (float) FogMedium.transmittance(medium.depth(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), distance(report, o)));
-        return behindFog(report, passed, _ -> 0f);
+        float[] scattered = light == null ? null : light.along(ray, distance(report, o));
+        return behindFog(report, passed, c -> scattered == null ? 0f : weighted(scattered, c));
+    }
+
+    /** Returns the sum of a channel of all lights. */
+    private float weighted(float[] scattered, int c) {
+        float sum = 0;
+        for (int l = 0; l < scattered.length; l++) {
+            sum += lights.get(l).fog().channel(c) * scattered[l];
+        }
+        return sum;
     }
 
     private static double distance(PointReport report, Vec3 from) {

@@ -4,11 +4,12 @@ import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
-import lightning.render.fog.FogGrid;
+import lightning.render.fog.FogRay;
+import lightning.render.fog.FogRays;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.SurfacePoint;
 
-/** Finds the first surface along each ray of a grid, on all threads. */
+/** Finds the first surface along rays, on all threads. */
 public final class FogDepths {
     /** Rays of a task. */
     private static final int RAYS = 512;
@@ -16,15 +17,13 @@ public final class FogDepths {
     private FogDepths() {}
 
     /** Returns the distance of each ray's first surface, scene units, infinite for none: {@code float[rays]}. */
-    public static float[] trace(FogGrid grid, Geometry geometry, WorkerPool workers, Progress progress) {
-        float[] depths = new float[grid.count()];
+    public static float[] trace(FogRays rays, Geometry geometry, WorkerPool workers, Progress progress) {
+        float[] depths = new float[rays.count()];
         workers.run((depths.length + RAYS - 1) / RAYS, (_, task) -> {
-            double[] dx = new double[1];
-            double[] dy = new double[1];
-            double[] dz = new double[1];
+            FogRay line = new FogRay();
             for (int ray = task * RAYS; ray < Math.min(depths.length, (task + 1) * RAYS); ray++) {
-                grid.writeDirection(ray, dx, dy, dz, 0);
-                depths[ray] = depth(geometry, new Ray(grid.eye(), new Vec3(dx[0], dy[0], dz[0])));
+                rays.set(ray, line);
+                depths[ray] = depth(geometry, new Ray(new Vec3(line.ox, line.oy, line.oz), new Vec3(line.dx, line.dy, line.dz)));
             }
         }, progress.cancellationOnly());
         return depths;

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import lightning.base.math.Vec3;
 import lightning.render.fog.FogMedium;
 import lightning.render.fog.FogPath;
+import lightning.render.fog.FogRay;
 import lightning.render.image.Film;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.HitRows;
@@ -19,6 +20,7 @@ public final class FogLookup {
     private final PictureFog fog;
     private final WeightedLight[] lights;
     private final FogPath path = new FogPath();
+    private final FogRay ray = new FogRay();
     private final double[] distance = new double[SIZE];
     private final double[] dx = new double[SIZE];
     private final double[] dy = new double[SIZE];
@@ -115,7 +117,7 @@ public final class FogLookup {
     private FogSamples samples(int l) {
         FogSamples known = samples[l];
         if (known == null) {
-            known = new FogSamples(fog.grid(), lights[l].source());
+            known = new FogSamples(fog.grid().scale(), lights[l].source());
             samples[l] = known;
         }
         return known;
@@ -164,8 +166,15 @@ public final class FogLookup {
         }
         FogSamples samples = samples(l);
         float[] to = new float[SIZE];
+        Vec3 eye = fog.grid().eye();
+        ray.ox = eye.x();
+        ray.oy = eye.y();
+        ray.oz = eye.z();
         for (int i = 0; i < count; i++) {
-            samples.aim(path, dx[i], dy[i], dz[i]);
+            ray.dx = dx[i];
+            ray.dy = dy[i];
+            ray.dz = dz[i];
+            samples.aim(path, ray);
             to[i] = sums.before(x[i], y[i], path.place(distance[i]));
         }
         return to;

@@ -4,27 +4,27 @@ import java.util.Arrays;
 import lightning.base.math.Vec3;
 import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogPath;
+import lightning.render.fog.FogRay;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.LightSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Samples of the fog of a picture for one light: their places, and the point of the light that each looks at: its position, or one of the
+ * Samples of fog along rays for one light: their places, and the point of the light that each looks at: its position, or one of the
  * samples of an area light, in turn.
  */
 final class FogSamples {
     private static final double GOLDEN = 0.6180339887498949;
 
-    private final FogGrid grid;
+    private final double scale;
     private final LightSource source;
-    private final Vec3 fromEye;
     /** Source at the point that a sample of a phase looks at: {@code samples × phases}; null for a light without an area. */
     private final LightSource @Nullable [] points;
 
-    FogSamples(FogGrid grid, LightSource source) {
-        this.grid = grid;
+    /** @param scale distance from the eye to the point that the camera looks at, scene units, &gt; 0 */
+    FogSamples(double scale, LightSource source) {
+        this.scale = scale;
         this.source = source;
-        fromEye = source.type().hasPosition() ? source.position().minus(grid.eye()) : source.position();
         AreaSamples area = source.centerSamples();
         points = area == null ? null : new LightSource[FogGrid.SAMPLES * FogGrid.PHASES];
         if (area != null && points != null) {
@@ -39,7 +39,7 @@ final class FogSamples {
 
     /** Returns the samples that may be in the cone of the light. */
     ConeRange coneRange() {
-        return new ConeRange(source, grid.eye(), fromEye);
+        return new ConeRange(source);
     }
 
     /** Returns whether all samples look at the same point. */
@@ -53,11 +53,12 @@ final class FogSamples {
     }
 
     /** Aims a path along a ray. */
-    void aim(FogPath path, double dx, double dy, double dz) {
+    void aim(FogPath path, FogRay ray) {
         if (source.type().hasPosition()) {
-            path.aimAtPoint(fromEye, dx, dy, dz, grid.scale());
+            Vec3 light = source.position();
+            path.aimAtPoint(light.x() - ray.ox, light.y() - ray.oy, light.z() - ray.oz, ray.dx, ray.dy, ray.dz, scale);
         } else {
-            path.aimAlong(grid.scale());
+            path.aimAlong(scale);
         }
     }
 }

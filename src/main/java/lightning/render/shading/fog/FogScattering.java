@@ -1,16 +1,17 @@
 package lightning.render.shading.fog;
 
 import java.util.Arrays;
-import lightning.base.math.Vec3;
 import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogMedium;
 import lightning.render.fog.FogPath;
+import lightning.render.fog.FogRay;
+import lightning.render.fog.FogRays;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightingEquation;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Light that fog scatters toward the camera along a ray: single scattering of one light of weight 1 by white fog.
+ * Light that fog scatters toward the origin of a ray: single scattering of one light of weight 1 by white fog.
  *
  * <pre>
  * L = Σ lost · π·p(θ) · falloff · V
@@ -29,7 +30,7 @@ final class FogScattering {
     /** Length behind a surface, as a share of all places, in which samples do not count. */
     static final double HIDDEN = 1.0 / 16;
 
-    private final FogGrid grid;
+    private final FogRays rays;
     private final FogMedium medium;
     private final double anisotropy;
     private final FogSamples samples;
@@ -42,15 +43,13 @@ final class FogScattering {
     private double passed;
     /** Distance of that start. */
     private double start;
-    private final double[] dx = new double[1];
-    private final double[] dy = new double[1];
-    private final double[] dz = new double[1];
+    private final FogRay ray = new FogRay();
 
-    FogScattering(FogGrid grid, FogMedium medium, double anisotropy, LightSource source) {
-        this.grid = grid;
+    FogScattering(FogRays rays, FogMedium medium, double anisotropy, LightSource source) {
+        this.rays = rays;
         this.medium = medium;
         this.anisotropy = anisotropy;
-        samples = new FogSamples(grid, source);
+        samples = new FogSamples(rays.grid().scale(), source);
         cone = samples.coneRange();
     }
 
@@ -71,16 +70,16 @@ final class FogScattering {
      * @param depth   distance of the ray's first surface
      * @param to      receives one value for each sample
      */
-    void write(int ray, int visible, float depth, float[] to, int at) {
-        grid.writeDirection(ray, dx, dy, dz, 0);
-        samples.aim(path, dx[0], dy[0], dz[0]);
-        int phase = grid.phase(ray);
+    void write(int index, int visible, float depth, float[] to, int at) {
+        rays.set(index, ray);
+        samples.aim(path, ray);
+        int phase = ray.phase;
         double surface = path.place(depth);
         known = -1;
-        cone.find(path, dx[0], dy[0], dz[0]);
+        cone.find(path, ray);
         Arrays.fill(to, at, at + FogGrid.SAMPLES, 0);
         for (int k = cone.from; k < cone.to; k++) {
-            boolean counts = (visible >>> k & 1) != 0 && !isHidden(grid.place(k, phase) - surface);
+            boolean counts = (visible >>> k & 1) != 0 && !isHidden(FogGrid.place(k, phase) - surface);
             to[at + k] = counts ? (float) scattered(k, phase) : 0;
         }
     }
@@ -97,18 +96,14 @@ final class FogScattering {
     }
 
     private double transmittanceAt(double distance) {
-        Vec3 eye = grid.eye();
-        return FogMedium.transmittance(medium.depth(eye.x(), eye.y(), eye.z(), dx[0], dy[0], dz[0], distance));
+        return FogMedium.transmittance(medium.depth(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, distance));
     }
 
     private double scattered(int sample, int phase) {
-        double place = grid.place(sample, phase);
+        double place = FogGrid.place(sample, phase);
         double t = path.distance(place);
-        float x = (float) (grid.eye().x() + t * dx[0]);
-        float y = (float) (grid.eye().y() + t * dy[0]);
-        float z = (float) (grid.eye().z() + t * dz[0]);
         LightingEquation equation = equation(sample, phase);
-        equation.moveTo(x, y, z, (float) dx[0], (float) dy[0], (float) dz[0]);
+        equation.moveTo((float) ray.x(t), (float) ray.y(t), (float) ray.z(t), (float) ray.dx, (float) ray.dy, (float) ray.dz);
         if (!equation.insideCone()) {
             return 0;
         }
@@ -118,7 +113,7 @@ final class FogScattering {
         passed = transmittanceAt(start);
         known = sample + 1;
         return before == 0 ? 0 : lost(sample, place, t, start - from, before - passed)
-                * (equation.falloff() * phase(equation.towardLight(dx[0], dy[0], dz[0])));
+                * (equation.falloff() * phase(equation.towardLight(ray.dx, ray.dy, ray.dz)));
     }
 
     /** @param length length of the part @param ofPart what it takes */
@@ -128,10 +123,7 @@ final class FogScattering {
         }
         double stands = path.slope(place) / FogGrid.SAMPLES;
         if (sample == FogGrid.SAMPLES - 1) {
-            double x = grid.eye().x() + t * dx[0];
-            double y = grid.eye().y() + t * dy[0];
-            double z = grid.eye().z() + t * dz[0];
-            return medium.densityAt(x, y, z) * transmittanceAt(t) * stands;
+            return medium.densityAt(ray.x(t), ray.y(t), ray.z(t)) * transmittanceAt(t) * stands;
         }
         return length > 0 ? ofPart / length * stands : 0;
     }

@@ -1,6 +1,7 @@
 package lightning.render.shading.fog;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
@@ -8,6 +9,8 @@ import lightning.render.engine.EngineChoice;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogPath;
+import lightning.render.fog.FogRay;
+import lightning.render.fog.FogRays;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.layer.LightRows;
 import lightning.render.shading.layer.PointShadows;
@@ -20,43 +23,51 @@ import org.jspecify.annotations.Nullable;
 
 /** Finds the samples of fog that a light reaches, on all threads. */
 public final class FogShadows {
-    /** Rays of a task: one shadow ray from each sample of a region of rays is cast together. */
-    private static final int RAYS = 1024;
-    private static final int SIDE = 32;
-
-    private final FogGrid grid;
+    private final FogRays rays;
     private final WorkerPool workers;
     private final List<EngineWorkers<PointShadows>> casters;
     private final Progress progress;
-    private final Region[] regions;
+    private final Group[] groups;
 
     /** @param view its effects decide whether shapes block light */
-    public FogShadows(FogGrid grid, Geometry geometry, ViewEffects view, EngineChoice engines, WorkerPool workers, Progress progress) {
-        this.grid = grid;
+    public FogShadows(FogRays rays, Geometry geometry, ViewEffects view, EngineChoice engines, WorkerPool workers, Progress progress) {
+        this.rays = rays;
         this.workers = workers;
         casters = EngineWorkers.perThread(workers.count(), engines,
                 engine -> new PointShadows(geometry, engine.tracer(geometry), view));
         this.progress = progress.cancellationOnly();
-        regions = new Region[workers.count()];
-        Arrays.setAll(regions, _ -> new Region());
+        groups = new Group[workers.count()];
+        Arrays.setAll(groups, _ -> new Group());
+    }
+
+    /** Returns the samples that see a light, one bit each: {@code int[rays]}. */
+    public int[] visible(LightSource source) {
+        int[] visible = new int[rays.count()];
+        test(source, visible, null);
+        return visible;
     }
 
     /**
-     * Returns the samples that see a light, one bit each: {@code int[rays]}.
+     * Returns the samples that see a light after a change, one bit each: {@code int[rays]}.
      *
-     * @param before samples that saw it before a change of shapes; null if all must be tested
-     * @param change change of the shapes since then
+     * @param before  samples that saw it before; not modified
+     * @param unknown rays of which all samples must be tested, because they were others before
+     * @param change  change of the shapes since then
      */
-    public int[] visible(LightSource source, int @Nullable [] before, ShapeChange change) {
-        int[] visible = before == null ? new int[grid.count()] : before.clone();
-        FogSamples samples = new FogSamples(grid, source);
-        int across = (grid.columns() + SIDE - 1) / SIDE;
-        int down = (grid.lines() + SIDE - 1) / SIDE;
-        workers.run(across * down, (worker, i) -> {
-            PointShadows shadows = casters.get(worker).forTile(i);
-            regions[worker].test(i % across * SIDE, i / across * SIDE, samples, shadows, before == null ? null : change, visible);
-        }, progress);
+    public int[] visibleAfter(LightSource source, int[] before, BitSet unknown, ShapeChange change) {
+        int[] visible = before.clone();
+        test(source, visible, new Change(unknown, change));
         return visible;
+    }
+
+    /** Change of rays and shapes since samples were tested. */
+    private record Change(BitSet unknown, ShapeChange shapes) {}
+
+    /** @param change null if all samples must be tested */
+    private void test(LightSource source, int[] visible, @Nullable Change change) {
+        FogSamples samples = new FogSamples(rays.grid().scale(), source);
+        workers.run(rays.groupCount(), (worker, i) -> groups[worker].test(i, samples, casters.get(worker).forTile(i), change, visible),
+                progress);
     }
 
     /** Returns the number of shadow rays cast since the start. */
@@ -64,33 +75,28 @@ public final class FogShadows {
         return casters.stream().flatMap(thread -> thread.workers().stream()).mapToLong(PointShadows::rayCount).sum();
     }
 
-    /** Scratch memory for the rays of a region. */
-    private final class Region {
+    /** Scratch memory for a group of rays: one shadow ray from each is cast together. */
+    private final class Group {
         /** Path of each ray toward the present light. */
-        private final FogPath[] paths = new FogPath[RAYS];
-        private final int[] rays = new int[RAYS];
-        private final double[] dx = new double[RAYS];
-        private final double[] dy = new double[RAYS];
-        private final double[] dz = new double[RAYS];
+        private final FogPath[] paths = new FogPath[FogRays.GROUP];
+        private final FogRay[] lines = new FogRay[FogRays.GROUP];
+        private final int[] members = new int[FogRays.GROUP];
         /** Rays of the present points. */
-        private final int[] point = new int[RAYS];
-        private final byte[] state = new byte[RAYS];
+        private final int[] point = new int[FogRays.GROUP];
+        private final byte[] state = new byte[FogRays.GROUP];
         private final int[] chosen = RowBits.allocate();
         private final int[] blocked = RowBits.allocate();
 
-        Region() {
+        Group() {
             Arrays.setAll(paths, _ -> new FogPath());
+            Arrays.setAll(lines, _ -> new FogRay());
         }
 
-        void test(int column, int line, FogSamples samples, PointShadows shadows, @Nullable ShapeChange change, int[] visible) {
-            int count = 0;
-            for (int y = line; y < Math.min(grid.lines(), line + SIDE); y++) {
-                for (int x = column; x < Math.min(grid.columns(), column + SIDE); x++) {
-                    rays[count] = y * grid.columns() + x;
-                    grid.writeDirection(rays[count], dx, dy, dz, count);
-                    samples.aim(paths[count], dx[count], dy[count], dz[count]);
-                    count++;
-                }
+        void test(int group, FogSamples samples, PointShadows shadows, @Nullable Change change, int[] visible) {
+            int count = rays.writeGroup(group, members);
+            for (int i = 0; i < count; i++) {
+                rays.set(members[i], lines[i]);
+                samples.aim(paths[i], lines[i]);
             }
             for (int sample = 0; sample < FogGrid.SAMPLES && !progress.isCanceled(); sample++) {
                 if (samples.isPoint()) {
@@ -104,18 +110,18 @@ public final class FogShadows {
         }
 
         /** @param only phase of the rays to test; negative for all */
-        private void test(int count, int sample, int only, FogSamples samples, PointShadows shadows, @Nullable ShapeChange change,
+        private void test(int count, int sample, int only, FogSamples samples, PointShadows shadows, @Nullable Change change,
                 int[] visible) {
             HitRows points = shadows.points();
             points.clear();
             for (int i = 0; i < count; i++) {
-                int phase = grid.phase(rays[i]);
-                if (only < 0 || phase == only) {
-                    double t = paths[i].distance(grid.place(sample, phase));
-                    point[points.count] = rays[i];
-                    points.px[points.count] = (float) (grid.eye().x() + t * dx[i]);
-                    points.py[points.count] = (float) (grid.eye().y() + t * dy[i]);
-                    points.pz[points.count++] = (float) (grid.eye().z() + t * dz[i]);
+                FogRay line = lines[i];
+                if (only < 0 || line.phase == only) {
+                    double t = paths[i].distance(FogGrid.place(sample, line.phase));
+                    point[points.count] = members[i];
+                    points.px[points.count] = (float) line.x(t);
+                    points.py[points.count] = (float) line.y(t);
+                    points.pz[points.count++] = (float) line.z(t);
                 }
             }
             if (points.count == 0) {
@@ -125,13 +131,8 @@ public final class FogShadows {
             Arrays.fill(chosen, 0);
             if (change == null) {
                 RowBits.add(chosen, 0, points.count);
-            } else {
-                for (int i = 0; i < points.count; i++) {
-                    state[i] = (byte) ((visible[point[i]] >>> sample & 1) != 0 ? LightRows.UNBLOCKED : LightRows.BLOCKED);
-                }
-                if (!shadows.findChanged(source, state, change, chosen)) {
-                    return;
-                }
+            } else if (!choose(points.count, sample, source, shadows, change, visible)) {
+                return;
             }
             shadows.cast(source, chosen, blocked);
             for (int i = 0; i < points.count; i++) {
@@ -139,6 +140,21 @@ public final class FogShadows {
                     visible[point[i]] = visible[point[i]] & ~(1 << sample) | (RowBits.contains(blocked, i) ? 0 : 1 << sample);
                 }
             }
+        }
+
+        /** Chooses the points that a change may affect; returns whether there are any. */
+        private boolean choose(int count, int sample, LightSource source, PointShadows shadows, Change change, int[] visible) {
+            for (int i = 0; i < count; i++) {
+                state[i] = (byte) ((visible[point[i]] >>> sample & 1) != 0 ? LightRows.UNBLOCKED : LightRows.BLOCKED);
+            }
+            boolean any = !change.shapes.isEmpty() && shadows.findChanged(source, state, change.shapes, chosen);
+            for (int i = 0; i < count && !change.unknown.isEmpty(); i++) {
+                if (change.unknown.get(point[i])) {
+                    RowBits.add(chosen, i);
+                    any = true;
+                }
+            }
+            return any;
         }
     }
 }

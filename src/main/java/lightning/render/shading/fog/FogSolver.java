@@ -4,14 +4,15 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogMedium;
+import lightning.render.fog.FogRays;
 import lightning.render.shading.LightSource;
 
-/** Computes what fog scatters at the samples along all rays of a grid, on all threads. Casts no ray. */
+/** Computes what fog scatters at the samples along rays, on all threads. Casts no ray. */
 public final class FogSolver {
     /** Rays of a task. */
     private static final int RAYS = 512;
 
-    private final FogGrid grid;
+    private final FogRays rays;
     private final FogMedium medium;
     private final double anisotropy;
     private final float[] depths;
@@ -22,8 +23,8 @@ public final class FogSolver {
      * @param anisotropy mean cosine of scattering
      * @param depths     distance of the first surface along each ray
      */
-    public FogSolver(FogGrid grid, FogMedium medium, double anisotropy, float[] depths, WorkerPool workers, Progress progress) {
-        this.grid = grid;
+    public FogSolver(FogRays rays, FogMedium medium, double anisotropy, float[] depths, WorkerPool workers, Progress progress) {
+        this.rays = rays;
         this.medium = medium;
         this.anisotropy = anisotropy;
         this.depths = depths;
@@ -33,14 +34,14 @@ public final class FogSolver {
 
     /** @param visible samples of each ray that see the light */
     public FogLight solve(LightSource source, int[] visible) {
-        float[] parts = new float[grid.count() * FogGrid.SAMPLES];
+        float[] parts = new float[rays.count() * FogGrid.SAMPLES];
         FogScattering[] scattering = new FogScattering[workers.count()];
         for (int w = 0; w < scattering.length; w++) {
-            scattering[w] = new FogScattering(grid, medium, anisotropy, source);
+            scattering[w] = new FogScattering(rays, medium, anisotropy, source);
         }
-        int tasks = (grid.count() + RAYS - 1) / RAYS;
+        int tasks = (rays.count() + RAYS - 1) / RAYS;
         workers.run(tasks, (worker, i) -> {
-            for (int ray = i * RAYS; ray < Math.min(grid.count(), (i + 1) * RAYS); ray++) {
+            for (int ray = i * RAYS; ray < Math.min(rays.count(), (i + 1) * RAYS); ray++) {
                 scattering[worker].write(ray, visible[ray], depths[ray], parts, ray * FogGrid.SAMPLES);
             }
         }, progress);

@@ -64,7 +64,8 @@ class PixelExplainerTest {
     private static PixelExplainer withGatheredLight(PixelExplainer explainer, Scene scene) {
         try (WorkerPool workers = new WorkerPool(1)) {
             TraditionalTracer tracer = new TraditionalTracer(scene, explainer.geometry());
-            return explainer.withIndirect(tracer.traceIndirect(workers, Progress.NONE)).withFog(tracer.traceFog(workers, Progress.NONE));
+            return explainer.withIndirect(tracer.traceIndirect(workers, Progress.NONE)).withFog(tracer.traceFog(workers, Progress.NONE),
+                    tracer.traceBounceFog(workers, Progress.NONE));
         }
     }
 
@@ -77,7 +78,8 @@ class PixelExplainerTest {
         try (WorkerPool workers = new WorkerPool(1)) {
             Film film = tracer.trace(workers, Progress.NONE).film();
             explainer =
-                    explainer.withIndirect(tracer.traceIndirect(workers, Progress.NONE)).withFog(tracer.traceFog(workers, Progress.NONE));
+                    explainer.withIndirect(tracer.traceIndirect(workers, Progress.NONE)).withFog(tracer.traceFog(workers, Progress.NONE),
+                            tracer.traceBounceFog(workers, Progress.NONE));
             for (int i = 0; i < 30; i++) {
                 int x = pixels.nextInt(scene.picture().width());
                 int y = pixels.nextInt(scene.picture().height());

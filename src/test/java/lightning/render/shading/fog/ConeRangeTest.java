@@ -7,6 +7,7 @@ import java.util.Random;
 import lightning.base.math.Vec3;
 import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogPath;
+import lightning.render.fog.FogRay;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightingEquation;
 import lightning.scene.Camera;
@@ -44,15 +45,21 @@ class ConeRangeTest {
             Scene scene = new Scene(PictureSettings.DEFAULT, camera, World.DEFAULT, List.of(), List.of(), List.of(light));
             LightSource source = LightSource.of(light, scene);
             var grid = new FogGrid(camera, scene.picture());
-            Vec3 fromEye = source.position().minus(grid.eye());
+            var ray = new FogRay();
+            ray.ox = grid.eye().x();
+            ray.oy = grid.eye().y();
+            ray.oz = grid.eye().z();
+            ray.dx = d.x();
+            ray.dy = d.y();
+            ray.dz = d.z();
             var path = new FogPath();
-            path.aimAtPoint(fromEye, d.x(), d.y(), d.z(), grid.scale());
-            var range = new ConeRange(source, grid.eye(), fromEye);
-            range.find(path, d.x(), d.y(), d.z());
+            new FogSamples(grid.scale(), source).aim(path, ray);
+            var range = new ConeRange(source);
+            range.find(path, ray);
             ranged += Math.max(0, range.to - range.from);
             var equation = new LightingEquation(source);
             for (int k = 0; k < FogGrid.SAMPLES; k++) {
-                double t = path.distance(grid.place(k, n % FogGrid.PHASES));
+                double t = path.distance(FogGrid.place(k, n % FogGrid.PHASES));
                 equation.moveTo((float) (grid.eye().x() + t * d.x()), (float) (grid.eye().y() + t * d.y()),
                         (float) (grid.eye().z() + t * d.z()),
                         0, 0, 1);

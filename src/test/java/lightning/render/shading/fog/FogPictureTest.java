@@ -79,4 +79,65 @@ class FogPictureTest {
                 + "light lamp point { at 0 0 0 casts_shadows no fog 0 }";
         assertThat(render("fog 0.5", wall).red(16, 16)).isCloseTo((float) Math.exp(-2), within(2e-3f));
     }
+
+    private static final String SUN = "light sun directional { direction 1 -1 0 casts_shadows no } ";
+    private static final String MIRROR = "material mirror { diffuse 0 0 0 reflective 1 1 1 } ";
+    /** Half of the light of a 128th of all places at a surface 3 units away: by this much, light before it may be off. */
+    private static final float CUT = (float) (0.5 * 0.25 * 0.2 * Math.exp(-0.2 * 3) * 16 / 128);
+
+    /** Light that is lost on the way to a mirror comes from the fog before it, and what is seen in it is fog without end. */
+    @Test
+    void evenFog_isAsBrightInMirror() throws JenException {
+        Film film = render("fog 0.2", SUN + MIRROR + "plane wall { material mirror at 0 0 -3 rotate 90 0 0 scale 50 1 50 }");
+        assertThat(film.red(16, 16)).isCloseTo(0.25f, within(CUT));
+        assertThat(film.red(3, 28)).isCloseTo(0.25f, within(CUT));
+    }
+
+    /** Beams are seen along the first mirrored ray only. */
+    @Test
+    void secondMirror_showsNoLightInFog() throws JenException {
+        Film film = render("fog 0.2", SUN + MIRROR + "plane wall { material mirror at 0 0 -3 rotate 90 0 0 scale 50 1 50 } "
+                + "plane behind { material mirror at 0 0 2 rotate 90 0 0 scale 50 1 50 }");
+        double lastPart = Math.exp(-0.2 * (3 + 5));
+        // Places 5 units away are 36 / 16 times as far apart as 3 units away.
+        assertThat(film.red(16, 16)).isCloseTo((float) (0.25 * (1 - lastPart)), within(3.25f * CUT));
+    }
+
+    /** The integral of {@link #lamp_lightsThinFogByAngle}, over the ray to a mirror at z = −4 and back from there to behind the eye. */
+    @Test
+    void lampInMirror_lightsThinFogByAngle() throws JenException {
+        Film film = render("fog 1e-4", "light lamp point { at 2 0 -3 falloff inverse_square intensity 1000 casts_shadows no } " + MIRROR
+                + "plane wall { material mirror at 0 0 -4 rotate 90 0 0 scale 50 1 50 }");
+        double before = Math.atan(1.5) + Math.atan(0.5);
+        double mirrored = Math.atan(0.5) + Math.PI / 2;
+        double expected = 1000 * 1e-4 / (4 * 2) * (before + mirrored);
+        assertThat(film.red(16, 16)).isCloseTo((float) expected, within((float) (0.01 * expected)));
+    }
+
+    @Test
+    void evenFog_isAsBrightThroughGlass() throws JenException {
+        String glass = "material glass { diffuse 0 0 0 clear 1 1 1 ior 1 %s } ";
+        String pane = "plane pane { material glass at 0 0 -3 rotate 90 0 0 scale 50 1 50 }";
+        assertThat(render("fog 0.2", SUN + glass.replace("%s", "thin yes") + pane).red(16, 16)).isCloseTo(0.25f, within(CUT));
+        String ball = "sphere ball { material glass at 0 0 -4 scale 1 1 1 }";
+        assertThat(render("fog 0.2", SUN + glass.replace("%s", "") + ball).red(16, 16)).as("no fog inside").isCloseTo(0.25f, within(CUT));
+    }
+
+    /** A beam across a floor is seen in it where the beam of a lamp as far below the floor would be. */
+    @Test
+    void beamInMirror_equalsMirroredBeam() throws JenException {
+        String lamp = "light lamp spot { at -3 %s -6 direction 1 0 0 angle 6 casts_shadows no }";
+        Film mirrored =
+                render("fog 0.05", lamp.replace("%s", "0.2") + MIRROR + "plane floor { material mirror at 0 -0.3 0 scale 90 1 90 }");
+        Film direct = render("fog 0.05", lamp.replace("%s", "-0.8"));
+        // Camera rays of these lines meet the floor before the lamp's own beam.
+        float max = 0;
+        for (int y = 24; y < 33; y++) {
+            max = Math.max(max, direct.red(16, y));
+        }
+        for (int y = 24; y < 33; y++) {
+            assertThat(mirrored.red(16, y)).as("line %d", y).isCloseTo(direct.red(16, y), within(0.05f * max));
+        }
+        assertThat(direct.red(16, 24)).as("beside the beam").isLessThan(0.1f * max);
+    }
 }

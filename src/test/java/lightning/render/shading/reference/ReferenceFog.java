@@ -8,11 +8,11 @@ import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogMedium;
 import lightning.render.fog.FogPath;
 import lightning.render.shading.LightSource;
-import lightning.render.shading.LightingEquation;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.fog.FogComposer;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.Scene;
+import lightning.scene.material.Material;
 import lightning.scene.value.Fog;
 
 /**
@@ -20,22 +20,22 @@ import lightning.scene.value.Fog;
  * rays test every shape.
  */
 final class ReferenceFog {
-    /** Number of the sample of an area light, in turn. */
-    private static final double GOLDEN = 0.6180339887498949;
-
     /** Test of whether a light, or one sample of an area light, is visible from a point in render space. */
     interface Visibility {
         boolean isVisible(LightSource source, Vec3 point);
 
-        /** Returns the first surface along a camera ray; null for none. */
+        /** Returns the first surface along a ray; null for none. */
         SurfacePoint surface(Ray ray);
+
+        /** Returns the material of a surface. */
+        Material material(SurfacePoint hit);
     }
 
     private final FogGrid grid;
     private final FogMedium medium;
     private final Fog fog;
     private final WeightedLight[] lights;
-    private final Visibility visibility;
+    private final ReferenceFogSamples samples;
     /** Light of the parts of each ray, by light and ray. */
     private final Map<Long, float[]> parts = new HashMap<>();
     private final Map<Long, float[]> sums = new HashMap<>();
@@ -45,7 +45,7 @@ final class ReferenceFog {
         medium = FogMedium.of(scene);
         fog = scene.world().fog();
         this.lights = lights;
-        this.visibility = visibility;
+        samples = new ReferenceFogSamples(scene, grid.scale(), visibility);
     }
 
     /**
@@ -62,7 +62,7 @@ final class ReferenceFog {
         float[] scattered = new float[3];
         for (int l = 0; l < lights.length; l++) {
             if (!lights[l].isDarkInFog()) {
-                FogPath path = path(lights[l].source(), d);
+                FogPath path = samples.path(lights[l].source(), new Ray(eye, d));
                 float one = before(l, x, y, path.place(distance));
                 for (int c = 0; c < 3; c++) {
                     scattered[c] += lights[l].fog().channel(c) * one;
@@ -81,16 +81,6 @@ final class ReferenceFog {
         double[] dz = new double[1];
         grid.writeDirection(x, y, dx, dy, dz, 0);
         return new Vec3(dx[0], dy[0], dz[0]);
-    }
-
-    private FogPath path(LightSource source, Vec3 d) {
-        FogPath path = new FogPath();
-        if (source.type().hasPosition()) {
-            path.aimAtPoint(source.position().minus(grid.eye()), d.x(), d.y(), d.z(), grid.scale());
-        } else {
-            path.aimAlong(grid.scale());
-        }
-        return path;
     }
 
     /** Returns the light before a place, between the four rays around a point of the image. */
@@ -141,67 +131,8 @@ final class ReferenceFog {
     }
 
     private float[] traceParts(int light, int column, int line) {
-        LightSource source = lights[light].source();
-        int ray = line * grid.columns() + column;
         Vec3 d = direction(grid.step() * (column - 1), grid.step() * (line - 1));
-        FogPath path = path(source, d);
-        int phase = grid.phase(ray);
-        SurfacePoint hit = visibility.surface(new Ray(grid.eye(), d));
-        double surface = path.place(hit == null ? Float.POSITIVE_INFINITY : (float) distance(hit.px(), hit.py(), hit.pz()));
-        float[] traced = new float[FogGrid.SAMPLES];
-        for (int k = 0; k < FogGrid.SAMPLES; k++) {
-            double t = path.distance(grid.place(k, phase));
-            float x = (float) (grid.eye().x() + t * d.x());
-            float y = (float) (grid.eye().y() + t * d.y());
-            float z = (float) (grid.eye().z() + t * d.z());
-            LightSource sample = source.isArea() ? source.at(source.centerSamples(), 0, areaSample(source, k, phase)) : source;
-            LightingEquation equation = new LightingEquation(sample);
-            equation.moveTo(x, y, z, (float) d.x(), (float) d.y(), (float) d.z());
-            double entering = passed(path, d, k);
-            double behind = grid.place(k, phase) - surface;
-            if (!(behind > 0 && behind < 1.0 / 16) && entering > 0 && equation.insideCone()
-                    && visibility.isVisible(sample, new Vec3(x, y, z))) {
-                double lost = lost(path, d, k, phase, entering - passed(path, d, k + 1));
-                traced[k] = (float) (lost * (equation.falloff() * phase(equation.towardLight(d.x(), d.y(), d.z()))));
-            }
-        }
-        return traced;
-    }
-
-    /** Returns what the fog absorbs in the length that a sample stands for. */
-    private double lost(FogPath path, Vec3 d, int k, int phase, double ofPart) {
-        if (!path.isPoint()) {
-            return ofPart;
-        }
-        double place = grid.place(k, phase);
-        double stands = path.slope(place) / FogGrid.SAMPLES;
-        if (k == FogGrid.SAMPLES - 1) {
-            double t = path.distance(place);
-            Vec3 eye = grid.eye();
-            return medium.densityAt(eye.x() + t * d.x(), eye.y() + t * d.y(), eye.z() + t * d.z())
-                    * FogMedium.transmittance(medium.depth(eye.x(), eye.y(), eye.z(), d.x(), d.y(), d.z(), t)) * stands;
-        }
-        double length = path.distance((k + 1.0) / FogGrid.SAMPLES) - path.distance((double) k / FogGrid.SAMPLES);
-        return length > 0 ? ofPart / length * stands : 0;
-    }
-
-    private static int areaSample(LightSource source, int k, int phase) {
-        double turn = (FogGrid.PHASES * k + phase) * GOLDEN;
-        return (int) ((turn - Math.floor(turn)) * source.centerSamples().samples());
-    }
-
-    /** Returns what passes from the start of a part to the eye. */
-    private double passed(FogPath path, Vec3 d, int part) {
-        Vec3 eye = grid.eye();
-        return FogMedium.transmittance(medium.depth(eye.x(), eye.y(), eye.z(), d.x(), d.y(), d.z(),
-                path.distance((double) part / FogGrid.SAMPLES)));
-    }
-
-    /** Returns π times the phase function of Henyey and Greenstein. */
-    private double phase(double cosine) {
-        double g = fog.anisotropy();
-        double square = 1 + g * g - 2 * g * cosine;
-        return 0.25 * (1 - g * g) / (square * Math.sqrt(square));
+        return samples.parts(lights[light].source(), new Ray(grid.eye(), d), grid.phase(line * grid.columns() + column));
     }
 
     /** Returns the distance of a surface from the eye. */
@@ -210,17 +141,5 @@ final class ReferenceFog {
         double dy = y - grid.eye().y();
         double dz = z - grid.eye().z();
         return Math.sqrt(dx * dx + dy * dy + dz * dz);
-    }
-
-    /** Returns the color of a reflected or refracted ray: fog without lamps, and none in transparent bodies. */
-    static float[] bounced(Scene scene, Ray ray, float[] color, double distance) {
-        FogMedium medium = FogMedium.of(scene);
-        Fog fog = scene.world().fog();
-        Vec3 o = ray.origin();
-        Vec3 d = ray.direction();
-        float passed = (float) FogMedium.transmittance(medium.depth(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), distance));
-        return new float[] {FogComposer.color(color[0], passed, (float) fog.color().r(), (float) fog.ambient().r(), 0),
-            FogComposer.color(color[1], passed, (float) fog.color().g(), (float) fog.ambient().g(), 0),
-            FogComposer.color(color[2], passed, (float) fog.color().b(), (float) fog.ambient().b(), 0)};
     }
 }

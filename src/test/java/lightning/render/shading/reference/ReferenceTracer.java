@@ -68,6 +68,7 @@ public final class ReferenceTracer {
     /** The same for scenes with blurred reflections. */
     private ReferenceReflections reflections;
     private ReferenceFog fog;
+    private ReferenceBounceFog bounceFog;
     /** First samples of a pixel, and the further ones of some pixels. */
     private final SampleCells firstCells;
     private final SampleCells restCells;
@@ -178,7 +179,7 @@ public final class ReferenceTracer {
 
     /** Returns the color of a camera ray through a point of the image, in pixels, with the fog before it. Fog has no edges. */
     private float[] eyeColor(Ray ray, double x, double y, int pattern) {
-        float[] color = color(ray, scene.picture().depth(), pattern);
+        float[] color = color(ray, scene.picture().depth(), pattern, new BouncePlace(x, y, 0));
         if (forEdges || !scene.world().fog().isPresent()) {
             return color;
         }
@@ -191,21 +192,39 @@ public final class ReferenceTracer {
         return fog.color(color, x, y, fog.distance(hit.px(), hit.py(), hit.pz()));
     }
 
-    /** Returns the color of a reflected or refracted ray with the fog along it. */
-    private float[] bouncedColor(Ray ray, int depth, int pattern, boolean isInside) {
-        float[] color = color(ray, depth, pattern);
+    /**
+     * Place in the image of a surface, from which rays bounce that show light in fog.
+     *
+     * @param x           image coordinates, pixels, as {@code y}
+     * @param refractions number of refractions before the surface
+     */
+    private record BouncePlace(double x, double y, int refractions) {}
+
+    /**
+     * Returns the color of a reflected or refracted ray with the fog along it.
+     *
+     * @param shown place whose bounced rays show light in fog, if this one does; null otherwise
+     * @param path  number of refractions of this ray; 0 for a mirrored one
+     * @param next  place of the surface that it hits; null if that has none
+     * @param from  name of the material from which it bounces
+     */
+    private float[] bouncedColor(Ray ray, int depth, int pattern, boolean isInside, BouncePlace shown, int path, BouncePlace next,
+            String from) {
+        float[] color = color(ray, depth, pattern, next);
         if (forEdges || isInside || !scene.world().fog().isPresent()) {
             return color;
         }
         int primitive = geometry.nearestBruteForce(ray);
-        if (primitive < 0) {
-            return ReferenceFog.bounced(scene, ray, color, Double.POSITIVE_INFINITY);
+        double distance = Double.POSITIVE_INFINITY;
+        if (primitive >= 0) {
+            SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
+            double dx = hit.px() - ray.origin().x();
+            double dy = hit.py() - ray.origin().y();
+            double dz = hit.pz() - ray.origin().z();
+            distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
         }
-        SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
-        double dx = hit.px() - ray.origin().x();
-        double dy = hit.py() - ray.origin().y();
-        double dz = hit.pz() - ray.origin().z();
-        return ReferenceFog.bounced(scene, ray, color, Math.sqrt(dx * dx + dy * dy + dz * dz));
+        bounceFog = bounceFog == null ? new ReferenceBounceFog(scene, lights, new AirVisibility()) : bounceFog;
+        return bounceFog.color(ray, color, distance, shown == null ? null : new double[] {shown.x, shown.y}, path, from);
     }
 
     /** Visibility of lights from points in the air. */
@@ -223,14 +242,20 @@ public final class ReferenceTracer {
             int primitive = geometry.nearestBruteForce(ray);
             return primitive < 0 ? null : geometry.surfaceBruteForce(primitive, ray);
         }
+
+        @Override
+        public Material material(SurfacePoint hit) {
+            return materials.material(hit.material());
+        }
     }
 
     /**
      * Returns the color of a ray; {@code depth} more bounces may be followed.
      *
      * @param pattern pattern of area light samples, or {@link #NO_PATTERN} for a pixel center
+     * @param place   place of the surface in the image; null if rays that bounce from it show no light in fog
      */
-    private float[] color(Ray ray, int depth, int pattern) {
+    private float[] color(Ray ray, int depth, int pattern, BouncePlace place) {
         int primitive = geometry.nearestBruteForce(ray);
         if (primitive < 0) {
             return BackgroundShader.color(scene, ray.direction());
@@ -240,11 +265,17 @@ public final class ReferenceTracer {
         float[] mirrored = {0, 0, 0};
         if (materials.isReflective(material) && depth > 0) {
             mirrored = mirrorTracer.bouncedColor(hit.reflectedRay(materials.material(material)), depth - 1, pattern,
-                    materials.isClear(material) && hit.backSide().isInside());
+                    materials.isClear(material) && hit.backSide().isInside(),
+                    place != null && place.refractions == 0 ? place : null, 0, null, materials.material(material).name());
         }
         Ray through = materials.isClear(material) && depth > 0 ? hit.refractedRay() : null;
-        float[] refracted =
-                through == null ? new float[3] : mirrorTracer.bouncedColor(through, depth - 1, pattern, !hit.backSide().isInside());
+        float[] refracted = new float[3];
+        if (through != null) {
+            boolean isInside = !hit.backSide().isInside() && !hit.backSide().transmission().thin();
+            int path = place == null ? 0 : place.refractions + 1;
+            refracted = mirrorTracer.bouncedColor(through, depth - 1, pattern, isInside, place, path,
+                    place == null ? null : new BouncePlace(place.x, place.y, path), materials.material(material).name());
+        }
         float[] color = new float[3];
         float[][] terms = terms(hit, pattern);
         float[] diffuse = diffuse(hit, terms);
