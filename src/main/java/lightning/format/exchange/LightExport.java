@@ -8,6 +8,7 @@ import java.util.Map;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.exchange.json.AttributeJson;
+import lightning.format.exchange.json.DomeJson;
 import lightning.format.exchange.json.MaterialExtras;
 import lightning.format.exchange.json.PictureJson;
 import lightning.format.exchange.json.TransformJson;
@@ -102,6 +103,7 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
         }
         PictureJson.write(root.putObject("picture"), scene.picture());
         AttributeJson.write(root.putObject("world"), scene.world(), World.ATTRIBUTES);
+        DomeJson.write(root, scene.world());
         AttributeJson.write(root.putObject("camera"), scene.camera(), Camera.ATTRIBUTES);
         ArrayNode objects = root.putArray("objects");
         for (SceneNode node : scene.stage().nodes()) {

@@ -68,7 +68,8 @@ record SceneAssets(Scene scene, Optional<Path> folder) implements AssetSource {
 
     @Override
     public EnvironmentMap environment(String file) {
-        return scene.world().environment().filter(p -> p.file().equals(file)).map(Environment::map)
+        return Stream.concat(scene.world().environment().stream(), scene.world().domes().stream().flatMap(d -> d.image().stream()))
+                .filter(p -> p.file().equals(file)).map(Environment::map).findFirst()
                 .orElseGet(() -> read("environment", file, f -> new EnvironmentFolder(f).load(file, note -> {})));
     }
 

@@ -22,6 +22,7 @@ import lightning.format.jen.asset.ProfileFolder;
 import lightning.format.jen.asset.TextureFolder;
 import lightning.format.jen.asset.UnusableFileException;
 import lightning.scene.Camera;
+import lightning.scene.Dome;
 import lightning.scene.OverflowCheck;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
@@ -98,6 +99,7 @@ final class SceneBuilder {
         List<SceneNode> nodes = nodes(nodeBlocks, 1, 1);
         List<LightGroup> groups = lightGroups(blocksOfType(otherBlocks, BlockTypes.LIGHT_GROUP));
         List<Light> lights = lights(blocksOfType(otherBlocks, BlockTypes.LIGHT));
+        List<Dome> domes = domes(blocksOfType(otherBlocks, BlockTypes.DOME));
         if (!problems.isEmpty()) {
             return Optional.empty();
         }
@@ -106,7 +108,7 @@ final class SceneBuilder {
         OverflowCheck.of(stage, rig)
                 .ifPresent(overflow -> problem(requireNonNull(blocksByName.get(overflow.light().name())), overflow.message()));
         return problems.isEmpty() ? Optional.of(new Scene(picture.orElse(PictureSettings.DEFAULT), camera.orElse(Camera.DEFAULT),
-                world.orElse(World.DEFAULT), stage, rig)) : Optional.empty();
+                world.orElse(World.DEFAULT).withDomes(domes), stage, rig)) : Optional.empty();
     }
 
     private static List<Block> blocksOfType(List<Block> blocks, BlockType<?> type) {
@@ -157,6 +159,16 @@ final class SceneBuilder {
         }
         checkCount(blocks, SceneLimits.MAX_LIGHTS, "lights");
         return lights;
+    }
+
+    private List<Dome> domes(List<Block> blocks) {
+        List<Dome> domes = new ArrayList<>();
+        for (Block block : blocks) {
+            checkUnique(blocksByName, block);
+            buildRecord(block, BlockTypes.DOME, List.of()).ifPresent(domes::add);
+        }
+        checkCount(blocks, SceneLimits.MAX_DOMES, "domes");
+        return domes;
     }
 
     private void checkCount(List<Block> blocks, int max, String label) {
