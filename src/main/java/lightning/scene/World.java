@@ -2,7 +2,9 @@ package lightning.scene;
 
 import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -14,6 +16,7 @@ import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.scene.asset.Environment;
+import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
@@ -169,6 +172,13 @@ public record World(double ambience, Rgb background, Optional<Environment> image
         return Stream.concat(
                 environment().map(e -> new EnvironmentLayer(NAME, e.map(), dome, intensity, gain, lightCount, softness, true, solo)).stream(),
                 domes.stream().flatMap(d -> d.layer().stream())).toList();
+    }
+
+    /** Returns the images of its environments, each once; not those of skies. */
+    public Set<EnvironmentMap> images() {
+        Set<EnvironmentMap> images = Collections.newSetFromMap(new IdentityHashMap<>());
+        Stream.concat(image.stream(), domes.stream().flatMap(d -> d.image().stream())).forEach(e -> images.add(e.map()));
+        return images;
     }
 
     /** Returns whether it has any environment, on or off. */

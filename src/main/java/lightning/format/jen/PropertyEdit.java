@@ -60,7 +60,7 @@ public final class PropertyEdit {
     static final String CAMERA = "camera";
     static final String WORLD = "world";
     /** Blocks that can be added alone. */
-    private static final List<BlockType<?>> ADDED = List.of(BlockTypes.LIGHT, BlockTypes.LIGHT_GROUP);
+    private static final List<BlockType<?>> ADDED = List.of(BlockTypes.LIGHT, BlockTypes.LIGHT_GROUP, BlockTypes.DOME);
     /** Targets for parts of the scene without names. */
     private static final List<String> SCENE_TARGETS = List.of(PICTURE, INDIRECT, CAMERA, WORLD);
 
@@ -223,7 +223,7 @@ public final class PropertyEdit {
             case INDIRECT -> scene.withPicture(scene.picture().withIndirect(Optional.of(editProperty(files, BlockTypes.INDIRECT, "",
                     scene.picture().indirect().orElse(IndirectSettings.DEFAULT), property, value))));
             case CAMERA -> scene.withCamera(editProperty(files, BlockTypes.CAMERA, "", scene.camera(), property, value));
-            case WORLD -> scene.withWorld(editProperty(files, BlockTypes.WORLD, "", scene.world(), property, value));
+            case WORLD -> scene.withWorld(editProperty(SceneAssets.replacing(files, scene.world().image()), BlockTypes.WORLD, "", scene.world(), property, value));
             default -> target.startsWith(DOME) ? setDome(scene, NameSyntax.parse(target.substring(DOME.length())), property, value, files)
                     : target.startsWith(MATERIAL)
                     ? setMaterial(scene, NameSyntax.parse(target.substring(MATERIAL.length())), property, value, files)
@@ -232,11 +232,11 @@ public final class PropertyEdit {
     }
 
     /**
-     * Returns the scene with a light or bank added at the end.
+     * Returns the scene with a light, bank or dome added at the end.
      *
-     * @param text a block as in the file, {@code light fill point { intensity 0.5 }} or {@code bank left {}}, or a light in
+     * @param text a block as in the file, {@code light fill point { intensity 0.5 }}, {@code bank left {}} or {@code dome sky {}}, or a light in
      *     short form, {@code fill point intensity=0.5 at=0 1 2}, its name in quotes unless it is a word
-     * @throws IllegalArgumentException if the text is not one valid light or bank, or its name is in use
+     * @throws IllegalArgumentException if the text is not one valid light, bank or dome, or its name is in use
      */
     public static Scene add(Scene scene, String text) {
         String block = hasBrace(text) ? text : lightBlock(text);
@@ -252,24 +252,30 @@ public final class PropertyEdit {
                         scene.stage()).build(blocks);
         throwIfAny(problems);
         LightRig addedRig = added.orElseThrow().rig();
+        List<Dome> addedDomes = added.orElseThrow().world().domes();
+        if (!addedDomes.isEmpty()) {
+            return scene.withWorld(scene.world().withDomes(Stream.concat(scene.world().domes().stream(), addedDomes.stream()).toList()));
+        }
         return blocks.getFirst().type == BlockTypes.LIGHT_GROUP ? scene.withRig(scene.rig().addLightGroup(addedRig.lightGroups().getLast()))
                 : scene.withLights(Stream.concat(scene.lights().stream(), addedRig.lights().stream()).toList());
     }
 
     /**
-     * Returns the scene without a light, or without a bank, whose lights remain.
+     * Returns the scene without a light, a dome, or a bank, whose lights remain.
      *
      * @param light name, with or without quotes
-     * @throws IllegalArgumentException if there is no such light or bank
+     * @throws IllegalArgumentException if there is no such light, bank or dome
      */
     public static Scene delete(Scene scene, String light) {
         String name = NameSyntax.parse(light);
         if (scene.rig().lightGroup(name).isPresent()) {
             return scene.withRig(scene.rig().removeLightGroup(name));
         }
-        List<String> names =
-                Stream.concat(scene.lights().stream().map(Light::name), scene.rig().lightGroups().stream().map(LightGroup::name))
-                        .toList();
+        if (scene.world().dome(name).isPresent()) {
+            return scene.withWorld(scene.world().withDomes(scene.world().domes().stream().filter(d -> !d.name().equals(name)).toList()));
+        }
+        List<String> names = Stream.of(scene.lights().stream().map(Light::name), scene.rig().lightGroups().stream().map(LightGroup::name),
+                scene.world().domes().stream().map(Dome::name)).flatMap(s -> s).toList();
         if (!names.contains(name)) {
             throw new IllegalArgumentException("there is no light " + Quote.of(name) + NameSuggestion.hint(name, names));
         }
@@ -329,7 +335,7 @@ public final class PropertyEdit {
     private static Scene setDome(Scene scene, String name, String property, String value, AssetSource files) {
         Dome dome = scene.world().dome(name).orElseThrow(() -> new IllegalArgumentException("there is no dome " + Quote.of(name)
                 + NameSuggestion.hint(name, scene.world().domes().stream().map(Dome::name).toList())));
-        return scene.withWorld(scene.world().withDome(name, editProperty(files, BlockTypes.DOME, name, dome, property, value)));
+        return scene.withWorld(scene.world().withDome(name, editProperty(SceneAssets.replacing(files, dome.image()), BlockTypes.DOME, name, dome, property, value)));
     }
 
     private static void checkLinks(Scene scene, ShapeLinks links) {

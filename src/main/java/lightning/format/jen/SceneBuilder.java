@@ -3,8 +3,10 @@ package lightning.format.jen;
 import static java.util.Objects.requireNonNull;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -64,6 +66,8 @@ final class SceneBuilder {
     private final List<LightGroup> existingGroups;
     /** External shapes that lights may be linked to. */
     private final Stage stage;
+    /** Environments of the scene, which count together against the limit of memory. */
+    private final Set<EnvironmentMap> environmentMaps = Collections.newSetFromMap(new IdentityHashMap<>());
     private int shapes;
 
     /**
@@ -291,8 +295,11 @@ final class SceneBuilder {
         boolean hasAllTextures = loadTextures(block, loadedTextures, unusable);
         Photometry profile = loadOptional(block, LightAttribute.PROFILE.name(), profiles::load, unusable);
         EnvironmentMap environment = loadOptional(block, World.ENVIRONMENT.name(),
-                name -> environments.load(name, note -> noteReduction(block, World.ENVIRONMENT.name(), note)),
+                name -> environments.load(name, environmentMaps, note -> noteReduction(block, World.ENVIRONMENT.name(), note)),
                 unusable);
+        if (environment != null) {
+            environmentMaps.add(environment);
+        }
         Mesh mesh = loadMesh(block);
         if (!problems.isEmpty() && (type.isNamed() && block.name.isEmpty()
                 || type.header().filter(p -> block.entry(p.name()) == null).isPresent()

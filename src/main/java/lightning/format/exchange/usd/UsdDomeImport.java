@@ -67,7 +67,8 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
         String name = texture.get("name").text().orElse("dome");
         if (LinearTextureReader.isLinear(name) && factor.equals(Rgb.WHITE) && assembler.canAdd(place)) {
             try {
-                EnvironmentMap map = EnvironmentReader.read(place, _ -> assembler.notes.add("dome lights with values that are not finite"));
+                EnvironmentMap map = EnvironmentReader.read(place, assembler.world.images().stream().mapToLong(EnvironmentMap::bytes).sum(),
+                        _ -> assembler.notes.add("dome lights with values that are not finite"));
                 return new Environment(assembler.addFile(place, name), map);
             } catch (IOException | MeshException e) {
                 return unreadable(factor);
