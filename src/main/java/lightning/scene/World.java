@@ -201,12 +201,12 @@ public record World(double ambience, Rgb background, Optional<Environment> image
     }
 
     /**
-     * Returns directional lights that stand for all light of its environments, where nothing gathers their smooth light.
+     * Returns directional lights that stand for all light of its environments that are on, where nothing gathers their smooth light.
      *
      * @param isUsed test for names of other lights
      */
     List<Light> approximateLights(Predicate<String> isUsed) {
-        return lights(isUsed, (layer, used) -> layer.approximateLights(layer.lightCount(), used)).stream().flatMap(List::stream).toList();
+        return lights(isUsed, (layer, used) -> layer.on() ? layer.approximateLights(layer.lightCount(), used) : List.of()).stream().flatMap(List::stream).toList();
     }
 
     private List<List<Light>> lights(Predicate<String> isUsed, BiFunction<EnvironmentLayer, Predicate<String>, List<Light>> lightsOf) {

@@ -162,7 +162,7 @@ class JenReaderTest {
         "jen 1 material m { repeat 2 2 } | 1:20: material 'm': repeat needs a texture, found none",
         "jen 1 world { ambience 1 $ } | 1:26: expected a word, a number or a brace, found '$'",
         "jen 1 world { ambience 1\u00a0} | 1:25: expected a space, found U+00A0",
-        "jen 1 group g { light l point {} } | 1:17: group 'g': a light cannot stand in a group, expected '}' or one of sphere, cone, cylinder, dome, frustum, plane, mesh, group",
+        "jen 1 group g { light l point {} } | 1:17: group 'g': a light cannot stand in a group, expected '}' or one of sphere, cone, cylinder, frustum, plane, mesh, group",
     })
     void invalidText_reportsExpectedAndFound(String text, String problem) {
         assertThat(problems(text)).containsExactly("s.jen:" + problem);

@@ -26,8 +26,7 @@ class ShotWriterTest {
             jen 1
             group tree { sphere crown { at 0 1 0 } frustum stem { top 0.5 } }
             mesh "odd name" { file "a.ply" }
-            bank "3\\" row" {}
-            dome sky { intensity 0.5 }
+            bank "3\\" row" {} dome sky { intensity 0.5 }
             light key spot { bank "3\\" row" }
             light fill point {}
             """.replaceAll("mesh.*\n", "plane \"odd name\" {}\n");
