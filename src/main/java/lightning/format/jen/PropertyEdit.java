@@ -223,7 +223,8 @@ public final class PropertyEdit {
             case INDIRECT -> scene.withPicture(scene.picture().withIndirect(Optional.of(editProperty(files, BlockTypes.INDIRECT, "",
                     scene.picture().indirect().orElse(IndirectSettings.DEFAULT), property, value))));
             case CAMERA -> scene.withCamera(editProperty(files, BlockTypes.CAMERA, "", scene.camera(), property, value));
-            case WORLD -> scene.withWorld(editProperty(SceneAssets.replacing(files, scene.world().image()), BlockTypes.WORLD, "", scene.world(), property, value));
+            case WORLD -> scene.withWorld(editProperty(SceneAssets.replacing(files, scene.world().image()), BlockTypes.WORLD, "", scene.world(),
+                    property, value).withDomes(scene.world().domes()));
             default -> target.startsWith(DOME) ? setDome(scene, NameSyntax.parse(target.substring(DOME.length())), property, value, files)
                     : target.startsWith(MATERIAL)
                     ? setMaterial(scene, NameSyntax.parse(target.substring(MATERIAL.length())), property, value, files)

@@ -105,6 +105,12 @@ class DomeFileTest {
     }
 
     @Test
+    void editsOfTheWorld_keepDomes() throws JenException {
+        Scene scene = read(BLOCK).scene();
+        assertThat(PropertyEdit.apply(scene, "world.ambience=0.5").world().domes()).isEqualTo(scene.world().domes());
+    }
+
+    @Test
     void addedAndDeletedDome_leavesTheSceneAsItWas() throws JenException {
         Scene scene = read("light key point {}").scene();
         Scene added = PropertyEdit.add(scene, "dome sky { intensity 0.5 }");
