@@ -170,7 +170,8 @@ public record World(double ambience, Rgb background, Optional<Environment> image
      */
     public List<EnvironmentLayer> environments() {
         return Stream.concat(
-                environment().map(e -> new EnvironmentLayer(NAME, e.map(), dome, intensity, gain, lightCount, softness, true, solo)).stream(),
+                environment().map(e -> new EnvironmentLayer(NAME, e.map(), dome, intensity, gain, lightCount, softness, true, solo))
+                        .stream(),
                 domes.stream().flatMap(d -> d.layer().stream())).toList();
     }
 
@@ -206,7 +207,8 @@ public record World(double ambience, Rgb background, Optional<Environment> image
      * @param isUsed test for names of other lights
      */
     List<Light> approximateLights(Predicate<String> isUsed) {
-        return lights(isUsed, (layer, used) -> layer.on() ? layer.approximateLights(layer.lightCount(), used) : List.of()).stream().flatMap(List::stream).toList();
+        return lights(isUsed, (layer, used) -> layer.on() ? layer.approximateLights(layer.lightCount(), used) : List.of()).stream()
+                .flatMap(List::stream).toList();
     }
 
     private List<List<Light>> lights(Predicate<String> isUsed, BiFunction<EnvironmentLayer, Predicate<String>, List<Light>> lightsOf) {

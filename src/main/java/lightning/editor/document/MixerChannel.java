@@ -218,7 +218,7 @@ public sealed interface MixerChannel {
     /** Returns the number among the scene's environments of the environment or a dome; −1 for other channels, and for a dome without an image. */
     default int environmentIndex(Scene scene) {
         return switch (this) {
-            case OfLight _, OfLightGroup _ -> -1;
+            case OfLight _,OfLightGroup _ -> -1;
             case OfEnvironment _ -> 0;
             case OfDome(String name) -> scene.world().environmentIndex(name);
         };

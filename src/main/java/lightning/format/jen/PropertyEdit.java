@@ -223,11 +223,12 @@ public final class PropertyEdit {
             case INDIRECT -> scene.withPicture(scene.picture().withIndirect(Optional.of(editProperty(files, BlockTypes.INDIRECT, "",
                     scene.picture().indirect().orElse(IndirectSettings.DEFAULT), property, value))));
             case CAMERA -> scene.withCamera(editProperty(files, BlockTypes.CAMERA, "", scene.camera(), property, value));
-            case WORLD -> scene.withWorld(editProperty(SceneAssets.replacing(files, scene.world().image()), BlockTypes.WORLD, "", scene.world(),
-                    property, value).withDomes(scene.world().domes()));
+            case WORLD ->
+                    scene.withWorld(editProperty(SceneAssets.replacing(files, scene.world().image()), BlockTypes.WORLD, "", scene.world(),
+                            property, value).withDomes(scene.world().domes()));
             default -> target.startsWith(DOME) ? setDome(scene, NameSyntax.parse(target.substring(DOME.length())), property, value, files)
                     : target.startsWith(MATERIAL)
-                    ? setMaterial(scene, NameSyntax.parse(target.substring(MATERIAL.length())), property, value, files)
+                            ? setMaterial(scene, NameSyntax.parse(target.substring(MATERIAL.length())), property, value, files)
                     : setNamed(scene, NameSyntax.parse(target), property, value, files);
         };
     }
@@ -336,7 +337,8 @@ public final class PropertyEdit {
     private static Scene setDome(Scene scene, String name, String property, String value, AssetSource files) {
         Dome dome = scene.world().dome(name).orElseThrow(() -> new IllegalArgumentException("there is no dome " + Quote.of(name)
                 + NameSuggestion.hint(name, scene.world().domes().stream().map(Dome::name).toList())));
-        return scene.withWorld(scene.world().withDome(name, editProperty(SceneAssets.replacing(files, dome.image()), BlockTypes.DOME, name, dome, property, value)));
+        return scene.withWorld(scene.world().withDome(name,
+                editProperty(SceneAssets.replacing(files, dome.image()), BlockTypes.DOME, name, dome, property, value)));
     }
 
     private static void checkLinks(Scene scene, ShapeLinks links) {

@@ -34,7 +34,7 @@ public final class PropertyQuery {
             case PropertyEdit.WORLD -> BlockContent.of(BlockTypes.WORLD, scene.world());
             default -> target.startsWith(PropertyEdit.DOME) ? dome(scene, NameSyntax.parse(target.substring(PropertyEdit.DOME.length())))
                     : target.startsWith(PropertyEdit.MATERIAL)
-                    ? material(scene, NameSyntax.parse(target.substring(PropertyEdit.MATERIAL.length())))
+                            ? material(scene, NameSyntax.parse(target.substring(PropertyEdit.MATERIAL.length())))
                     : named(scene, NameSyntax.parse(target));
         };
     }

@@ -1,6 +1,5 @@
 package lightning.render.measure;
 
-import java.util.Optional;
 import lightning.base.work.Progress;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;

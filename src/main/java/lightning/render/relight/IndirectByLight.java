@@ -68,7 +68,8 @@ public final class IndirectByLight {
         try (var workers = new WorkerPool(1)) {
             float[][] shown = solve(picture.indirect(), picture.geometry(), scene, name, environment, workers, progress);
             return new Solution(shown, picture.hasSameIndirectInMirrors() ? shown
-                    : solve(picture.mirrored().indirect(), picture.mirroredGeometry(), picture.mirrored().scene(), name, environment, workers,
+                    : solve(picture.mirrored().indirect(), picture.mirroredGeometry(), picture.mirrored().scene(), name, environment,
+                            workers,
                             progress));
         }
     }
@@ -77,7 +78,8 @@ public final class IndirectByLight {
      * @param name        name of a light; null for those of an environment
      * @param environment number of the environment
      */
-    private static float @Nullable [][] solve(@Nullable IndirectCache indirect, Geometry geometry, Scene scene, @Nullable String name, int environment,
+    private static float @Nullable [][] solve(@Nullable IndirectCache indirect, Geometry geometry, Scene scene, @Nullable String name,
+            int environment,
             WorkerPool workers, Progress progress) {
         if (indirect == null) {
             return null;

@@ -2,7 +2,6 @@ package lightning.render.relight;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.Function;
 import lightning.base.math.Rgb;

@@ -145,7 +145,8 @@ public final class PreviewScene {
     private double dimming(List<EnvironmentLayer> environments) {
         double total = 0;
         for (EnvironmentLayer environment : environments) {
-            total += maxBrightness.computeIfAbsent(environment.map(), PreviewScene::maxBrightness) * environment.lightIntensity() / MAX_WHITE;
+            total += maxBrightness.computeIfAbsent(environment.map(), PreviewScene::maxBrightness) * environment.lightIntensity()
+                    / MAX_WHITE;
         }
         return total > 0 ? Math.min(-Math.expm1(-total) / total, 1) : 1;
     }

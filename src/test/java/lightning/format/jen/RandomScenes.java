@@ -13,7 +13,6 @@ import lightning.scene.Dome;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
-import lightning.scene.value.DomeRotation;
 import lightning.scene.ViewCurve;
 import lightning.scene.ViewSettings;
 import lightning.scene.World;
@@ -39,6 +38,7 @@ import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
 import lightning.scene.value.Attenuation;
+import lightning.scene.value.DomeRotation;
 import lightning.scene.value.Placement;
 import lightning.scene.value.SceneLimits;
 
@@ -124,7 +124,8 @@ final class RandomScenes {
 
     private Dome dome(String name) {
         return Dome.of(name).withRotation(DomeRotation.of(positive(1e6), positive(90), -positive(90))).withIntensity(positive(1000))
-                .withGain(positive(1000)).withLightCount(4 + random.nextInt(60)).withSoftness(positive(1)).withOn(chance()).withSolo(chance());
+                .withGain(positive(1000)).withLightCount(4 + random.nextInt(60)).withSoftness(positive(1)).withOn(chance())
+                .withSolo(chance());
     }
 
     private LightGroup lightGroup(String name) {

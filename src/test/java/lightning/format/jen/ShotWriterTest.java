@@ -91,7 +91,8 @@ class ShotWriterTest {
                 new Track(TrackTarget.light("key"), "at", List.of(key(1, Interpolation.LINEAR, 0.0, 3.0, 2.0))),
                 new Track(TrackTarget.light("key"), "samples", List.of(key(3, Interpolation.STEPPED, 9.0))),
                 new Track(TrackTarget.bank("3\" row"), "on", List.of(word(1, "no"))),
-                new Track(TrackTarget.dome("sky"), "intensity", List.of(key(1, Interpolation.LINEAR, 0.5), key(48, Interpolation.LINEAR, 0.0))),
+                new Track(TrackTarget.dome("sky"), "intensity",
+                        List.of(key(1, Interpolation.LINEAR, 0.5), key(48, Interpolation.LINEAR, 0.0))),
                 new Track(TrackTarget.dome("sky"), "on", List.of(word(30, "no"))),
                 new Track(TrackTarget.node("tree"), "rotate", List.of(key(1, Interpolation.LINEAR, 0.0, 0.0, 0.0),
                         key(48, Interpolation.LINEAR, 0.0, 360.0, 0.0))))));

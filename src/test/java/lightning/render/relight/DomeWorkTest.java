@@ -152,7 +152,8 @@ class DomeWorkTest {
         try (StudioRenderer studio = new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS,
                 scene(dome("a", SUNNY), dome("b", WEST)))) {
             List<UnaryOperator<Dome>> edits = List.of(d -> d.withIntensity(0.4), d -> d.withGain(3), d -> d.withIntensity(0),
-                    d -> d.withIntensity(2), d -> d.withRotation(DomeRotation.of(30, 0, 0)), d -> d.withRotation(DomeRotation.of(30, 20, 9)),
+                    d -> d.withIntensity(2), d -> d.withRotation(DomeRotation.of(30, 0, 0)),
+                    d -> d.withRotation(DomeRotation.of(30, 20, 9)),
                     d -> d.withImage(Optional.of(EAST)), d -> d.withSolo(true), d -> d.withSolo(false), d -> d.withOn(false),
                     d -> d.withOn(true));
             for (UnaryOperator<Dome> edit : edits) {

@@ -98,7 +98,8 @@ public final class LightingBlend {
         to.rig().lights().stream().filter(toLight -> from.rig().light(toLight.name()).isEmpty())
                 .forEach(toLight -> added.add(fade(toSolos, toLight, t)));
         lights.addAll(added);
-        List<Dome> domes = new DomeBlend(fromSolos, toSolos, t, keepsSolos).domes(name -> freeName(name, takenNames), this::numbers, this::lerp);
+        List<Dome> domes =
+                new DomeBlend(fromSolos, toSolos, t, keepsSolos).domes(name -> freeName(name, takenNames), this::numbers, this::lerp);
         return new Lighting(world().withDomes(domes), LightRig.of(lights, lightGroups()));
     }
 

@@ -63,7 +63,7 @@ record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, Channe
         return switch (channel) {
             case MixerChannel.OfLight _ -> shares.sumOfLights(channel.lightIndices(shares.scene()));
             case MixerChannel.OfLightGroup _ -> shares.sumOfLights(channel.lightIndices(shares.scene()));
-            case MixerChannel.OfEnvironment _, MixerChannel.OfDome _ -> channel.environmentIndex(shares.scene()) < 0
+            case MixerChannel.OfEnvironment _,MixerChannel.OfDome _ -> channel.environmentIndex(shares.scene()) < 0
                     ? shares.sumOfLights() : shares.environmentImage(channel.environmentIndex(shares.scene()));
         };
     }

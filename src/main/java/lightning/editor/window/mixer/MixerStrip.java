@@ -195,7 +195,7 @@ final class MixerStrip extends VBox {
         Ikon icon = switch (channel) {
             case MixerChannel.OfLight(String light) -> LightTypes.icon(scene.light(light).orElseThrow().type());
             case MixerChannel.OfLightGroup _ -> MaterialDesignT.TUNE_VERTICAL;
-            case MixerChannel.OfEnvironment _, MixerChannel.OfDome _ -> MaterialDesignI.IMAGE_FILTER_HDR;
+            case MixerChannel.OfEnvironment _,MixerChannel.OfDome _ -> MaterialDesignI.IMAGE_FILTER_HDR;
         };
         if (type.getIconCode() != icon) {
             type.setIconCode(icon);

@@ -95,7 +95,7 @@ final class StripDrag {
                 model.edit(scene -> switch (strip.channel()) {
                     case MixerChannel.OfLight(String light) -> dropLight(scene, light, next);
                     case MixerChannel.OfLightGroup(String bank) -> MixerEdits.moveLightGroup(scene, bank, groupName(next));
-                    case MixerChannel.OfEnvironment _, MixerChannel.OfDome _ -> new EditOutcome.Applied(scene);
+                    case MixerChannel.OfEnvironment _,MixerChannel.OfDome _ -> new EditOutcome.Applied(scene);
                 }, null);
             }
         } else if (e.isShiftDown()) {
@@ -122,7 +122,7 @@ final class StripDrag {
                 case MixerChannel.OfLightGroup(String bank) -> {
                     return MixerEdits.moveToEnd(scene, light, bank);
                 }
-                case MixerChannel.OfEnvironment _, MixerChannel.OfDome _ -> {
+                case MixerChannel.OfEnvironment _,MixerChannel.OfDome _ -> {
                     // The strips of environments are after all lights.
                 }
             }

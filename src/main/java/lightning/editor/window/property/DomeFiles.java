@@ -28,8 +28,9 @@ public final class DomeFiles {
     /** Copies the first environment among files to the scene's folder, and adds it. Returns whether one of them is an environment. */
     public static boolean addFirst(EditorModel model, List<File> files) {
         Optional<File> image = files.stream().filter(DomeFiles::canAdd).findFirst();
-        image.ifPresent(file -> model.fileImporter().importFile(FileKind.ENVIRONMENT, file.toPath(), name -> add(model, name, DomeFiles::added),
-                model.editor().message()::show));
+        image.ifPresent(
+                file -> model.fileImporter().importFile(FileKind.ENVIRONMENT, file.toPath(), name -> add(model, name, DomeFiles::added),
+                        model.editor().message()::show));
         return image.isPresent();
     }
 

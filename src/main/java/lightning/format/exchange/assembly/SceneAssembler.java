@@ -44,8 +44,8 @@ import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
 import lightning.scene.shot.Shot;
-import lightning.scene.value.SceneLimits;
 import lightning.scene.value.Placement;
+import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
 
 /** Mutable builder of an imported scene: materials, shapes, lights, and the files to copy. */

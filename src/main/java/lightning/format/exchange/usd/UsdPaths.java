@@ -27,7 +27,8 @@ import lightning.scene.value.DomeRotation;
  * @param hidden  prims above hidden lights, by their path
  * @param renamed name of each file in the stage, by its other name in the scene
  */
-public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Optional<Dome> dome, Map<String, Dome> domes, Map<String, String> objects,
+public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Optional<Dome> dome, Map<String, Dome> domes,
+        Map<String, String> objects,
         Map<String, UsdOriginal> originals, Map<String, String> renamed, Map<String, UsdHiddenParent> hidden) {
     private static final String UP = "usd up: ";
     private static final String SHIFT = "usd time of frame 0: ";
@@ -151,7 +152,8 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
             }
         }
         OptionalDouble found = intensity;
-        return new UsdPaths(hasZUp, shift, lights, dome.map(d -> new Dome(d.prim(), d.factor(), d.rotation(), d.file(), found)), domes, objects,
+        return new UsdPaths(hasZUp, shift, lights, dome.map(d -> new Dome(d.prim(), d.factor(), d.rotation(), d.file(), found)), domes,
+                objects,
                 originals, renamed, hidden);
     }
 

@@ -45,7 +45,8 @@ public final class EnvironmentFolder {
 
     private EnvironmentMap load(Path file, Set<EnvironmentMap> others, Consumer<String> notes) throws IOException, MeshException {
         SoftReference<EnvironmentMap> reference = maps.get(file);
-        @Nullable EnvironmentMap known = reference == null ? null : reference.get();
+        @Nullable
+        EnvironmentMap known = reference == null ? null : reference.get();
         if (known != null && others.contains(known)) {
             return known;
         }

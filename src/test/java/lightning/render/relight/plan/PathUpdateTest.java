@@ -52,7 +52,7 @@ class PathUpdateTest {
         Scene room = IndirectScenes.all().get("environment with a sun");
         GatherSettings paths = GatherSettings.of(room).orElseThrow();
         assertThat(paths.canServe(room.withWorld(room.world().withGain(0)))).isTrue();
-        assertThat(paths.canServe(room.withWorld(room.world().withoutEnvironments()))).isFalse();
+        assertThat(paths.canServe(room.withWorld(room.world().withEnvironment(Optional.empty())))).isFalse();
     }
 
     private static Scene withMirroringWalls(Scene scene, double reflectance) {
