@@ -3,6 +3,7 @@ package lightning.cli;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import lightning.base.file.AtomicFile;
 import lightning.base.work.Progress;
@@ -76,6 +77,11 @@ final class ExportLightsCommand implements Callable<Integer> {
         LightExport lights = isLayer ? LightExport.toUsd(document.text(), document.animatedScene(), input.path(), output)
                 : template == null ? LightExport.toJson(document.animatedScene())
                 : LightExport.toGltf(template, scene, chosen, Progress.NONE);
+        for (Map.Entry<String, byte[]> file : lights.files().entrySet()) {
+            Path place = output.resolveSibling(file.getKey());
+            input.inputs(scene).check(place);
+            AtomicFile.write(place, out -> out.write(file.getValue()));
+        }
         AtomicFile.write(output, out -> out.write(lights.bytes()));
         console.printNotes(output, "not exported exactly", lights.notes());
         console.print("%s: written; %s%s", output, Console.count(scene.lights().size(), "light"),

@@ -135,7 +135,7 @@ final class MatchCommand implements Callable<Integer> {
         }
         for (String name : lights) {
             Optional<Light> light = scene.light(name);
-            boolean isEnvironment = name.equals(LightContributions.ENVIRONMENT) && scene.world().environment().isPresent();
+            boolean isEnvironment = name.equals(LightContributions.ENVIRONMENT) && scene.world().hasEnvironment();
             if (light.isEmpty() && !isEnvironment) {
                 throw new BadInputException("--lights: there is no light " + Quote.of(name));
             }

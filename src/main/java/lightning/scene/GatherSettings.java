@@ -10,7 +10,7 @@ import lightning.scene.material.Material;
  * @param bounces     diffuse bounces between a light and the surface that is seen; 0 if only the environment's own light is gathered
  * @param rays        rays by which a gather point collects light, as in {@link IndirectSettings}
  * @param spacing     distance of gather points, as in {@link IndirectSettings}
- * @param environment whether the scene has an environment, so that rays that leave it keep their direction
+ * @param environment whether the scene has an environment, on or off, so that rays that leave it keep their direction
  * @param reflectionRays rays by which a point collects blurred reflections; 0 if no material blurs them
  */
 public record GatherSettings(int bounces, int rays, int spacing, boolean environment, int reflectionRays) {
@@ -19,12 +19,12 @@ public record GatherSettings(int bounces, int rays, int spacing, boolean environ
     public static Optional<GatherSettings> of(Scene scene) {
         Optional<IndirectSettings> indirect = scene.picture().indirect();
         boolean reflections = scene.stage().rendered().materials().stream().anyMatch(Material::reflectsRoughly);
-        if (indirect.isEmpty() && scene.world().lightIntensity() == 0 && !reflections) {
+        if (indirect.isEmpty() && !scene.world().hasEnvironmentLight() && !reflections) {
             return Optional.empty();
         }
         IndirectSettings settings = indirect.orElse(IndirectSettings.DEFAULT);
         return Optional.of(new GatherSettings(indirect.isEmpty() ? 0 : settings.bounces(), settings.rays(), settings.spacing(),
-                scene.world().environment().isPresent(), reflections ? scene.picture().reflectionRays() : 0));
+                scene.world().hasEnvironment(), reflections ? scene.picture().reflectionRays() : 0));
     }
 
     /** Returns whether gather points are needed. */
@@ -57,7 +57,7 @@ public record GatherSettings(int bounces, int rays, int spacing, boolean environ
      * nothing at present adds nothing, so its paths can stay.
      */
     public boolean canServe(Scene scene) {
-        return of(scene).map(this::equals).orElse(bounces == 0 && !reflections() && scene.world().environment().isPresent());
+        return of(scene).map(this::equals).orElse(bounces == 0 && !reflections() && scene.world().hasEnvironment());
     }
 
     /** Returns the distance of gather points in a picture, in its own pixels. */

@@ -18,14 +18,15 @@ import lightning.scene.node.Shape;
  * Complete input of a render. Two equal scenes give the same image in every bit.
  *
  * @param stage shapes and materials
- * @param rig   lights; no light or light group has the name of a shape or a group, and their total brightness passes {@link OverflowCheck}
+ * @param rig   lights; no light or light group has the name of a shape or a group, no dome that of any of these, and their total brightness passes {@link OverflowCheck}
  */
 @RecordBuilder
 public record Scene(PictureSettings picture, Camera camera, World world, Stage stage, LightRig rig) implements SceneBuilder.With {
 
     public Scene {
         rig.checkDisjoint(stage.names());
-        rig = rig.withEnvironment(world.environmentLights(rig::isNameUsed), world.meters()).withSurfaces(stage.surfaces(rig));
+        DomeNames.checkDisjoint(world.domes(), rig, stage);
+        rig = rig.withEnvironments(world.environmentLights(rig::isNameUsed), world.meters()).withSurfaces(stage.surfaces(rig));
         stage = stage.withBulbs(rig).withFaces(rig);
         OverflowCheck.check(stage, rig);
     }
@@ -64,10 +65,10 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
         return stage.materialsByName();
     }
 
-    /** Returns the lights that are rendered, with lights for all of the environment: for programs without environments. */
+    /** Returns the lights that are rendered, with lights for all of the environments: for programs without environments. */
     public List<Light> lightsForOtherPrograms() {
         List<Light> all = new ArrayList<>(rig.effectiveLights().subList(0, lights().size()));
-        all.addAll(world.approximateLights(world.lightCount(), this::isNameUsed));
+        all.addAll(world.approximateLights(this::isNameUsed));
         return all;
     }
 
@@ -75,9 +76,9 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
         return rig.light(name);
     }
 
-    /** Returns whether a light, a light group, a shape or a group has the name. */
+    /** Returns whether a light, a light group, a dome, a shape or a group has the name. */
     public boolean isNameUsed(String name) {
-        return rig.isNameUsed(name) || stage.hasNode(name);
+        return rig.isNameUsed(name) || world.dome(name).isPresent() || stage.hasNode(name);
     }
 
     /** Returns whether a light contributes: it is on, and solo if any light is, with its group applied. */

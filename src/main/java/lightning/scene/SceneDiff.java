@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
@@ -13,7 +14,6 @@ import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightGroup;
 import lightning.scene.light.LightMatcher;
-import lightning.scene.light.LightRig;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.node.BlockList;
@@ -71,10 +71,12 @@ public final class SceneDiff {
 
     private String describeChanges(Scene before, Scene after) {
         addLights(new LightMatcher(before.lights(), after.lights()));
-        addLightGroups(before.rig(), after.rig());
+        addNamed(before.rig().lightGroups(), after.rig().lightGroups(), LightGroup::name, LightGroup.ATTRIBUTES,
+                Messages.key("order of light groups"));
         for (SceneAttribute<World, ?> attribute : World.ATTRIBUTES) {
             change(attribute, before.world(), after.world()).ifPresent(this::addPart);
         }
+        addNamed(before.world().domes(), after.world().domes(), Dome::name, Dome.ATTRIBUTES, Messages.key("order of domes"));
         if (!before.picture().equals(after.picture())) {
             change(PictureSettings.DEPTH, before.picture(), after.picture()).ifPresent(this::addPart);
             change(PictureSettings.REFLECTION_RAYS, before.picture(), after.picture()).ifPresent(this::addPart);
@@ -117,34 +119,35 @@ public final class SceneDiff {
         }
     }
 
-    /** Matches light groups by name, or by index if their number is unchanged. */
-    private void addLightGroups(LightRig before, LightRig after) {
-        boolean renames = before.lightGroups().size() == after.lightGroups().size();
-        for (LightGroup group : before.lightGroups()) {
-            if (!renames && after.lightGroup(group.name()).isEmpty()) {
-                parts.add(Messages.tr("delete {0}", group.name()));
+    /** Matches light groups or domes by name, or by index if their number is unchanged. */
+    private <T> void addNamed(List<T> before, List<T> after, Function<T, String> name, List<? extends SceneAttribute<T, ?>> attributes,
+            String order) {
+        boolean renames = before.size() == after.size();
+        Map<String, T> old = before.stream().collect(Collectors.toMap(name, v -> v));
+        Map<String, T> current = after.stream().collect(Collectors.toMap(name, v -> v));
+        for (T v : before) {
+            if (!renames && !current.containsKey(name.apply(v))) {
+                parts.add(Messages.tr("delete {0}", name.apply(v)));
             }
         }
-        for (int i = 0; i < after.lightGroups().size(); i++) {
-            LightGroup group = after.lightGroups().get(i);
-            Optional<LightGroup> old = before.lightGroup(group.name())
-                    .or(renames ? () -> Optional.of(before.lightGroups().get(after.lightGroups().indexOf(group)))
-                            : Optional::empty);
-            if (old.isEmpty()) {
-                parts.add(Messages.tr("add {0}", group.name()));
-            } else if (!old.get().equals(group)) {
-                List<Change> changes = new ArrayList<>(List.of(new Change(Messages.key("name"), old.get().name(), group.name())));
-                changes.addAll(changes(LightGroup.ATTRIBUTES, old.get(), group));
-                parts.add(join(old.get().name(), changes));
+        for (int i = 0; i < after.size(); i++) {
+            T v = after.get(i);
+            T origin = old.getOrDefault(name.apply(v), renames ? before.get(i) : null);
+            if (origin == null) {
+                parts.add(Messages.tr("add {0}", name.apply(v)));
+            } else if (!origin.equals(v)) {
+                List<Change> changes = new ArrayList<>(List.of(new Change(Messages.key("name"), name.apply(origin), name.apply(v))));
+                changes.addAll(changes(attributes, origin, v));
+                parts.add(join(name.apply(origin), changes));
             }
         }
-        if (!names(before.lightGroups(), after).equals(names(after.lightGroups(), before))) {
-            parts.add(Messages.tr("order of light groups"));
+        if (!names(before, name, current).equals(names(after, name, old))) {
+            parts.add(Messages.tr(order));
         }
     }
 
-    private static List<String> names(List<LightGroup> groups, LightRig among) {
-        return groups.stream().map(LightGroup::name).filter(name -> among.lightGroup(name).isPresent()).toList();
+    private static <T> List<String> names(List<T> all, Function<T, String> name, Map<String, T> among) {
+        return all.stream().map(name).filter(among::containsKey).toList();
     }
 
     private String describeChanges(Light before, Light after) {

@@ -53,7 +53,7 @@ public final class VisibleState {
 
     private static Light light(Scene scene, Light light, String name) {
         // A solo light darkens the environment even if it is dark itself.
-        boolean solo = light.on() && light.solo() && scene.world().environment().isPresent();
+        boolean solo = light.on() && light.solo() && scene.world().hasEnvironment();
         if (!scene.isActive(light) || light.weight().isBlack()) {
             Light dark = Light.of(name, LightType.POINT).withIntensity(0).withOn(solo).withSolo(solo);
             // The face of a dark light is black, but hides what is farther away.

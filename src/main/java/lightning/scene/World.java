@@ -2,24 +2,27 @@ package lightning.scene;
 
 import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.BiFunction;
+import java.util.function.DoubleUnaryOperator;
 import java.util.function.Predicate;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.base.math.Rgb;
-import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
+import lightning.base.text.Quote;
 import lightning.scene.asset.Environment;
-import lightning.scene.asset.EnvironmentLight;
+import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.attribute.ValueKind;
-import lightning.scene.light.AreaShape;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightRig;
-import lightning.scene.light.LightType;
 import lightning.scene.sky.Sky;
 import lightning.scene.value.DomeRotation;
 import lightning.scene.value.Fog;
@@ -40,10 +43,11 @@ import lightning.scene.value.SceneLimits;
  * @param meters      meters per scene unit, for photometric units of lights
  * @param fog         air between the shapes
  * @param sky         physical sky, which is the environment while it is on
+ * @param domes       further environments with unique names, whose radiance is added in this order
  */
 @RecordBuilder
 public record World(double ambience, Rgb background, Optional<Environment> image, DomeRotation dome, double intensity, double gain,
-        int lightCount, double softness, boolean solo, double meters, Fog fog, Sky sky) implements WorldBuilder.With {
+        int lightCount, double softness, boolean solo, double meters, Fog fog, Sky sky, List<Dome> domes) implements WorldBuilder.With {
     public static final SceneAttribute<World, Double> AMBIENCE = new SceneAttribute<>("ambience", "ambience", "ambient light",
             NumericKind.number(0, SceneLimits.MAX_AMBIENCE, 0.1), 1.0, "", World::ambience, World::withAmbience);
     public static final SceneAttribute<World, Rgb> BACKGROUND = new SceneAttribute<>("background", "background",
@@ -89,11 +93,8 @@ public record World(double ambience, Rgb background, Optional<Environment> image
                     SOLO, METERS),
             FogAttributes.ALL, SkyAttributes.ALL).flatMap(List::stream).toList();
 
-    /** Samples of a light that is hardly larger than the sun, and of a larger one. */
-    private static final int SUN_SAMPLES = SceneLimits.MIN_LIGHT_SAMPLES;
-    private static final int SAMPLES = AreaShape.DEFAULT.samples();
-    /** Half-angle of a light with few samples, degrees. */
-    private static final double SUN = 1;
+    /** Name of its own environment's lights. */
+    private static final String NAME = "environment";
 
     public static final World DEFAULT = new World(AMBIENCE.initial(), BACKGROUND.initial());
 
@@ -108,12 +109,13 @@ public record World(double ambience, Rgb background, Optional<Environment> image
         LIGHT_COUNT.check(lightCount);
         SOFTNESS.check(softness);
         METERS.check(meters);
+        domes = DomeNames.check(domes);
     }
 
     /** Creates a world without an environment. */
     public World(double ambience, Rgb background) {
         this(ambience, background, ENVIRONMENT.initial(), DomeRotation.NONE, INTENSITY.initial(), GAIN.initial(),
-                LIGHT_COUNT.initial(), SOFTNESS.initial(), SOLO.initial(), METERS.initial(), Fog.NONE, Sky.NONE);
+                LIGHT_COUNT.initial(), SOFTNESS.initial(), SOLO.initial(), METERS.initial(), Fog.NONE, Sky.NONE, List.of());
     }
 
     /** Returns a clause that says why an attribute has no effect in this world; empty if it has. */
@@ -163,54 +165,128 @@ public record World(double ambience, Rgb background, Optional<Environment> image
     }
 
     /**
-     * Returns the directional lights of the small bright parts of its environment; none without one. At least one stands for the environment,
-     * even if it is dark.
-     *
-     * @param isUsed test for names of other lights
+     * Returns all environments, in the order in which their radiances are summed: its own, then the domes with an image. Looks up the sky, so
+     * callers do this once for many rays.
      */
-    List<Light> environmentLights(Predicate<String> isUsed) {
-        return environment().map(e -> lights(e.map().brightLights(lightCount), lightCount, isUsed)).orElse(List.of());
+    public List<EnvironmentLayer> environments() {
+        return Stream.concat(
+                environment().map(e -> new EnvironmentLayer(NAME, e.map(), dome, intensity, gain, lightCount, softness, true, solo))
+                        .stream(),
+                domes.stream().flatMap(d -> d.layer().stream())).toList();
+    }
+
+    /** Returns the images of its environments, each once; not those of skies. */
+    public Set<EnvironmentMap> images() {
+        Set<EnvironmentMap> images = Collections.newSetFromMap(new IdentityHashMap<>());
+        Stream.concat(image.stream(), domes.stream().flatMap(d -> d.image().stream())).forEach(e -> images.add(e.map()));
+        return images;
+    }
+
+    /** Returns whether it has any environment, on or off. */
+    public boolean hasEnvironment() {
+        return sky.on() || image.isPresent() || domes.stream().anyMatch(d -> d.image().isPresent());
+    }
+
+    /** Returns whether any environment lights the scene, unless a solo mutes it. */
+    public boolean hasEnvironmentLight() {
+        return lightIntensity() > 0 || domes.stream().anyMatch(d -> d.lightIntensity() > 0);
     }
 
     /**
-     * Returns directional lights that stand for all light of its environment, where nothing gathers its smooth light; none without one.
+     * Returns the directional lights of the small bright parts of each environment.
      *
-     * @param count  maximum number
      * @param isUsed test for names of other lights
      */
-    public List<Light> approximateLights(int count, Predicate<String> isUsed) {
-        return environment().map(e -> lights(e.map().lights(count), count, isUsed)).orElse(List.of());
+    List<List<Light>> environmentLights(Predicate<String> isUsed) {
+        return lights(isUsed, EnvironmentLayer::brightLights);
     }
 
-    private List<Light> lights(List<EnvironmentLight> sources, int count, Predicate<String> isUsed) {
-        List<Light> lights = new ArrayList<>();
-        String name = "environment";
-        while (isAnyUsed(name, count, isUsed)) {
-            name += "'";
-        }
-        for (EnvironmentLight source : sources) {
-            Vec3 direction = dome.toWorld().transformVector(source.direction());
-            double spread = spread(source, direction);
-            double maxChannel = Math.max(source.red(), Math.max(source.green(), source.blue()));
-            lights.add(Light.of(name + " " + (lights.size() + 1), LightType.DIRECTIONAL)
-                    .withDirection(direction.negated())
-                    .withColor(maxChannel > 0 ? new Rgb(source.red() / maxChannel, source.green() / maxChannel, source.blue() / maxChannel)
-                            : Rgb.BLACK)
-                    .withSolo(solo && lightIntensity() > 0)
-                    .withIntensity(Math.min(maxChannel * source.meanLength() * intensity * gain,
-                            SceneLimits.MAX_ENVIRONMENT_LIGHT_INTENSITY))
-                    .withArea(AreaShape.DEFAULT.withSpread(spread).withSamples(spread > SUN ? SAMPLES : SUN_SAMPLES)));
+    /**
+     * Returns directional lights that stand for all light of its environments that are on, where nothing gathers their smooth light.
+     *
+     * @param isUsed test for names of other lights
+     */
+    List<Light> approximateLights(Predicate<String> isUsed) {
+        return lights(isUsed, (layer, used) -> layer.on() ? layer.approximateLights(layer.lightCount(), used) : List.of()).stream()
+                .flatMap(List::stream).toList();
+    }
+
+    private List<List<Light>> lights(Predicate<String> isUsed, BiFunction<EnvironmentLayer, Predicate<String>, List<Light>> lightsOf) {
+        List<List<Light>> lights = new ArrayList<>();
+        Set<String> names = new HashSet<>();
+        for (EnvironmentLayer layer : environments()) {
+            List<Light> added = lightsOf.apply(layer, name -> isUsed.test(name) || names.contains(name));
+            added.forEach(light -> names.add(light.name()));
+            lights.add(added);
         }
         return lights;
     }
 
-    /** Returns the half-angle of a light in degrees, at most its angle to the horizon: light from below would be lost to a floor. */
-    private double spread(EnvironmentLight source, Vec3 direction) {
-        double elevation = Math.toDegrees(StrictMath.asin(Math.min(Math.abs(direction.y()), 1)));
-        return Math.min(source.spread() * softness, elevation);
+    /** Returns the number among all environments of a dome; −1 if it has no image. */
+    public int environmentIndex(String dome) {
+        List<String> names = domes.stream().filter(d -> d.image().isPresent()).map(Dome::name).toList();
+        return names.contains(dome) ? names.indexOf(dome) + (environment().isPresent() ? 1 : 0) : -1;
     }
 
-    private static boolean isAnyUsed(String name, int count, Predicate<String> isUsed) {
-        return IntStream.rangeClosed(1, count).anyMatch(number -> isUsed.test(name + " " + number));
+    /** Returns the dome of that name. */
+    public Optional<Dome> dome(String name) {
+        return domes.stream().filter(d -> d.name().equals(name)).findFirst();
+    }
+
+    /**
+     * Returns this world with the dome of a name replaced.
+     *
+     * @throws IllegalArgumentException if there is no such dome, or another one has the new name
+     */
+    public World withDome(String name, Dome v) {
+        if (dome(name).isEmpty()) {
+            throw new IllegalArgumentException("there is no dome " + Quote.of(name));
+        }
+        return withDomes(domes.stream().map(d -> d.name().equals(name) ? v : d).toList());
+    }
+
+    /** Returns this world without any environment. */
+    public World withoutEnvironments() {
+        return withEnvironment(Optional.empty()).withDomes(List.of());
+    }
+
+    /** Returns this world with other intensities of all environments. */
+    public World mapIntensities(DoubleUnaryOperator change) {
+        return withIntensity(change.applyAsDouble(intensity))
+                .withDomes(domes.stream().map(d -> d.withIntensity(change.applyAsDouble(d.intensity()))).toList());
+    }
+
+    /** Returns this world with one of its {@link #environments} dark. */
+    public World withDarkEnvironment(int index) {
+        int dome = environment().isPresent() ? index - 1 : index;
+        if (dome < 0) {
+            return withIntensity(0);
+        }
+        Dome dark = domes.stream().filter(d -> d.image().isPresent()).skip(dome).findFirst().orElseThrow();
+        return withDome(dark.name(), dark.withIntensity(0));
+    }
+
+    /** Returns this world with the intensities of the environments of another world, as far as that has domes of the same names. */
+    public World withIntensitiesOf(World o) {
+        return withIntensity(o.intensity)
+                .withDomes(domes.stream().map(d -> d.withIntensity(o.dome(d.name()).orElse(d).intensity())).toList());
+    }
+
+    /**
+     * Returns the factor by which the light and the images of all environments change in a world that differs in intensities only; not finite
+     * if they have none in common.
+     */
+    public double intensityRatio(World o) {
+        Set<Double> ratios = new HashSet<>();
+        if (environment().isPresent() || domes.isEmpty()) {
+            ratios.add(ratio(intensity, o.intensity));
+        }
+        domes.stream().filter(d -> d.image().isPresent())
+                .forEach(d -> ratios.add(o.dome(d.name()).map(other -> ratio(d.intensity(), other.intensity())).orElse(Double.NaN)));
+        return ratios.size() == 1 ? ratios.iterator().next() : ratios.isEmpty() ? 1 : Double.NaN;
+    }
+
+    private static double ratio(double before, double after) {
+        return before == after ? 1 : after / before;
     }
 }

@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
+import lightning.scene.Dome;
 import lightning.scene.IndirectSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
@@ -179,6 +180,27 @@ public sealed interface Edit {
         @Override
         public Scene apply(List<Scene> history) {
             return history.getLast().withWorld(attribute.with(history.getLast().world(), to));
+        }
+    }
+
+    /** Changes an attribute of a dome, or adds one. */
+    record EditDome<V>(int index, SceneAttribute<Dome, V> attribute, V to) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            World world = history.getLast().world();
+            if (world.domes().isEmpty()) {
+                return history.getLast().withWorld(world.withDomes(List.of(attribute.with(Dome.of("fresh dome"), to))));
+            }
+            Dome dome = world.domes().get(index % world.domes().size());
+            return history.getLast().withWorld(world.withDome(dome.name(), attribute.with(dome, to)));
+        }
+    }
+
+    /** Replaces all domes. */
+    record SetDomes(List<Dome> to) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            return history.getLast().withWorld(history.getLast().world().withDomes(to));
         }
     }
 

@@ -134,6 +134,7 @@ public final class EditArbitraries {
                 NumberArbitraries.rangeOrSpecial(0, 2, 0.0, 1.0).map(v -> new Edit.EditWorld<>(World.INTENSITY, v)),
                 SceneArbitraries.environmentGains().map(v -> new Edit.EditWorld<>(World.GAIN, v)),
                 Arbitraries.of(true, false).map(v -> new Edit.EditWorld<>(World.SOLO, v)),
+                DomeArbitraries.edits(), DomeArbitraries.edits(),
                 FogArbitraries.edits(), FogArbitraries.edits(), SkyArbitraries.edits(),
                 SceneArbitraries.depths().map(Edit.SetDepth::new),
                 SceneArbitraries.depths().map(Edit.SetDepth::new)));

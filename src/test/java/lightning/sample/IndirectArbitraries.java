@@ -56,8 +56,11 @@ public final class IndirectArbitraries {
 
     /** Returns these scenes in the light of an environment, half of them without indirect light. */
     static Arbitrary<Scene> roomsWithEnvironment() {
-        return Combinators.combine(rooms(), SceneArbitraries.environmentMaps(), settings().optional(0.5)).as((room, map, indirect) -> room
-                .withWorld(room.world().withEnvironment(Optional.of(map))).withPicture(room.picture().withIndirect(indirect)));
+        return Combinators.combine(rooms(), SceneArbitraries.environmentMaps(), settings().optional(0.5),
+                DomeArbitraries.domes().optional(0.4)).as(
+                        (room, map, indirect, domes) -> room
+                                .withWorld(room.world().withEnvironment(Optional.of(map)).withDomes(domes.orElse(List.of())))
+                                .withPicture(room.picture().withIndirect(indirect)));
     }
 
     /** Returns sequences of one to eight edits, mostly of the environment. */

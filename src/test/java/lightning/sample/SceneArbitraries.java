@@ -132,8 +132,10 @@ public final class SceneArbitraries {
                                 (world, sky, turn, intensity, lamps, softness, gain) -> world
                                         .withEnvironment(Optional.of(sky)).withDome(turn).withIntensity(intensity).withLightCount(lamps)
                                         .withSoftness(softness).withGain(gain))));
-        return Arbitraries.frequencyOf(Tuple.of(5, clear),
-                Tuple.of(2, Combinators.combine(clear, FogArbitraries.fogs()).as(World::withFog)));
+        Arbitrary<World> domed = Arbitraries.frequencyOf(Tuple.of(7, clear),
+                Tuple.of(1, Combinators.combine(clear, DomeArbitraries.domes()).as(World::withDomes)));
+        return Arbitraries.frequencyOf(Tuple.of(5, domed),
+                Tuple.of(2, Combinators.combine(domed, FogArbitraries.fogs()).as(World::withFog)));
     }
 
     static Arbitrary<Double> environmentGains() {
@@ -144,7 +146,7 @@ public final class SceneArbitraries {
         return Arbitraries.of(0.0, 0.0, 0.0, 0.3, 1.0);
     }
 
-    private static Arbitrary<DomeRotation> domeRotations() {
+    static Arbitrary<DomeRotation> domeRotations() {
         return Combinators.combine(rotations(), tilts(), tilts()).as(DomeRotation::of);
     }
 

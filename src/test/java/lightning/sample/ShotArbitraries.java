@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
 import java.util.stream.Stream;
+import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.KeyframeSupport;
@@ -45,7 +46,8 @@ public final class ShotArbitraries {
     private static List<TrackTarget> targets(Scene scene) {
         Stream<TrackTarget> nodes = scene.nodes().stream().map(n -> TrackTarget.node(n.name()));
         return Stream.of(Stream.of(TrackTarget.CAMERA), scene.lights().stream().map(Light::name).map(TrackTarget::light),
-                scene.rig().lightGroups().stream().map(LightGroup::name).map(TrackTarget::bank), nodes).flatMap(s -> s).toList();
+                scene.rig().lightGroups().stream().map(LightGroup::name).map(TrackTarget::bank),
+                scene.world().domes().stream().map(Dome::name).map(TrackTarget::dome), nodes).flatMap(s -> s).toList();
     }
 
     private static Arbitrary<Track> tracks(TrackTarget target, SceneAttribute<?, ?> attribute) {

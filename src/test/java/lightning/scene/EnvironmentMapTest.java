@@ -60,8 +60,8 @@ class EnvironmentMapTest {
     void rotation_matchesShapeRotation() {
         assertThat(radiance(FOUR, -1, 0, 0, 90)[0]).isEqualTo(2.5, within(1e-12));
         World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR))).withLightCount(4);
-        List<Light> lights = world.approximateLights(4, _ -> false);
-        List<Light> turned = world.withRotation(90).approximateLights(4, _ -> false);
+        List<Light> lights = world.environments().getFirst().approximateLights(4, _ -> false);
+        List<Light> turned = world.withRotation(90).environments().getFirst().approximateLights(4, _ -> false);
         for (int i = 0; i < 4; i++) {
             Vec3 d = lights.get(i).direction();
             assertThat(turned.get(i).direction().minus(new Vec3(d.z(), d.y(), -d.x())).length()).isLessThan(1e-12);
@@ -88,8 +88,8 @@ class EnvironmentMapTest {
             @ForAll @DoubleRange(min = -180, max = 180) double roll) {
         World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR))).withLightCount(4);
         DomeRotation dome = DomeRotation.of(20, tilt, roll);
-        List<Light> lights = world.approximateLights(4, _ -> false);
-        List<Light> turned = world.withDome(dome).approximateLights(4, _ -> false);
+        List<Light> lights = world.environments().getFirst().approximateLights(4, _ -> false);
+        List<Light> turned = world.withDome(dome).environments().getFirst().approximateLights(4, _ -> false);
         for (int i = 0; i < 4; i++) {
             Vec3 expected = dome.toWorld().transformVector(lights.get(i).direction());
             assertThat(turned.get(i).direction().minus(expected).length()).isLessThan(1e-12);
@@ -162,9 +162,9 @@ class EnvironmentMapTest {
     @Test
     void softness_scalesSpread() {
         World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR))).withLightCount(4);
-        assertThat(world.withSoftness(0).approximateLights(4, _ -> false)).noneMatch(Light::isArea);
+        assertThat(world.withSoftness(0).environments().getFirst().approximateLights(4, _ -> false)).noneMatch(Light::isArea);
         List<EnvironmentLight> environmentLights = FOUR.lights(4);
-        List<Light> half = world.withSoftness(0.5).approximateLights(4, _ -> false);
+        List<Light> half = world.withSoftness(0.5).environments().getFirst().approximateLights(4, _ -> false);
         for (int i = 0; i < 4; i++) {
             assertThat(half.get(i).area().spread()).isEqualTo(environmentLights.get(i).spread() / 2).isPositive();
         }
@@ -225,7 +225,7 @@ class EnvironmentMapTest {
     void environmentLights_haveUniqueNames() {
         World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR)));
         for (String taken : List.of("environment 1", "environment 4")) {
-            assertThat(world.approximateLights(4, taken::equals)).hasSize(4).extracting(Light::name)
+            assertThat(world.environments().getFirst().approximateLights(4, taken::equals)).hasSize(4).extracting(Light::name)
                     .containsExactly("environment' 1", "environment' 2", "environment' 3", "environment' 4");
         }
     }
@@ -244,7 +244,7 @@ class EnvironmentMapTest {
         World world = World.DEFAULT.withEnvironment(Optional.of(sky)).withSoftness(softness);
         // There are at least 16 rows and 32 columns of cells.
         double half = Math.PI / Math.max(16, height) / 2;
-        assertThat(floorRadiance(world.approximateLights(maxLights, _ -> false))).isCloseTo(1,
+        assertThat(floorRadiance(world.environments().getFirst().approximateLights(maxLights, _ -> false))).isCloseTo(1,
                 within(1 / Math.cos(half) - 1 + Math.sin(half) / 32 + 1e-9));
     }
 

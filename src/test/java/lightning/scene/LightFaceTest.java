@@ -38,7 +38,7 @@ class LightFaceTest {
             .withArea(new AreaShape(0.5, 0, 2, 3, Vec3.Y, 16).withVisibility(FaceVisibility.GLOWING));
 
     private static Rgb glow(Light light, double meters) {
-        LightRig rig = LightRig.of(List.of(light)).withEnvironment(List.of(), meters);
+        LightRig rig = LightRig.of(List.of(light)).withEnvironments(List.of(), meters);
         return LightFace.of(rig, 0, Set.of()).getFirst().material().emission();
     }
 

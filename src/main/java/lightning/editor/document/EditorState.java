@@ -60,6 +60,7 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
             case CAMERA -> true;
             case LIGHT -> selectedLight.filter(l -> l.name().equals(target.name())).isPresent();
             case LIGHT_GROUP -> selectedLight.filter(l -> l.lightGroup().equals(target.name())).isPresent();
+            case DOME -> false;
             case NODE -> selectedNode.filter(n -> n.name().equals(target.name())).isPresent();
         };
     }

@@ -3,9 +3,12 @@ package lightning.editor.document;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
+import lightning.base.text.Quote;
+import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.light.Light;
@@ -14,7 +17,7 @@ import lightning.scene.light.LightGroup;
 import lightning.scene.light.LightRig;
 import lightning.scene.value.SceneLimits;
 
-/** Channel of the light mixer: a light, a light group, or the environment. */
+/** Channel of the light mixer: a light, a light group, the environment, or a dome. */
 public sealed interface MixerChannel {
     /** @param name name of a light of the scene */
     record OfLight(String name) implements MixerChannel {}
@@ -22,11 +25,15 @@ public sealed interface MixerChannel {
     /** @param name name of a light group of the scene */
     record OfLightGroup(String name) implements MixerChannel {}
 
-    /** Channel of the environment's light. */
+    /** Channel of the world's own environment. */
     record OfEnvironment() implements MixerChannel {}
 
+    /** @param name name of a dome of the scene */
+    record OfDome(String name) implements MixerChannel {}
+
     /**
-     * Returns all channels in the order of the scene: lights without a group, then each group followed by its lights, then the environment.
+     * Returns all channels in the order of the scene: lights without a group, then each group followed by its lights, then the environment
+     * and the domes.
      */
     static List<MixerChannel> channelsOf(Scene scene) {
         LightRig rig = scene.rig();
@@ -38,6 +45,7 @@ public sealed interface MixerChannel {
         if (scene.world().environment().isPresent()) {
             all.add(new OfEnvironment());
         }
+        scene.world().domes().forEach(dome -> all.add(new OfDome(dome.name())));
         return all;
     }
 
@@ -51,6 +59,7 @@ public sealed interface MixerChannel {
             case OfLight(String name) -> name;
             case OfLightGroup(String name) -> name;
             case OfEnvironment _ -> Messages.tr("environment");
+            case OfDome(String name) -> name;
         };
     }
 
@@ -60,11 +69,12 @@ public sealed interface MixerChannel {
             case OfLight(String name) -> scene.light(name).isPresent();
             case OfLightGroup(String name) -> scene.rig().lightGroup(name).isPresent();
             case OfEnvironment _ -> scene.world().environment().isPresent();
+            case OfDome(String name) -> scene.world().dome(name).isPresent();
         };
     }
 
     /**
-     * Returns the fader's value: a light's own intensity, a group's master, or the environment's factor.
+     * Returns the fader's value: a light's own intensity, a group's master, or the factor of the environment or a dome.
      *
      * @throws IllegalArgumentException if the scene has no such light or group
      */
@@ -73,6 +83,7 @@ public sealed interface MixerChannel {
             case OfLight(String name) -> LightEdits.light(scene, name).intensity();
             case OfLightGroup(String name) -> LightGroupEdits.lightGroup(scene, name).intensity();
             case OfEnvironment _ -> scene.world().intensity();
+            case OfDome(String name) -> dome(scene, name).intensity();
         };
     }
 
@@ -82,6 +93,7 @@ public sealed interface MixerChannel {
             case OfLight _ -> SceneLimits.MAX_INTENSITY;
             case OfLightGroup _ -> SceneLimits.MAX_GROUP_INTENSITY;
             case OfEnvironment _ -> SceneLimits.MAX_GROUP_INTENSITY;
+            case OfDome _ -> SceneLimits.MAX_GROUP_INTENSITY;
         };
     }
 
@@ -91,25 +103,33 @@ public sealed interface MixerChannel {
             case OfLight(String name) -> scene.withLight(LightEdits.light(scene, name).withIntensity(v));
             case OfLightGroup(String name) -> scene.withRig(scene.rig().with(LightGroupEdits.lightGroup(scene, name).withIntensity(v)));
             case OfEnvironment _ -> scene.withWorld(scene.world().withIntensity(v));
+            case OfDome(String name) -> edit(scene, name, d -> d.withIntensity(v));
         };
     }
 
-    /** Returns a light's color or a group's gel; empty for the environment. */
+    /** Returns a light's color or a group's gel; empty for the environment and domes. */
     default Optional<Rgb> color(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> Optional.of(LightEdits.light(scene, name).color());
             case OfLightGroup(String name) -> Optional.of(LightGroupEdits.lightGroup(scene, name).color());
             case OfEnvironment _ -> Optional.empty();
+            case OfDome _ -> Optional.empty();
         };
     }
 
-    /** Returns the scene with another color; unchanged for the environment. Throws as {@link #withIntensity}. */
+    /** Returns the scene with another color; unchanged for the environment and domes. Throws as {@link #withIntensity}. */
     default Scene withColor(Scene scene, Rgb v) {
         return switch (this) {
             case OfLight(String name) -> scene.withLight(LightEdits.light(scene, name).withColor(v));
             case OfLightGroup(String name) -> scene.withRig(scene.rig().with(LightGroupEdits.lightGroup(scene, name).withColor(v)));
             case OfEnvironment _ -> scene;
+            case OfDome _ -> scene;
         };
+    }
+
+    /** Returns whether the channel can be moved to another place of the mixer. */
+    default boolean canBeMoved() {
+        return this instanceof OfLight || this instanceof OfLightGroup;
     }
 
     /** Returns a light's color temperature in kelvin; empty for other channels. */
@@ -130,15 +150,20 @@ public sealed interface MixerChannel {
             case OfLight(String name) -> LightEdits.light(scene, name).on();
             case OfLightGroup(String name) -> LightGroupEdits.lightGroup(scene, name).on();
             case OfEnvironment _ -> scene.world().lightIntensity() > 0;
+            case OfDome(String name) -> dome(scene, name).on();
         };
     }
 
-    /** Returns the scene with the channel on or off. A muted environment has a light gain of 0, which leaves its image. */
+    /**
+     * Returns the scene with the channel on or off. A muted environment has a light gain of 0, which leaves its image;
+     * a muted dome is off.
+     */
     default Scene withOn(Scene scene, boolean v) {
         return switch (this) {
             case OfLight(String name) -> scene.withLight(LightEdits.light(scene, name).withOn(v));
             case OfLightGroup(String name) -> scene.withRig(scene.rig().with(LightGroupEdits.lightGroup(scene, name).withOn(v)));
             case OfEnvironment _ -> isOn(scene) == v ? scene : scene.withWorld(v ? litWorld(scene.world()) : scene.world().withGain(0));
+            case OfDome(String name) -> edit(scene, name, d -> d.withOn(v));
         };
     }
 
@@ -154,6 +179,7 @@ public sealed interface MixerChannel {
             case OfLight(String name) -> LightEdits.light(scene, name).solo();
             case OfLightGroup(String name) -> LightGroupEdits.lightGroup(scene, name).solo();
             case OfEnvironment _ -> scene.world().solo();
+            case OfDome(String name) -> dome(scene, name).solo();
         };
     }
 
@@ -163,6 +189,7 @@ public sealed interface MixerChannel {
             case OfLight(String name) -> scene.withLight(LightEdits.light(scene, name).withSolo(v));
             case OfLightGroup(String name) -> scene.withRig(scene.rig().with(LightGroupEdits.lightGroup(scene, name).withSolo(v)));
             case OfEnvironment _ -> scene.withWorld(scene.world().withSolo(v));
+            case OfDome(String name) -> edit(scene, name, d -> d.withSolo(v));
         };
     }
 
@@ -173,16 +200,35 @@ public sealed interface MixerChannel {
             case OfLightGroup(String name) -> scene.lights().stream().anyMatch(l -> l.lightGroup().equals(name) && scene.isActive(l));
             case OfEnvironment _ ->
                     isOn(scene) && (scene.world().solo() || scene.rig().effectiveLights().stream().noneMatch(l -> l.solo() && l.on()));
+            case OfDome(String name) -> dome(scene, name).lightIntensity() > 0 && scene.rig().isEnvironmentActive(environmentIndex(scene));
         };
     }
 
-    /** Returns the indices of the channel's lights in the scene; none for the environment. */
+    /** Returns the indices of the channel's lights in the scene; none for the environment and domes. */
     default int[] lightIndices(Scene scene) {
         List<Light> lights = scene.lights();
         return IntStream.range(0, lights.size()).filter(i -> switch (this) {
             case OfLight(String name) -> lights.get(i).name().equals(name);
             case OfLightGroup(String name) -> lights.get(i).lightGroup().equals(name);
             case OfEnvironment _ -> false;
+            case OfDome _ -> false;
         }).toArray();
+    }
+
+    /** Returns the number among the scene's environments of the environment or a dome; −1 for other channels, and for a dome without an image. */
+    default int environmentIndex(Scene scene) {
+        return switch (this) {
+            case OfLight _,OfLightGroup _ -> -1;
+            case OfEnvironment _ -> 0;
+            case OfDome(String name) -> scene.world().environmentIndex(name);
+        };
+    }
+
+    private static Dome dome(Scene scene, String name) {
+        return scene.world().dome(name).orElseThrow(() -> new IllegalArgumentException("there is no dome " + Quote.of(name)));
+    }
+
+    private static Scene edit(Scene scene, String name, UnaryOperator<Dome> change) {
+        return scene.withWorld(scene.world().withDome(name, change.apply(dome(scene, name))));
     }
 }

@@ -45,7 +45,7 @@ public final class NewLight {
     /** Returns the brightness that suits white paper at a point, in stops above intensity 1. */
     private static double stops(Scene scene, Vec3 at) {
         double white = -scene.picture().view().exposure();
-        if (scene.lights().stream().noneMatch(Light::on) && scene.world().environment().isEmpty()) {
+        if (scene.lights().stream().noneMatch(Light::on) && !scene.world().hasEnvironment()) {
             return white;
         }
         double key = scene.lights().stream().filter(scene.rig()::isActive).mapToDouble(l -> brightness(scene.rig().effectiveLight(l), at))

@@ -26,6 +26,7 @@ import lightning.editor.window.command.FileActions;
 import lightning.editor.window.command.UndoKeys;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.preview.PreviewPane;
+import lightning.editor.window.property.DomeFiles;
 import lightning.editor.window.property.ListTabs;
 import lightning.editor.window.property.SidePane;
 import lightning.editor.window.timeline.Playback;
@@ -40,6 +41,7 @@ public final class EditorWindow implements AutoCloseable {
     private final PanelWindows panels;
     private final DockedPanels docks;
     private final VBox bars;
+    private final EditorModel model;
     private final EditorMenu menu;
     private final SidePane side;
     private final LessonBar lessons;
@@ -50,6 +52,7 @@ public final class EditorWindow implements AutoCloseable {
     EditorWindow(EditorLayout layout, EditorModel model, FileActions files, EditorDialogs notices) {
         this.layout = layout;
         this.files = files;
+        this.model = model;
         preview = new PreviewPane(model);
         panels = new PanelWindows(model, this::window);
         panels.registerCommands(model.commands());
@@ -126,7 +129,7 @@ public final class EditorWindow implements AutoCloseable {
     }
 
     private void dragOver(DragEvent e) {
-        if (e.getDragboard().getFiles().stream().anyMatch(EditorWindow::isScene)) {
+        if (e.getDragboard().getFiles().stream().anyMatch(file -> isScene(file) || DomeFiles.canAdd(file))) {
             e.acceptTransferModes(TransferMode.COPY);
         }
         e.consume();
@@ -143,11 +146,11 @@ public final class EditorWindow implements AutoCloseable {
                 .flatMap(Function.identity());
     }
 
-    /** Opens the first scene among dropped files. Returns whether one of them is a scene. */
+    /** Opens the first scene among dropped files; without one, adds the first environment image. Returns whether one of them is either. */
     boolean openDropped(List<File> droppedFiles) {
         Optional<File> scene = droppedFiles.stream().filter(EditorWindow::isScene).findFirst();
         scene.ifPresent(f -> files.load(f.toPath()));
-        return scene.isPresent();
+        return scene.isPresent() || DomeFiles.addFirst(model, droppedFiles);
     }
 
     @Override

@@ -8,6 +8,7 @@ import java.util.Map;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.exchange.json.AttributeJson;
+import lightning.format.exchange.json.DomeJson;
 import lightning.format.exchange.json.MaterialExtras;
 import lightning.format.exchange.json.PictureJson;
 import lightning.format.exchange.json.TransformJson;
@@ -34,11 +35,13 @@ import tools.jackson.databind.node.ObjectNode;
  * Lights of a scene for other programs: in a copy of the glTF file that they light, as a layer of a USD stage, or as JSON.
  *
  * @param bytes content of the output file
+ * @param files content of further files next to it, by their names
  * @param notes properties that the format does not support, with their counts
  */
-public record LightExport(byte[] bytes, Map<String, Integer> notes) {
+public record LightExport(byte[] bytes, Map<String, byte[]> files, Map<String, Integer> notes) {
     /** Key of a light's intensity without its unit, so that readers need no photometry. */
     static final String RELATIVE_INTENSITY = "relative_intensity";
+    private static final String DOMES = "domes, whose light is sample lights and whose images are left out";
     private static final JsonMapper JSON = JsonMapper.builder().build();
 
     /**
@@ -62,7 +65,8 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
                     PunctualLightExport.convert(effectiveLight, units, LightSettings.toJson(light, scene.rig(), units), notes),
                     effectiveLight.position(), effectiveLight.direction().normalized()));
         }
-        return new LightExport(GltfLightWriter.replaceLights(gltf, lights, progress), Map.copyOf(notes.counts()));
+        notes.add(DOMES, (int) scene.world().domes().stream().filter(d -> d.on() && d.image().isPresent()).count());
+        return new LightExport(GltfLightWriter.replaceLights(gltf, lights, progress), Map.of(), Map.copyOf(notes.counts()));
     }
 
     /**
@@ -102,6 +106,7 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
         }
         PictureJson.write(root.putObject("picture"), scene.picture());
         AttributeJson.write(root.putObject("world"), scene.world(), World.ATTRIBUTES);
+        DomeJson.write(root, scene.world());
         AttributeJson.write(root.putObject("camera"), scene.camera(), Camera.ATTRIBUTES);
         ArrayNode objects = root.putArray("objects");
         for (SceneNode node : scene.stage().nodes()) {
@@ -115,7 +120,7 @@ public record LightExport(byte[] bytes, Map<String, Integer> notes) {
         MaterialExtras.NAMES.forEach(root.putArray("materialNames")::add);
         var notes = new ConversionNotes();
         animated.shot().ifPresent(shot -> new ShotValues(animated, shot, notes).write(root.putObject("shot")));
-        return new LightExport(JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(root), Map.copyOf(notes.counts()));
+        return new LightExport(JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(root), Map.of(), Map.copyOf(notes.counts()));
     }
 
     static double relativeIntensity(Light light, Scene scene) {

@@ -7,6 +7,7 @@ import lightning.format.exchange.json.AttributeJson;
 import lightning.format.exchange.json.TransformJson;
 import lightning.format.mesh.ConversionNotes;
 import lightning.scene.Camera;
+import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
@@ -72,6 +73,8 @@ record ShotValues(AnimatedScene animated, Shot shot, ConversionNotes notes) {
                     (json, scene) -> AttributeJson.write(json, scene.rig().lightGroup(name).orElseThrow(), LightGroup.ATTRIBUTES));
             case CAMERA -> addValues(tracks.addObject().put("camera", true), attribute, frames,
                     (json, scene) -> AttributeJson.write(json, scene.camera(), Camera.ATTRIBUTES));
+            case DOME -> addValues(tracks.addObject().put("dome", name), attribute, frames,
+                    (json, scene) -> AttributeJson.write(json, scene.world().dome(name).orElseThrow(), Dome.ATTRIBUTES));
             case NODE -> {
                 // A matrix has all attributes of an object.
             }

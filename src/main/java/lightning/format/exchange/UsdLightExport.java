@@ -4,11 +4,13 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import lightning.base.file.ParentFolder;
+import lightning.format.exchange.usd.RadianceBytes;
 import lightning.format.exchange.usd.UsdDomeExport;
 import lightning.format.exchange.usd.UsdLightChanges;
 import lightning.format.exchange.usd.UsdLightValues;
@@ -19,6 +21,7 @@ import lightning.format.exchange.usd.UsdSparseLights;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.usd.UsdLayer;
 import lightning.scene.Scene;
+import lightning.scene.World;
 import lightning.scene.light.Beam;
 import lightning.scene.light.Falloff;
 import lightning.scene.light.Light;
@@ -27,6 +30,7 @@ import lightning.scene.light.LightGroup;
 import lightning.scene.light.LightType;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
+import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
 
 /** Writer of a scene's lights as a layer over the stage that the scene was imported from. */
@@ -42,9 +46,14 @@ public final class UsdLightExport {
     private final UsdSparseLights sparse;
     private final List<Scene> frames = new ArrayList<>();
     private final int first;
+    /** Name of the image of a physical sky, next to the layer. */
+    private final String skyImage;
+    private final Map<String, byte[]> files = new HashMap<>();
 
-    private UsdLightExport(AnimatedScene animated, UsdPaths paths, Path sceneFolder, Path outputFolder) {
+    private UsdLightExport(AnimatedScene animated, UsdPaths paths, Path sceneFolder, Path output) {
         this.animated = animated;
+        Path outputFolder = ParentFolder.of(output.toAbsolutePath().normalize());
+        skyImage = output.getFileName().toString().replaceFirst("\\.[^.]*$", "") + ".sky.hdr";
         scene = animated.base();
         this.paths = paths;
         writer = new UsdPrimWriter(paths, sceneFolder, outputFolder, notes);
@@ -60,8 +69,8 @@ public final class UsdLightExport {
      * @param output file of the layer, which names other files relative to its folder
      */
     static LightExport export(String text, AnimatedScene animated, Path sceneFile, Path output) throws IOException {
-        return new UsdLightExport(animated, UsdPaths.findIn(text), ParentFolder.of(sceneFile.toAbsolutePath().normalize()),
-                ParentFolder.of(output.toAbsolutePath().normalize())).layer();
+        return new UsdLightExport(animated, UsdPaths.findIn(text), ParentFolder.of(sceneFile.toAbsolutePath().normalize()), output)
+                .layer();
     }
 
     private LightExport layer() throws IOException {
@@ -82,13 +91,32 @@ public final class UsdLightExport {
             addLight(light);
         }
         sparse.finish();
-        new UsdDomeExport(layer, writer, notes).add(scene.world(), () -> prim("environment", Optional.empty(), "DomeLight"));
+        addEnvironments();
         for (Map.Entry<String, UsdPaths.Prim> light : paths.lights().entrySet()) {
             if (scene.light(light.getKey()).isEmpty()) {
                 sparse.remove(light.getValue(), Optional.ofNullable(paths.originals().get(light.getKey())));
             }
         }
-        return new LightExport(layer.text().getBytes(StandardCharsets.UTF_8), Map.copyOf(notes.counts()));
+        return new LightExport(layer.text().getBytes(StandardCharsets.UTF_8), Map.copyOf(files), Map.copyOf(notes.counts()));
+    }
+
+    /** Adds dome lights; for a physical sky one with its image, and a distant light for its sun. */
+    private void addEnvironments() throws IOException {
+        new UsdDomeExport(layer, writer, notes, name -> prim(name, Optional.empty(), "DomeLight")).add(scene, skyImage);
+        World world = scene.world();
+        if (world.sky().on()) {
+            files.put(skyImage, RadianceBytes.of(world.environment().orElseThrow().map()));
+            Light sun = scene.rig().effectiveLights().get(scene.rig().environmentStart(0));
+            if (!sun.weight().isBlack()) {
+                UsdLayer.Prim prim = prim("sun", Optional.empty(), "DistantLight");
+                prim.metadata("prepend apiSchemas", "[\"ShadowAPI\"]");
+                Light disc = sun.withArea(sun.area().withSpread(world.sky().sunRadius()));
+                new UsdLightValues("DistantLight", disc, world.meters(), paths.hasZUp()).values(true).forEach(prim::set);
+                prim.set(UsdPrimWriter.ORDER, UsdPrimWriter.RESET_ORDER);
+            }
+        }
+        notes.add("animation of domes", (int) animated.shot().stream().flatMap(s -> s.tracks().stream())
+                .filter(t -> t.target().kind() == TrackTarget.Kind.DOME).map(Track::target).distinct().count());
     }
 
     private UsdLayer.Prim prim(String name, Optional<UsdPaths.Prim> original, String type) {

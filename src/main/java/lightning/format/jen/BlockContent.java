@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.List;
 import java.util.Map;
+import lightning.scene.Dome;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
 import lightning.scene.material.Material;
@@ -33,6 +34,10 @@ record BlockContent(BlockType<?> type, String name, Map<String, Value> values, L
 
     static BlockContent of(LightGroup b) {
         return of(BlockTypes.LIGHT_GROUP, b).withName(b.name());
+    }
+
+    static BlockContent of(Dome d) {
+        return of(BlockTypes.DOME, d).withName(d.name());
     }
 
     static BlockContent of(SceneNode node) {

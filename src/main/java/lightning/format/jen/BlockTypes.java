@@ -12,6 +12,7 @@ import lightning.format.jen.asset.FileName;
 import lightning.format.jen.asset.MeshFolder;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
+import lightning.scene.Dome;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
@@ -94,6 +95,9 @@ final class BlockTypes {
     static final BlockType<LightGroup> LIGHT_GROUP = new BlockType<>("bank", true, Optional.empty(), Property.of(LightGroup.ATTRIBUTES),
             (name, v, children) -> v.applyAll(LightGroup.of(name), LightGroup.ATTRIBUTES));
 
+    static final BlockType<Dome> DOME = new BlockType<>("dome", true, Optional.empty(), Property.of(Dome.ATTRIBUTES),
+            (name, v, children) -> v.applyAll(Dome.of(name), Dome.ATTRIBUTES));
+
     /** Shot settings; the animated blocks follow within the same braces. */
     static final BlockType<Shot> SHOT = new BlockType<>("shot", false, Optional.empty(), List.of(
             Property.<Shot>numbers("frames", List.of(" first", " last"), Value.of(Shot.DEFAULT.first(), Shot.DEFAULT.last()), 0,
@@ -107,7 +111,7 @@ final class BlockTypes {
     private static final Map<String, BlockType<Shape>> SHAPES_BY_NOUN =
             SHAPES.stream().collect(Collectors.toUnmodifiableMap(BlockType::keyword, b -> b));
     private static final Map<String, BlockType<?>> BY_KEYWORD = Stream
-            .concat(SHAPES.stream(), Stream.of(PICTURE, CAMERA, WORLD, MATERIAL, GROUP, LIGHT_GROUP, LIGHT, SHOT))
+            .concat(SHAPES.stream(), Stream.of(PICTURE, CAMERA, WORLD, MATERIAL, GROUP, LIGHT_GROUP, LIGHT, DOME, SHOT))
             .collect(Collectors.toUnmodifiableMap(BlockType::keyword, b -> b));
 
     /** Keywords of all blocks. */
@@ -117,7 +121,7 @@ final class BlockTypes {
 
     /** Keywords of the blocks allowed in a shot, which can be animated. */
     static final List<String> KEYED_KEYWORDS =
-            Stream.concat(Stream.of(CAMERA, LIGHT, LIGHT_GROUP).map(BlockType::keyword), NODE_KEYWORDS.stream()).toList();
+            Stream.concat(Stream.of(CAMERA, LIGHT, LIGHT_GROUP, DOME).map(BlockType::keyword), NODE_KEYWORDS.stream()).toList();
 
     private BlockTypes() {}
 

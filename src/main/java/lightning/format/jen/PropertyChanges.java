@@ -5,19 +5,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
 
-/** Changes of lights, light groups and the world as edits in words: the opposite of {@link PropertyEdit}. */
+/** Changes of lights, light groups, the world and domes as edits in words: the opposite of {@link PropertyEdit}. */
 public final class PropertyChanges {
     private PropertyChanges() {}
 
     /**
-     * Returns the edits that make the lights, light groups and world of one scene those of another, in file order.
+     * Returns the edits that make the lights, light groups, world and domes of one scene those of another, in file order.
      *
      * @param folder folder that images are resolved against
-     * @return empty if words cannot say it: lights were added or deleted
+     * @return empty if words cannot say it: lights or domes were added or deleted
      */
     public static Optional<List<String>> between(Scene before, Scene after, Path folder) {
         List<String> edits = new ArrayList<>();
@@ -30,6 +31,10 @@ public final class PropertyChanges {
                     .ifPresent(old -> add(NameSyntax.format(group.name()), BlockContent.of(old), BlockContent.of(group), edits));
         }
         add(PropertyEdit.WORLD, BlockContent.of(BlockTypes.WORLD, before.world()), BlockContent.of(BlockTypes.WORLD, after.world()), edits);
+        for (Dome dome : after.world().domes()) {
+            before.world().dome(dome.name())
+                    .ifPresent(old -> add(PropertyEdit.target(dome), BlockContent.of(old), BlockContent.of(dome), edits));
+        }
         return makes(edits, before, after, folder) ? Optional.of(edits) : Optional.empty();
     }
 

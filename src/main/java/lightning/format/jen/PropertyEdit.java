@@ -16,6 +16,7 @@ import lightning.format.jen.asset.AssetSource;
 import lightning.format.jen.asset.FileName;
 import lightning.format.jen.asset.NameSuggestion;
 import lightning.format.jen.asset.TextureFolder;
+import lightning.scene.Dome;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
@@ -37,7 +38,8 @@ import lightning.scene.value.ShapeLinks;
  * Scene edits in the syntax of the scene file: {@code key.intensity=0.4}, {@code picture.size=640 480}.
  *
  * <p>The part before the dot is {@code picture}, {@code picture.indirect}, {@code camera}, {@code world}, or the name of a
- * light, a bank, a shape, a group or a material, resolved in this order; {@code material:gold} always means a material. A
+ * light, a bank, a dome, a shape, a group or a material, resolved in this order; {@code material:gold} always means a material, {@code
+ * dome:sky} a dome. A
  * name in double quotes, {@code "key light".intensity=0.4}, is never one of these four words and may contain a dot and an
  * equals sign; see {@link NameSyntax}.
  *
@@ -52,10 +54,13 @@ public final class PropertyEdit {
     private static final String NAME = "name";
     static final String MATERIAL = "material:";
     private static final String NONE = "none";
+    static final String DOME = "dome:";
     static final String PICTURE = "picture";
     static final String INDIRECT = "picture.indirect";
     static final String CAMERA = "camera";
     static final String WORLD = "world";
+    /** Blocks that can be added alone. */
+    private static final List<BlockType<?>> ADDED = List.of(BlockTypes.LIGHT, BlockTypes.LIGHT_GROUP, BlockTypes.DOME);
     /** Targets for parts of the scene without names. */
     private static final List<String> SCENE_TARGETS = List.of(PICTURE, INDIRECT, CAMERA, WORLD);
 
@@ -119,13 +124,13 @@ public final class PropertyEdit {
 
         /** Returns the name of the light that it may refer to; empty if its form refers to another target. */
         String lightName() {
-            return SCENE_TARGETS.contains(target) || target.startsWith(MATERIAL) ? "" : NameSyntax.parse(target);
+            return SCENE_TARGETS.contains(target) || target.startsWith(MATERIAL) || target.startsWith(DOME) ? "" : NameSyntax.parse(target);
         }
     }
 
     /** Returns the offset after a quoted name at the start of an assignment; 0 if the name is not quoted. */
     private static int nameEnd(String assignment) {
-        int start = assignment.startsWith(MATERIAL) ? MATERIAL.length() : 0;
+        int start = assignment.startsWith(MATERIAL) ? MATERIAL.length() : assignment.startsWith(DOME) ? DOME.length() : 0;
         return assignment.startsWith("\"", start) ? NameSyntax.closingQuote(assignment, start) + 1 : 0;
     }
 
@@ -182,6 +187,16 @@ public final class PropertyEdit {
         return MATERIAL + NameSyntax.format(material.name());
     }
 
+    /** Returns the target that addresses a dome in an assignment. */
+    public static String target(Dome dome) {
+        return DOME + NameSyntax.format(dome.name());
+    }
+
+    /** Returns the scene with the image of a dome. */
+    public static Scene setImage(Scene scene, Dome dome, String file, Path folder) {
+        return setFile(scene, target(dome), Dome.ENVIRONMENT.name(), file, folder);
+    }
+
     /** Returns the value of a light's attribute in file syntax, as read by {@link #set(Scene, String, String, String)}. */
     public static String text(Light light, LightAttribute<?> attribute) {
         return text(BlockContent.of(light), attribute.name());
@@ -208,19 +223,22 @@ public final class PropertyEdit {
             case INDIRECT -> scene.withPicture(scene.picture().withIndirect(Optional.of(editProperty(files, BlockTypes.INDIRECT, "",
                     scene.picture().indirect().orElse(IndirectSettings.DEFAULT), property, value))));
             case CAMERA -> scene.withCamera(editProperty(files, BlockTypes.CAMERA, "", scene.camera(), property, value));
-            case WORLD -> scene.withWorld(editProperty(files, BlockTypes.WORLD, "", scene.world(), property, value));
-            default -> target.startsWith(MATERIAL)
-                    ? setMaterial(scene, NameSyntax.parse(target.substring(MATERIAL.length())), property, value, files)
+            case WORLD ->
+                    scene.withWorld(editProperty(SceneAssets.replacing(files, scene.world().image()), BlockTypes.WORLD, "", scene.world(),
+                            property, value).withDomes(scene.world().domes()));
+            default -> target.startsWith(DOME) ? setDome(scene, NameSyntax.parse(target.substring(DOME.length())), property, value, files)
+                    : target.startsWith(MATERIAL)
+                            ? setMaterial(scene, NameSyntax.parse(target.substring(MATERIAL.length())), property, value, files)
                     : setNamed(scene, NameSyntax.parse(target), property, value, files);
         };
     }
 
     /**
-     * Returns the scene with a light or bank added at the end.
+     * Returns the scene with a light, bank or dome added at the end.
      *
-     * @param text a block as in the file, {@code light fill point { intensity 0.5 }} or {@code bank left {}}, or a light in
+     * @param text a block as in the file, {@code light fill point { intensity 0.5 }}, {@code bank left {}} or {@code dome sky {}}, or a light in
      *     short form, {@code fill point intensity=0.5 at=0 1 2}, its name in quotes unless it is a word
-     * @throws IllegalArgumentException if the text is not one valid light or bank, or its name is in use
+     * @throws IllegalArgumentException if the text is not one valid light, bank or dome, or its name is in use
      */
     public static Scene add(Scene scene, String text) {
         String block = hasBrace(text) ? text : lightBlock(text);
@@ -228,7 +246,7 @@ public final class PropertyEdit {
         TokenList tokens = Lexer.tokens(block, problems);
         List<Block> blocks = Parser.parseFragment(tokens, problems);
         throwIfAny(problems);
-        if (blocks.size() != 1 || blocks.getFirst().type != BlockTypes.LIGHT && blocks.getFirst().type != BlockTypes.LIGHT_GROUP) {
+        if (blocks.size() != 1 || !ADDED.contains(blocks.getFirst().type)) {
             throw new IllegalArgumentException("expected one light, such as 'fill point intensity=0.5', found " + Quote.of(text));
         }
         Optional<Scene> added =
@@ -236,24 +254,30 @@ public final class PropertyEdit {
                         scene.stage()).build(blocks);
         throwIfAny(problems);
         LightRig addedRig = added.orElseThrow().rig();
+        List<Dome> addedDomes = added.orElseThrow().world().domes();
+        if (!addedDomes.isEmpty()) {
+            return scene.withWorld(scene.world().withDomes(Stream.concat(scene.world().domes().stream(), addedDomes.stream()).toList()));
+        }
         return blocks.getFirst().type == BlockTypes.LIGHT_GROUP ? scene.withRig(scene.rig().addLightGroup(addedRig.lightGroups().getLast()))
                 : scene.withLights(Stream.concat(scene.lights().stream(), addedRig.lights().stream()).toList());
     }
 
     /**
-     * Returns the scene without a light, or without a bank, whose lights remain.
+     * Returns the scene without a light, a dome, or a bank, whose lights remain.
      *
      * @param light name, with or without quotes
-     * @throws IllegalArgumentException if there is no such light or bank
+     * @throws IllegalArgumentException if there is no such light, bank or dome
      */
     public static Scene delete(Scene scene, String light) {
         String name = NameSyntax.parse(light);
         if (scene.rig().lightGroup(name).isPresent()) {
             return scene.withRig(scene.rig().removeLightGroup(name));
         }
-        List<String> names =
-                Stream.concat(scene.lights().stream().map(Light::name), scene.rig().lightGroups().stream().map(LightGroup::name))
-                        .toList();
+        if (scene.world().dome(name).isPresent()) {
+            return scene.withWorld(scene.world().withDomes(scene.world().domes().stream().filter(d -> !d.name().equals(name)).toList()));
+        }
+        List<String> names = Stream.of(scene.lights().stream().map(Light::name), scene.rig().lightGroups().stream().map(LightGroup::name),
+                scene.world().domes().stream().map(Dome::name)).flatMap(s -> s).toList();
         if (!names.contains(name)) {
             throw new IllegalArgumentException("there is no light " + Quote.of(name) + NameSuggestion.hint(name, names));
         }
@@ -292,6 +316,9 @@ public final class PropertyEdit {
             return scene
                     .withRig(edited.name().equals(target) ? scene.rig().with(edited) : scene.rig().renameLightGroup(target, edited.name()));
         }
+        if (scene.world().dome(target).isPresent()) {
+            return setDome(scene, target, property, value, files);
+        }
         Optional<SceneNode> node = scene.stage().node(target);
         if (node.isPresent()) {
             return scene.withNode(target, editNode(files, node.get(), target, property, value));
@@ -300,11 +327,18 @@ public final class PropertyEdit {
             return setMaterial(scene, target, property, value, files);
         }
         List<String> knownNames = Stream.of(SCENE_TARGETS.stream(), scene.lights().stream().map(Light::name),
-                scene.rig().lightGroups().stream().map(LightGroup::name), nodeNames(scene.nodes()),
-                scene.materials().stream().map(Material::name))
+                scene.rig().lightGroups().stream().map(LightGroup::name), scene.world().domes().stream().map(Dome::name),
+                nodeNames(scene.nodes()), scene.materials().stream().map(Material::name))
                 .flatMap(s -> s).filter(k -> !k.equals(target))
                 .toList();
         throw new IllegalArgumentException("the scene has nothing named " + Quote.of(target) + NameSuggestion.hint(target, knownNames));
+    }
+
+    private static Scene setDome(Scene scene, String name, String property, String value, AssetSource files) {
+        Dome dome = scene.world().dome(name).orElseThrow(() -> new IllegalArgumentException("there is no dome " + Quote.of(name)
+                + NameSuggestion.hint(name, scene.world().domes().stream().map(Dome::name).toList())));
+        return scene.withWorld(scene.world().withDome(name,
+                editProperty(SceneAssets.replacing(files, dome.image()), BlockTypes.DOME, name, dome, property, value)));
     }
 
     private static void checkLinks(Scene scene, ShapeLinks links) {
@@ -377,7 +411,7 @@ public final class PropertyEdit {
     /** Returns whether an unquoted {@code none} removes the property. */
     private static boolean canBeNone(BlockType<?> type, String property) {
         return type == BlockTypes.PICTURE && property.equals(BlockTypes.INDIRECT.keyword())
-                || type == BlockTypes.WORLD && property.equals(World.ENVIRONMENT.name())
+                || (type == BlockTypes.WORLD || type == BlockTypes.DOME) && property.equals(World.ENVIRONMENT.name())
                 || type == BlockTypes.LIGHT
                         && (property.equals(LightAttribute.LIGHT_GROUP.name()) || property.equals(LightAttribute.PROFILE.name())
                                 || property.equals(LightAttribute.GAINS.name()) || property.equals(LightAttribute.SHAPE.name()))

@@ -32,8 +32,9 @@ public final class PropertyQuery {
                     () -> new IllegalArgumentException("the scene has no indirect light")));
             case PropertyEdit.CAMERA -> BlockContent.of(BlockTypes.CAMERA, scene.camera());
             case PropertyEdit.WORLD -> BlockContent.of(BlockTypes.WORLD, scene.world());
-            default -> target.startsWith(PropertyEdit.MATERIAL)
-                    ? material(scene, NameSyntax.parse(target.substring(PropertyEdit.MATERIAL.length())))
+            default -> target.startsWith(PropertyEdit.DOME) ? dome(scene, NameSyntax.parse(target.substring(PropertyEdit.DOME.length())))
+                    : target.startsWith(PropertyEdit.MATERIAL)
+                            ? material(scene, NameSyntax.parse(target.substring(PropertyEdit.MATERIAL.length())))
                     : named(scene, NameSyntax.parse(target));
         };
     }
@@ -41,8 +42,14 @@ public final class PropertyQuery {
     private static BlockContent named(Scene scene, String name) {
         return scene.light(name).map(BlockContent::of)
                 .or(() -> scene.rig().lightGroup(name).map(BlockContent::of))
+                .or(() -> scene.world().dome(name).map(BlockContent::of))
                 .or(() -> scene.stage().node(name).map(BlockContent::of))
                 .orElseGet(() -> material(scene, name));
+    }
+
+    private static BlockContent dome(Scene scene, String name) {
+        return scene.world().dome(name).map(BlockContent::of)
+                .orElseThrow(() -> new IllegalArgumentException("there is no dome " + Quote.of(name)));
     }
 
     private static BlockContent material(Scene scene, String name) {

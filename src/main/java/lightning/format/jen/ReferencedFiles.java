@@ -16,6 +16,7 @@ import lightning.format.jen.asset.FileName;
 import lightning.format.jen.asset.MeshFolder;
 import lightning.format.jen.asset.TextureFolder;
 import lightning.format.jen.asset.UnusableFileException;
+import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.attribute.SceneAttribute;
@@ -93,7 +94,7 @@ public final class ReferencedFiles {
 
     private static Stream<String> texturesAndProfiles(Scene scene) {
         return Stream.of(files(scene.materials(), MaterialAttribute.ALL), files(scene.lights(), LightAttribute.ALL),
-                files(List.of(scene.world()), World.ATTRIBUTES)).flatMap(names -> names);
+                files(List.of(scene.world()), World.ATTRIBUTES), files(scene.world().domes(), Dome.ATTRIBUTES)).flatMap(names -> names);
     }
 
     private static <T> Stream<String> files(List<T> records, List<? extends SceneAttribute<T, ?>> attributes) {

@@ -3,6 +3,7 @@ package lightning.format.jen;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
 import lightning.format.jen.asset.AssetSource;
@@ -33,9 +34,25 @@ import org.jspecify.annotations.Nullable;
 /**
  * Assets already loaded by a scene, and others of a folder.
  *
- * @param folder folder that further files are resolved against; empty to load none
+ * @param folder   folder that further files are resolved against; empty to load none
+ * @param replaced environment that the edit replaces
  */
-record SceneAssets(Scene scene, Optional<Path> folder) implements AssetSource {
+record SceneAssets(Scene scene, Optional<Path> folder, Optional<Environment> replaced) implements AssetSource {
+    SceneAssets(Scene scene, Optional<Path> folder) {
+        this(scene, folder, Optional.empty());
+    }
+
+    /** Returns these assets for an edit that replaces an environment. */
+    static AssetSource replacing(AssetSource files, Optional<Environment> environment) {
+        return files instanceof SceneAssets assets ? new SceneAssets(assets.scene, assets.folder, environment) : files;
+    }
+
+    private Set<EnvironmentMap> otherEnvironments() {
+        Set<EnvironmentMap> others = scene.world().images();
+        replaced.ifPresent(environment -> others.remove(environment.map()));
+        return others;
+    }
+
     @Override
     public Texture texture(String file, TextureUsage samples) {
         Optional<Texture> existing = scene.materials().stream().flatMap(m -> maps(m, samples)).filter(t -> t.file().equals(file))
@@ -68,8 +85,9 @@ record SceneAssets(Scene scene, Optional<Path> folder) implements AssetSource {
 
     @Override
     public EnvironmentMap environment(String file) {
-        return scene.world().environment().filter(p -> p.file().equals(file)).map(Environment::map)
-                .orElseGet(() -> read("environment", file, f -> new EnvironmentFolder(f).load(file, note -> {})));
+        return Stream.concat(scene.world().environment().stream(), scene.world().domes().stream().flatMap(d -> d.image().stream()))
+                .filter(p -> p.file().equals(file)).map(Environment::map).findFirst()
+                .orElseGet(() -> read("environment", file, f -> new EnvironmentFolder(f).load(file, otherEnvironments(), note -> {})));
     }
 
     @Override

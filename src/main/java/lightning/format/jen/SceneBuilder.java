@@ -3,8 +3,10 @@ package lightning.format.jen;
 import static java.util.Objects.requireNonNull;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -22,6 +24,7 @@ import lightning.format.jen.asset.ProfileFolder;
 import lightning.format.jen.asset.TextureFolder;
 import lightning.format.jen.asset.UnusableFileException;
 import lightning.scene.Camera;
+import lightning.scene.Dome;
 import lightning.scene.OverflowCheck;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
@@ -63,6 +66,8 @@ final class SceneBuilder {
     private final List<LightGroup> existingGroups;
     /** External shapes that lights may be linked to. */
     private final Stage stage;
+    /** Environments of the scene, which count together against the limit of memory. */
+    private final Set<EnvironmentMap> environmentMaps = Collections.newSetFromMap(new IdentityHashMap<>());
     private int shapes;
 
     /**
@@ -98,6 +103,7 @@ final class SceneBuilder {
         List<SceneNode> nodes = nodes(nodeBlocks, 1, 1);
         List<LightGroup> groups = lightGroups(blocksOfType(otherBlocks, BlockTypes.LIGHT_GROUP));
         List<Light> lights = lights(blocksOfType(otherBlocks, BlockTypes.LIGHT));
+        List<Dome> domes = domes(blocksOfType(otherBlocks, BlockTypes.DOME));
         if (!problems.isEmpty()) {
             return Optional.empty();
         }
@@ -106,7 +112,7 @@ final class SceneBuilder {
         OverflowCheck.of(stage, rig)
                 .ifPresent(overflow -> problem(requireNonNull(blocksByName.get(overflow.light().name())), overflow.message()));
         return problems.isEmpty() ? Optional.of(new Scene(picture.orElse(PictureSettings.DEFAULT), camera.orElse(Camera.DEFAULT),
-                world.orElse(World.DEFAULT), stage, rig)) : Optional.empty();
+                world.orElse(World.DEFAULT).withDomes(domes), stage, rig)) : Optional.empty();
     }
 
     private static List<Block> blocksOfType(List<Block> blocks, BlockType<?> type) {
@@ -157,6 +163,16 @@ final class SceneBuilder {
         }
         checkCount(blocks, SceneLimits.MAX_LIGHTS, "lights");
         return lights;
+    }
+
+    private List<Dome> domes(List<Block> blocks) {
+        List<Dome> domes = new ArrayList<>();
+        for (Block block : blocks) {
+            checkUnique(blocksByName, block);
+            buildRecord(block, BlockTypes.DOME, List.of()).ifPresent(domes::add);
+        }
+        checkCount(blocks, SceneLimits.MAX_DOMES, "domes");
+        return domes;
     }
 
     private void checkCount(List<Block> blocks, int max, String label) {
@@ -279,8 +295,11 @@ final class SceneBuilder {
         boolean hasAllTextures = loadTextures(block, loadedTextures, unusable);
         Photometry profile = loadOptional(block, LightAttribute.PROFILE.name(), profiles::load, unusable);
         EnvironmentMap environment = loadOptional(block, World.ENVIRONMENT.name(),
-                name -> environments.load(name, note -> noteReduction(block, World.ENVIRONMENT.name(), note)),
+                name -> environments.load(name, environmentMaps, note -> noteReduction(block, World.ENVIRONMENT.name(), note)),
                 unusable);
+        if (environment != null) {
+            environmentMaps.add(environment);
+        }
         Mesh mesh = loadMesh(block);
         if (!problems.isEmpty() && (type.isNamed() && block.name.isEmpty()
                 || type.header().filter(p -> block.entry(p.name()) == null).isPresent()

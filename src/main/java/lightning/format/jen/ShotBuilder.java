@@ -56,7 +56,8 @@ record ShotBuilder(TokenList tokens, ProblemList problems, Scene scene) {
 
     static TrackTarget target(Block child) {
         return child.type == BlockTypes.CAMERA ? TrackTarget.CAMERA : child.type == BlockTypes.LIGHT ? TrackTarget.light(child.name)
-                : child.type == BlockTypes.LIGHT_GROUP ? TrackTarget.bank(child.name) : TrackTarget.node(child.name);
+                : child.type == BlockTypes.LIGHT_GROUP ? TrackTarget.bank(child.name)
+                : child.type == BlockTypes.DOME ? TrackTarget.dome(child.name) : TrackTarget.node(child.name);
     }
 
     private boolean exists(Block child) {

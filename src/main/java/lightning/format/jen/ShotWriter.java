@@ -47,6 +47,7 @@ record ShotWriter(Scene scene, String newline) {
             case CAMERA -> BlockTypes.CAMERA;
             case LIGHT -> BlockTypes.LIGHT;
             case LIGHT_GROUP -> BlockTypes.LIGHT_GROUP;
+            case DOME -> BlockTypes.DOME;
             case NODE -> switch (scene.stage().node(target.name()).orElseThrow()) {
                 case NodeGroup _ -> BlockTypes.GROUP;
                 case Shape s -> BlockTypes.of(s.solid());

@@ -65,7 +65,7 @@ sealed interface Layer {
                 layers.add(new OfLights(s, set, part));
             }
         }
-        if (passesLight || settings.isPresent() && scene.world().environment().isEmpty()) {
+        if (passesLight || settings.isPresent() && !scene.world().hasEnvironment()) {
             layers.add(new Gathered());
         }
         layers.add(new Reflections());

@@ -13,7 +13,7 @@ import lightning.scene.light.Light;
 /**
  * Lights that share layers: one light, a light group, or an environment.
  *
- * @param name          name of the light or group; {@link #ENVIRONMENT} for the environment
+ * @param name          name of the light or group; {@link #ENVIRONMENT} for all environments together
  * @param lights        names of its lights; empty for an environment
  * @param isEnvironment whether it is the environment: its small bright parts, which are lights, and the rest of it
  */
@@ -42,7 +42,7 @@ record LightSet(String name, Set<String> lights, boolean isEnvironment) {
             }
         }
         members.forEach((group, lights) -> sets.add(new LightSet(group, Set.copyOf(lights), false)));
-        if (scene.world().environment().isPresent()) {
+        if (scene.world().hasEnvironment()) {
             sets.add(new LightSet(ENVIRONMENT, Set.of(), true));
         }
         return sets;

@@ -68,6 +68,9 @@ public final class PovScene {
                     .append(scene.world().intensity())
                     .append("\n}\n");
         });
+        if (scene.world().domes().stream().anyMatch(d -> d.on() && d.image().isPresent())) {
+            warnings.add("domes are exported as sample lights, their images are left out");
+        }
         if (scene.picture().indirect().isPresent()) {
             warnings.add("indirect light is left out");
         }

@@ -15,7 +15,8 @@ public final class LightWeights {
     public static float[] of(Scene scene, Scene base, String name) {
         Light light = scene.light(name).orElse(null);
         if (light == null) {
-            double share = scene.rig().isEnvironmentActive() ? scene.world().intensity() / base.world().intensity() : 0;
+            double ratio = scene.rig().isEnvironmentActive() ? base.world().intensityRatio(scene.world()) : 0;
+            double share = Double.isFinite(ratio) ? ratio : 0;
             return new float[] {(float) share, (float) share, (float) share};
         }
         if (!scene.isActive(light)) {
@@ -56,6 +57,6 @@ public final class LightWeights {
             changed = changed.withRig(changed.rig()
                     .with(group.withOn(true).withSolo(false).withIntensity(intensity.applyAsDouble(group.intensity()))));
         }
-        return changed.withWorld(changed.world().withSolo(false).withIntensity(intensity.applyAsDouble(scene.world().intensity())));
+        return changed.withWorld(changed.world().withSolo(false).mapIntensities(intensity));
     }
 }

@@ -62,7 +62,7 @@ final class LookFaders {
         Scene neutral = LightWeights.neutral(scene.withRig(LightRig.of(lights, groups)));
         // Without light of the environment its background shows, whose brightness is the intensity.
         return shining.contains(LightContributions.ENVIRONMENT) ? neutral
-                : neutral.withWorld(neutral.world().withIntensity(scene.world().intensity()));
+                : neutral.withWorld(neutral.world().withIntensitiesOf(scene.world()));
     }
 
     private ObjectNode json(Set<String> shining) {
@@ -107,7 +107,8 @@ final class LookFaders {
     private double[] ratios(String name) {
         Optional<Light> light = look.light(name);
         if (light.isEmpty()) {
-            double ratio = ratio(look.world().intensity(), page.world().intensity());
+            double ratio = page.world().intensityRatio(look.world());
+            fits &= Double.isFinite(ratio);
             return new double[] {ratio, ratio, ratio};
         }
         Light ofPage = page.light(name).orElseThrow();

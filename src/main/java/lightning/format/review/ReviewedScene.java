@@ -32,7 +32,7 @@ public record ReviewedScene(Scene scene, List<String> notes) {
             Optional<Light> light = changed.light(change.name());
             if (light.isPresent()) {
                 changed = changed.withLight(changed(light.get(), change));
-            } else if (change.name().equals(LightContributions.ENVIRONMENT) && scene.world().environment().isPresent()) {
+            } else if (change.name().equals(LightContributions.ENVIRONMENT) && scene.world().hasEnvironment()) {
                 changed = changed.withWorld(changed(changed.world(), change));
             } else {
                 notes.add(Messages.tr("there is no light {0} any more; its change was left out", Quote.of(change.name())));
@@ -72,8 +72,8 @@ public record ReviewedScene(Scene scene, List<String> notes) {
 
     private static World changed(World world, Review.LightChange change) {
         boolean isOn = !change.mute() && change.stops().isPresent();
-        double intensity = isOn ? world.intensity() * Math.pow(2, change.stops().orElseThrow()) : 0;
-        return world.withIntensity(Math.min(intensity, SceneLimits.MAX_GROUP_INTENSITY)).withSolo(change.solo());
+        double factor = isOn ? Math.pow(2, change.stops().orElseThrow()) : 0;
+        return world.mapIntensities(intensity -> Math.min(intensity * factor, SceneLimits.MAX_GROUP_INTENSITY)).withSolo(change.solo());
     }
 
     private static LightGroup changed(LightGroup group, Review.GroupChange change) {

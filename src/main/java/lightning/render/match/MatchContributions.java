@@ -93,14 +93,14 @@ public final class MatchContributions {
     }
 
     private static World withoutDome(World world) {
-        return world.withIntensity(1).withDome(World.DEFAULT.dome());
+        return world.mapIntensities(_ -> 1).withDome(World.DEFAULT.dome());
     }
 
     /** Returns the factors of red, green and blue of a light or the environment; not finite if they are unknown. */
     private double[] factors(Scene edited, String name) {
         Optional<Light> light = scene.light(name);
         if (light.isEmpty()) {
-            double factor = ratio(scene.world().intensity(), edited.world().intensity());
+            double factor = scene.world().intensityRatio(edited.world());
             return edited.world().dome().equals(scene.world().dome()) ? new double[] {factor, factor, factor} : UNKNOWN;
         }
         Light before = scene.rig().effectiveLight(light.get());

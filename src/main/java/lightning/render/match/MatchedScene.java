@@ -3,7 +3,6 @@ package lightning.render.match;
 import lightning.base.math.Rgb;
 import lightning.render.relight.LightContributions;
 import lightning.scene.Scene;
-import lightning.scene.World;
 import lightning.scene.light.Light;
 import lightning.scene.value.SceneLimits;
 
@@ -21,9 +20,8 @@ public final class MatchedScene {
                 .withWorld(scene.world().withRotation(moved.world().rotation()))).orElse(scene);
         for (LightFactor factor : result.factors()) {
             if (factor.light().equals(LightContributions.ENVIRONMENT) && scene.light(factor.light()).isEmpty()) {
-                World world = matched.world();
-                matched =
-                        matched.withWorld(world.withIntensity(Math.min(SceneLimits.MAX_GROUP_INTENSITY, world.intensity() * factor.red())));
+                matched = matched.withWorld(matched.world()
+                        .mapIntensities(intensity -> Math.min(SceneLimits.MAX_GROUP_INTENSITY, intensity * factor.red())));
             } else {
                 Light light = matched.light(factor.light()).orElseThrow();
                 matched = matched.withLight(multiplied(light, factor));

@@ -65,7 +65,7 @@ final class BruteForceGather {
         batch = new RayBatch(geometry, scene, tracer);
         shader = new HitShader(scene, geometry, engine, tracer);
         background = BackgroundLight.of(scene);
-        hasEnvironment = scene.world().environment().isPresent();
+        hasEnvironment = scene.world().hasEnvironment();
     }
 
     /**

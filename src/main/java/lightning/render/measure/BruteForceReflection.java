@@ -149,7 +149,7 @@ final class BruteForceReflection {
 
     /** Adds to the direct light of what rays meet that of the environment, by one random ray of each. */
     private void gatherSky(HitRows rows, SplittableRandom random) {
-        if (scene.world().environment().isEmpty()) {
+        if (!scene.world().hasEnvironment()) {
             return;
         }
         for (int row = 0; row < rows.count; row++) {
@@ -171,7 +171,7 @@ final class BruteForceReflection {
     }
 
     private float[] sky(int ray) {
-        return scene.world().environment().isPresent()
+        return scene.world().hasEnvironment()
                 ? background.from(batch.directionX[ray], batch.directionY[ray], batch.directionZ[ray])
                 : new float[] {(float) background.seen().r(), (float) background.seen().g(), (float) background.seen().b()};
     }

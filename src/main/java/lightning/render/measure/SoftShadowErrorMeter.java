@@ -1,6 +1,5 @@
 package lightning.render.measure;
 
-import java.util.Optional;
 import lightning.base.work.Progress;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
@@ -42,7 +41,7 @@ public final class SoftShadowErrorMeter implements AutoCloseable {
      */
     public SoftShadowErrorMeter(Scene scene, RenderOptions options, Progress progress) {
         this.scene = scene.withPicture(scene.picture().withSampling(SamplingSettings.DEFAULT)).withoutIndirect()
-                .withWorld(scene.world().withEnvironment(Optional.empty()));
+                .withWorld(scene.world().withoutEnvironments());
         renderer = new Renderer(options);
         reference = new double[scene.picture().width() * scene.picture().height()];
         Scene densest = new SweptSetting.LightSamples(SceneLimits.MAX_LIGHT_SAMPLES).applyTo(this.scene);

@@ -46,7 +46,7 @@ public final class IndirectByLight {
      * Returns the indirect light of some lights, of mirrors those with the same names.
      *
      * @param picture picture of this indirect light
-     * @param light   index of a light of the scene; the first light of the environment stands for all of them
+     * @param light   index of a light of the scene; the first light of an environment stands for all of its lights
      * @throws java.util.concurrent.CancellationException if {@code progress} requested cancellation
      */
     Solution of(PixelCache picture, int light, Progress progress) {
@@ -64,28 +64,36 @@ public final class IndirectByLight {
     private static Solution solve(PixelCache picture, int light, Progress progress) {
         Scene scene = picture.scene();
         String name = light < scene.lights().size() ? scene.lights().get(light).name() : null;
+        int environment = scene.rig().environmentStartingAt(light);
         try (var workers = new WorkerPool(1)) {
-            float[][] shown = solve(picture.indirect(), picture.geometry(), scene, name, workers, progress);
+            float[][] shown = solve(picture.indirect(), picture.geometry(), scene, name, environment, workers, progress);
             return new Solution(shown, picture.hasSameIndirectInMirrors() ? shown
-                    : solve(picture.mirrored().indirect(), picture.mirroredGeometry(), picture.mirrored().scene(), name, workers,
+                    : solve(picture.mirrored().indirect(), picture.mirroredGeometry(), picture.mirrored().scene(), name, environment,
+                            workers,
                             progress));
         }
     }
 
-    /** @param name name of a light; null for those of the environment */
+    /**
+     * @param name        name of a light; null for those of an environment
+     * @param environment number of the environment
+     */
     private static float @Nullable [][] solve(@Nullable IndirectCache indirect, Geometry geometry, Scene scene, @Nullable String name,
+            int environment,
             WorkerPool workers, Progress progress) {
         if (indirect == null) {
             return null;
         }
         WeightedLight[] lights = WeightedLight.ofScene(scene);
         int named = scene.lights().size();
+        boolean exists = environment >= 0 && environment < scene.rig().environmentCount();
+        int start = exists ? scene.rig().environmentStart(environment) : lights.length;
+        int end = exists ? scene.rig().environmentStart(environment + 1) : lights.length;
         for (int l = 0; l < lights.length; l++) {
-            boolean isIncluded = name == null ? l >= named : l < named && scene.lights().get(l).name().equals(name);
+            boolean isIncluded = name == null ? l >= start && l < end : l < named && scene.lights().get(l).name().equals(name);
             lights[l] = isIncluded ? lights[l] : lights[l].darkened();
         }
-        BackgroundLight background =
-                name == null && scene.world().environment().isPresent() ? BackgroundLight.of(scene) : BackgroundLight.NONE;
+        BackgroundLight background = exists ? BackgroundLight.of(scene, environment) : BackgroundLight.NONE;
         if (Arrays.stream(lights).allMatch(WeightedLight::isDark) && background.equals(BackgroundLight.NONE)) {
             return indirect.structure().noLight();
         }

@@ -21,7 +21,7 @@ import lightning.scene.light.Light;
  * rendered as an edit, which only composes, except for finer samples at the light's edges.
  *
  * @param lights            one contribution for each light of the scene, in its order
- * @param environment       contribution of the environment including its visible background, if the scene has one; its shares are
+ * @param environment       contribution of all environments including their visible background, if the scene has any; its shares are
  *                          the losses without it
  * @param idleLights        lights that shine, but change the display color of no pixel when all of them are off
  * @param changeWhenIdleOff change of the picture when all of these are off
@@ -110,12 +110,12 @@ public record LightContributions(List<LightContribution> lights, Optional<LightC
             Progress progress) {
         Scene scene = cache.scene();
         Film picture = cache.film();
-        if (scene.world().environment().isEmpty()) {
+        if (!scene.world().hasEnvironment()) {
             return Optional.empty();
         }
         Film filmOff = LightShares.withoutEnvironment(renderer, cache, progress);
         return Optional
-                .of(new LightContribution(ENVIRONMENT, scene.world().intensity() > 0,
+                .of(new LightContribution(ENVIRONMENT, scene.world().environments().stream().anyMatch(e -> e.on() && e.intensity() > 0),
                         LightShares.ofLoss(filmOff, picture, Region.ofFilm(picture)),
                         LightShares.ofLoss(filmOff, picture, region), LightContribution.FilmChange.between(picture, filmOff, view)));
     }

@@ -27,7 +27,7 @@ public final class LightFilms {
 
     /** Returns the names of all lights that shine, in the scene's order; the environment comes last. */
     public static List<String> names(Scene scene) {
-        boolean hasEnvironment = scene.rig().isEnvironmentActive() && scene.world().lightIntensity() > 0;
+        boolean hasEnvironment = scene.rig().isEnvironmentActive() && scene.world().hasEnvironmentLight();
         return Stream.concat(scene.lights().stream().filter(scene::isActive).map(Light::name),
                 hasEnvironment ? Stream.of(LightContributions.ENVIRONMENT) : Stream.empty()).toList();
     }

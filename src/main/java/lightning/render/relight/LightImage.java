@@ -4,7 +4,6 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BiFunction;
 import lightning.base.math.Rgb;
@@ -62,12 +61,12 @@ public final class LightImage {
 
     /** Returns a world without light of its own; an environment stays, and is dark. */
     private static World unlit(World world) {
-        return world.withAmbience(0).withBackground(Rgb.BLACK).withIntensity(0).withFog(world.fog().withAmbient(Rgb.BLACK));
+        return world.withAmbience(0).withBackground(Rgb.BLACK).mapIntensities(_ -> 0).withFog(world.fog().withAmbient(Rgb.BLACK));
     }
 
     /** Returns the world by whose values a contribution is composed: without the dark environment, whose colors would need ray directions. */
     public static World darkWorld(World world) {
-        return unlit(world).withEnvironment(Optional.empty());
+        return unlit(world).withoutEnvironments();
     }
 
     /** Returns the scene by whose values a contribution is composed, with its {@link #darkWorld}. */

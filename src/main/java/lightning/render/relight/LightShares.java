@@ -1,12 +1,15 @@
 package lightning.render.relight;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.stream.IntStream;
 import lightning.base.work.Progress;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.EnvironmentLayer;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 
@@ -17,10 +20,10 @@ import lightning.scene.light.Light;
  *
  * @param scene       scene of the picture
  * @param lights      share of each light, in the scene's order; {@code double[lights]}
- * @param environment share of the environment; 0 if the scene has none
+ * @param environments share of each environment, in the scene's order; {@code double[environments]}
  */
-public record LightShares(Scene scene, double[] lights, double environment) {
-    // Immutable by convention: the array is written only before construction.
+public record LightShares(Scene scene, double[] lights, double[] environments) {
+    // Immutable by convention: the arrays are written only before construction.
 
     /**
      * Composes the shares from a cache. Casts no ray, except for finer samples where the environment has an edge.
@@ -43,8 +46,11 @@ public record LightShares(Scene scene, double[] lights, double environment) {
                     shares[l] = ofContribution(renderer.lightImage(light.name(), progress.cancellationOnly()), cache.film(), all);
                 }
             }
-            return new LightShares(scene, shares, scene.world().environment().isEmpty() ? 0
-                    : ofLoss(withoutEnvironment(renderer, cache, progress.cancellationOnly()), cache.film(), all));
+            double[] environments = new double[scene.rig().environmentCount()];
+            for (int e = 0; e < environments.length; e++) {
+                environments[e] = ofLoss(withoutEnvironment(renderer, cache, e, progress.cancellationOnly()), cache.film(), all);
+            }
+            return new LightShares(scene, shares, environments);
         }
     }
 
@@ -55,7 +61,7 @@ public record LightShares(Scene scene, double[] lights, double environment) {
      * @return empty if the scenes differ in other ways, or if a light was dark
      */
     public Optional<LightShares> scaledTo(Scene edited) {
-        if (!LightValues.areOnlyDifference(scene, edited) || scene.rig().isEnvironmentActive() != edited.rig().isEnvironmentActive()) {
+        if (!LightValues.areOnlyDifference(scene, edited) || !hasSameActiveEnvironments(edited)) {
             return Optional.empty();
         }
         List<Light> before = scene.rig().effectiveLights();
@@ -70,13 +76,28 @@ public record LightShares(Scene scene, double[] lights, double environment) {
             scaled[l] = factor * lights[l];
             total += scaled[l] - lights[l];
         }
-        double ofEnvironment = environment == 0 ? 0 : environment * edited.world().intensity() / scene.world().intensity();
-        total += ofEnvironment - environment;
-        for (int l = 0; l < scaled.length; l++) {
-            scaled[l] = total > 0 ? scaled[l] / total : 0;
+        List<EnvironmentLayer> layersBefore = scene.world().environments();
+        List<EnvironmentLayer> layersAfter = edited.world().environments();
+        double[] scaledEnvironments = new double[environments.length];
+        for (int e = 0; e < environments.length; e++) {
+            scaledEnvironments[e] =
+                    environments[e] == 0 ? 0 : environments[e] * layersAfter.get(e).intensity() / layersBefore.get(e).intensity();
+            if (!Double.isFinite(scaledEnvironments[e])) {
+                return Optional.empty();
+            }
+            total += scaledEnvironments[e] - environments[e];
         }
-        return Double.isFinite(ofEnvironment) ? Optional.of(new LightShares(edited, scaled, total > 0 ? ofEnvironment / total : 0))
-                : Optional.empty();
+        return Optional.of(new LightShares(edited, normalized(scaled, total), normalized(scaledEnvironments, total)));
+    }
+
+    private static double[] normalized(double[] shares, double total) {
+        return Arrays.stream(shares).map(share -> total > 0 ? share / total : 0).toArray();
+    }
+
+    private boolean hasSameActiveEnvironments(Scene edited) {
+        int count = scene.rig().environmentCount();
+        return edited.rig().environmentCount() == count && IntStream.range(0, count)
+                .allMatch(i -> scene.rig().isEnvironmentActive(i) == edited.rig().isEnvironmentActive(i));
     }
 
     /** Returns the factor of a light's contribution; infinite if it is unknown. */
@@ -98,13 +119,30 @@ public record LightShares(Scene scene, double[] lights, double environment) {
         return whole > 0 ? (whole - region.luminance(without)) / whole : 0;
     }
 
-    /** Renders the picture without its environment; lights that its solo darkens stay dark. */
+    /** Renders the picture without its environments; lights that a solo darkens stay dark. */
     static Film withoutEnvironment(Renderer renderer, PixelCache cache, Progress progress) {
         Scene scene = cache.scene();
         renderer.restore(cache);
-        renderer.render(scene.withLights(scene.lights().stream().map(l -> scene.isActive(l) ? l : l.withOn(false)).toList())
-                .withWorld(scene.world().withIntensity(0)), progress);
+        renderer.render(withActiveLights(scene).withWorld(scene.world().mapIntensities(_ -> 0)), progress);
         return renderer.film();
+    }
+
+    /** Renders the picture without one of its environments. */
+    private static Film withoutEnvironment(Renderer renderer, PixelCache cache, int index, Progress progress) {
+        Scene scene = cache.scene();
+        renderer.restore(cache);
+        renderer.render(withActiveLights(scene).withWorld(scene.world().withDarkEnvironment(index)), progress);
+        return renderer.film();
+    }
+
+    /** Returns the scene whose lights that a solo darkens are off. */
+    private static Scene withActiveLights(Scene scene) {
+        return scene.withLights(scene.lights().stream().map(l -> scene.isActive(l) ? l : l.withOn(false)).toList());
+    }
+
+    /** Returns the share of all environments. */
+    public double environment() {
+        return Arrays.stream(environments).sum();
     }
 
     /** Returns the summed shares of several lights. */

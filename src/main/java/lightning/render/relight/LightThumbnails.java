@@ -5,6 +5,7 @@ import static java.util.Objects.requireNonNull;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import lightning.base.work.Progress;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.FineSamples;
@@ -126,8 +127,9 @@ public final class LightThumbnails {
             y0 = y1;
         }
         for (int l = 0; l < top.length; l++) {
-            // The first light of the environment has the indirect light of all of them.
-            levels.setIndirect(indirect == null || l > cache.scene().lights().size() ? IndirectByLight.Solution.NONE
+            // The first light of an environment has the indirect light of all of its lights.
+            boolean isFirst = l < cache.scene().lights().size() || cache.scene().rig().environmentStartingAt(l) >= 0;
+            levels.setIndirect(indirect == null || !isFirst ? IndirectByLight.Solution.NONE
                     : indirect.of(cache, l, progress));
             levels.render(l, shares.lightImages[l]);
         }
@@ -412,13 +414,22 @@ public final class LightThumbnails {
         return sum;
     }
 
-    /** Returns the contribution of the environment as a light, in the layout of {@link #image}. */
+    /** Returns the contribution of all environments as lights, in the layout of {@link #image}. */
     public float[] environmentImage() {
         float[] sum = new float[image.length];
         for (int l = scene.lights().size(); l < lightImages.length; l++) {
             add(lightImages[l], sum);
         }
         return sum;
+    }
+
+    /**
+     * Returns the contribution of one environment as a light, in the layout of {@link #image}.
+     *
+     * @param index number of the environment in the scene
+     */
+    public float[] environmentImage(int index) {
+        return sumOfLights(IntStream.range(scene.rig().environmentStart(index), scene.rig().environmentStart(index + 1)).toArray());
     }
 
     private static void add(float[] values, float[] to) {

@@ -10,11 +10,11 @@ public final class LightValues {
 
     /**
      * Returns whether nothing but values of lights differ: colors, intensities, exposures, temperatures, whether they are on or solo, and the
-     * intensity of the environment.
+     * intensities of the environments.
      */
     public static boolean areOnlyDifference(Scene a, Scene b) {
         return b.camera().equals(a.camera()) && b.picture().equals(a.picture()) && b.stage().equals(a.stage())
-                && a.world().withIntensity(b.world().intensity()).equals(b.world()) && areOnlyDifference(a.rig().effectiveLights(),
+                && a.world().withIntensitiesOf(b.world()).equals(b.world()) && areOnlyDifference(a.rig().effectiveLights(),
                         b.rig().effectiveLights());
     }
 

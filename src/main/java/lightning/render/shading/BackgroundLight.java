@@ -1,61 +1,83 @@
 package lightning.render.shading;
 
-import java.util.Optional;
+import java.util.ArrayList;
+import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.render.gather.cell.DirectionCells;
 import lightning.render.gather.cell.SkyCells;
+import lightning.scene.EnvironmentLayer;
 import lightning.scene.GatherSettings;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
-import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.value.DomeRotation;
 import lightning.scene.value.SceneLimits;
 
 /**
- * Light of gathering rays that leave the scene: that of an environment without its small bright parts, which are lights, or that of the
- * background.
+ * Light of gathering rays that leave the scene: the sum of all environments without their small bright parts, which are lights, or that of
+ * the background.
  *
- * @param color     linear color of all directions; black with an environment
- * @param map       environment; empty for none, or if it does not light the scene
- * @param rotation  rotation of the environment
- * @param intensity factor of the environment's light
- * @param seen      linear color that blurred reflections see without an environment; black if there are none
+ * @param color  linear color of all directions; black with an environment
+ * @param layers environments that light the scene; empty if none does
+ * @param seen   linear color that blurred reflections see without an environment; black if there are none
  */
-public record BackgroundLight(Rgb color, Optional<EnvironmentMap> map, DomeRotation rotation, double intensity, Rgb seen) {
-    public static final BackgroundLight NONE = new BackgroundLight(Rgb.BLACK, Optional.empty(), DomeRotation.NONE, 0, Rgb.BLACK);
+public record BackgroundLight(Rgb color, List<Layer> layers, Rgb seen) {
+    public static final BackgroundLight NONE = new BackgroundLight(Rgb.BLACK, List.of(), Rgb.BLACK);
+
+    /**
+     * One environment.
+     *
+     * @param rotation  rotation of the image
+     * @param intensity factor of its light
+     */
+    public record Layer(EnvironmentMap map, DomeRotation rotation, double intensity) {
+        private Layer forEdges() {
+            return new Layer(map, rotation, LightWeight.nearestPowerOfTwo((float) intensity));
+        }
+    }
 
     /** Returns the light of a scene's background. */
     public static BackgroundLight of(Scene scene) {
         World world = scene.world();
-        Optional<Environment> environment = world.environment();
-        if (environment.isPresent()) {
-            return scene.rig().isEnvironmentActive()
-                    ? new BackgroundLight(Rgb.BLACK, environment.map(Environment::map), world.dome(), world.lightIntensity(),
-                            Rgb.BLACK)
-                    : NONE;
+        List<EnvironmentLayer> environments = world.environments();
+        if (environments.stream().anyMatch(EnvironmentLayer::on)) {
+            List<Layer> layers = new ArrayList<>();
+            for (int i = 0; i < environments.size(); i++) {
+                EnvironmentLayer environment = environments.get(i);
+                if (scene.rig().isEnvironmentActive(i)) {
+                    layers.add(new Layer(environment.map(), environment.rotation(), environment.lightIntensity()));
+                }
+            }
+            return new BackgroundLight(Rgb.BLACK, List.copyOf(layers), Rgb.BLACK);
         }
         boolean isLit = scene.picture().indirect().map(IndirectSettings::background).orElse(false);
         boolean isSeen = GatherSettings.of(scene).map(GatherSettings::reflections).orElse(false);
-        return new BackgroundLight(isLit ? world.background() : Rgb.BLACK, Optional.empty(), DomeRotation.NONE, 0,
-                isSeen ? world.background() : Rgb.BLACK);
+        return new BackgroundLight(isLit ? world.background() : Rgb.BLACK, List.of(), isSeen ? world.background() : Rgb.BLACK);
+    }
+
+    /** Returns the light of one environment of a scene; {@link #NONE} if it does not light the scene, or the scene does not have it. */
+    public static BackgroundLight of(Scene scene, int environment) {
+        if (environment >= scene.rig().environmentCount() || !scene.rig().isEnvironmentActive(environment)) {
+            return NONE;
+        }
+        EnvironmentLayer layer = scene.world().environments().get(environment);
+        return new BackgroundLight(Rgb.BLACK, List.of(new Layer(layer.map(), layer.rotation(), layer.lightIntensity())), Rgb.BLACK);
     }
 
     /** Returns this light as edge detection sees it, as {@link WeightedLight#forEdges}. */
     public BackgroundLight forEdges() {
-        return map.isEmpty() ? this
-                : new BackgroundLight(color, map, rotation, LightWeight.nearestPowerOfTwo((float) intensity), seen);
+        return layers.isEmpty() ? this : new BackgroundLight(color, layers.stream().map(Layer::forEdges).toList(), seen);
     }
 
     /** Returns the light from a direction, red, green and blue, where it is not divided into cells. */
     public float[] from(double x, double y, double z) {
-        if (map.isEmpty()) {
+        if (layers.isEmpty()) {
             return new float[] {(float) color.r(), (float) color.g(), (float) color.b()};
         }
-        double[] radiance = new double[3];
-        map.get().smoothRadiance(x, y, z, rotation, radiance);
-        return new float[] {limited(radiance[0]), limited(radiance[1]), limited(radiance[2])};
+        float[] light = new float[3];
+        writeSum(x, y, z, new double[3], new double[3], light, 0);
+        return light;
     }
 
     /**
@@ -67,14 +89,12 @@ public record BackgroundLight(Rgb color, Optional<EnvironmentMap> map, DomeRotat
     void writeSky(float[] to, int at, int stride) {
         double[] direction = new double[3];
         double[] radiance = new double[3];
+        double[] sum = new double[3];
         for (int cell = 0; cell < SkyCells.COUNT; cell++) {
             int first = at + stride * cell;
-            if (map.isPresent()) {
+            if (!layers.isEmpty()) {
                 SkyCells.writeCenter(cell, direction);
-                map.get().smoothRadiance(direction[0], direction[1], direction[2], rotation, radiance);
-                for (int c = 0; c < 3; c++) {
-                    to[first + c] = limited(radiance[c]);
-                }
+                writeSum(direction[0], direction[1], direction[2], radiance, sum, to, first);
             } else {
                 to[first] = (float) seen.r();
                 to[first + 1] = (float) seen.g();
@@ -83,8 +103,28 @@ public record BackgroundLight(Rgb color, Optional<EnvironmentMap> map, DomeRotat
         }
     }
 
-    private float limited(double radiance) {
-        return (float) Math.min(radiance * intensity, SceneLimits.MAX_EMISSION);
+    /** Writes the sum of all environments in a direction, with two arrays as scratch memory. */
+    private void writeSum(double x, double y, double z, double[] radiance, double[] sum, float[] to, int first) {
+        for (int i = 0; i < layers.size(); i++) {
+            Layer layer = layers.get(i);
+            layer.map.smoothRadiance(x, y, z, layer.rotation, radiance);
+            add(sum, i == 0, radiance, layer.intensity);
+        }
+        for (int c = 0; c < 3; c++) {
+            to[first + c] = limited(sum[c]);
+        }
+    }
+
+    /** Adds a radiance times a factor to a sum, which the first one replaces: the sum of one keeps its bits. */
+    private static void add(double[] sum, boolean isFirst, double[] radiance, double factor) {
+        for (int i = 0; i < sum.length; i++) {
+            double light = radiance[i] * factor;
+            sum[i] = isFirst ? light : sum[i] + light;
+        }
+    }
+
+    private static float limited(double radiance) {
+        return (float) Math.min(radiance, SceneLimits.MAX_EMISSION);
     }
 
     /**
@@ -94,9 +134,19 @@ public record BackgroundLight(Rgb color, Optional<EnvironmentMap> map, DomeRotat
      */
     public float[] cells(int misses) {
         float[] light = new float[3 * misses];
-        double[] mean = map.isPresent() && misses > 1 ? EnvironmentCells.means(map.get().smoothGrid(), rotation) : null;
+        if (layers.isEmpty() || misses == 1) {
+            for (int i = 0; i < light.length; i++) {
+                light[i] = (float) (i % 3 == 0 ? color.r() : i % 3 == 1 ? color.g() : color.b());
+            }
+            return light;
+        }
+        double[] sum = new double[light.length];
+        for (int i = 0; i < layers.size(); i++) {
+            Layer layer = layers.get(i);
+            add(sum, i == 0, EnvironmentCells.means(layer.map.smoothGrid(), layer.rotation), layer.intensity);
+        }
         for (int i = 0; i < light.length; i++) {
-            light[i] = mean != null ? limited(mean[i]) : (float) (i % 3 == 0 ? color.r() : i % 3 == 1 ? color.g() : color.b());
+            light[i] = limited(sum[i]);
         }
         return light;
     }

@@ -7,21 +7,21 @@ import lightning.render.trace.CameraRays;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
+import lightning.scene.EnvironmentLayer;
 import lightning.scene.Scene;
 import lightning.scene.World;
-import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.value.SceneLimits;
-import org.jspecify.annotations.Nullable;
 
 /**
- * Shades rays that hit nothing with the background or the environment map. No row exists for them, so their directions are
+ * Shades rays that hit nothing with the background or the sum of the environments. No row exists for them, so their directions are
  * recomputed with the bits of the original rays.
  */
 public final class BackgroundShader {
     private final double pixelAngle;
     private final double[] direction = new double[3];
     private final double[] color = new double[3];
+    private final double[] sum = new double[3];
 
     /** @param scene scene whose camera and size tell how wide pixels are, so how fine the environment is seen */
     public BackgroundShader(Scene scene) {
@@ -31,25 +31,33 @@ public final class BackgroundShader {
     /** Returns the color in a unit direction, {@code float[3]}. */
     public static float[] color(Scene scene, Vec3 direction) {
         float[][] to = new float[3][1];
-        new BackgroundShader(scene).shade(scene.world(), map(scene.world()), direction.x(), direction.y(), direction.z(), to, 0);
+        new BackgroundShader(scene).shade(scene.world(), environments(scene.world()), direction.x(), direction.y(), direction.z(), to, 0);
         return new float[] {to[0][0], to[1][0], to[2][0]};
     }
 
-    /** Returns the map of the environment, or null if there is none. A sky is looked up, so callers do this once for many rays. */
-    private static @Nullable EnvironmentMap map(World world) {
-        return world.environment().map(Environment::map).orElse(null);
+    /** Returns the environments that are visible. A sky is looked up, so callers do this once for many rays. */
+    private static EnvironmentLayer[] environments(World world) {
+        return world.environments().stream().filter(EnvironmentLayer::on).toArray(EnvironmentLayer[]::new);
     }
 
-    private void shade(World world, @Nullable EnvironmentMap map, double x, double y, double z, float[][] to, int i) {
-        if (map == null) {
+    private void shade(World world, EnvironmentLayer[] environments, double x, double y, double z, float[][] to, int i) {
+        if (environments.length == 0) {
             to[0][i] = (float) world.background().r();
             to[1][i] = (float) world.background().g();
             to[2][i] = (float) world.background().b();
             return;
         }
-        map.radiance(x, y, z, world.dome(), map.detailLevel(pixelAngle), color);
+        for (int e = 0; e < environments.length; e++) {
+            EnvironmentLayer environment = environments[e];
+            EnvironmentMap map = environment.map();
+            map.radiance(x, y, z, environment.rotation(), map.detailLevel(pixelAngle), color);
+            for (int c = 0; c < 3; c++) {
+                double radiance = color[c] * environment.intensity();
+                sum[c] = e == 0 ? radiance : sum[c] + radiance;
+            }
+        }
         for (int c = 0; c < 3; c++) {
-            to[c][i] = (float) Math.min(color[c] * world.intensity(), SceneLimits.MAX_EMISSION);
+            to[c][i] = (float) Math.min(sum[c], SceneLimits.MAX_EMISSION);
         }
     }
 
@@ -59,8 +67,8 @@ public final class BackgroundShader {
             return;
         }
         World world = scene.world();
-        EnvironmentMap map = map(world);
-        if (map == null) {
+        EnvironmentLayer[] environments = environments(world);
+        if (environments.length == 0) {
             fill(world, to, to[0].length);
             return;
         }
@@ -75,21 +83,21 @@ public final class BackgroundShader {
         for (int i = 0; i < places.count(); i++) {
             if (!hit[i]) {
                 camera.writeDirection(places.x(i), places.y(i), dx, dy, dz, 0);
-                shade(world, map, dx[0], dy[0], dz[0], to, i);
+                shade(world, environments, dx[0], dy[0], dz[0], to, i);
             }
         }
     }
 
     /** Fills the background of the rays that bounce from a level's rows; rows without such a ray stay undefined. */
     public void shadeBounceRays(HitRows above, BounceKind bounce, MaterialTable materials, World world, float[][] to) {
-        EnvironmentMap map = map(world);
-        if (map == null) {
+        EnvironmentLayer[] environments = environments(world);
+        if (environments.length == 0) {
             fill(world, to, bounce.rowCount(above));
             return;
         }
         for (int i = 0; i < bounce.rowCount(above); i++) {
             if (bounce.writeDirection(above, i, materials, direction)) {
-                shade(world, map, direction[0], direction[1], direction[2], to, i);
+                shade(world, environments, direction[0], direction[1], direction[2], to, i);
             }
         }
     }

@@ -47,6 +47,11 @@ public final class EnvironmentDetail {
         return (long) (BYTES_PER_PIXEL * pixels);
     }
 
+    /** Returns its memory in bytes. */
+    long bytes() {
+        return bytes((long) levels.getFirst().width * levels.getFirst().height);
+    }
+
     /**
      * Sets a pixel.
      *

@@ -72,6 +72,11 @@ public final class EnvironmentMap {
         sunCosine = sun == null ? 1 : Transform.cosDegrees(sun.radius());
     }
 
+    /** Returns the memory of its pixels in bytes. */
+    public long bytes() {
+        return (long) Float.BYTES * rgb.length + (detail == null ? 0 : detail.bytes());
+    }
+
     public int width() {
         return width;
     }

@@ -5,9 +5,11 @@ import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.base.text.Messages;
+import lightning.scene.Dome;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
+import lightning.scene.asset.Environment;
 import lightning.scene.light.Light;
 import lightning.scene.material.Material;
 import lightning.scene.node.Shape;
@@ -54,6 +56,12 @@ record EffectUsers(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
         boolean[] lit = scene.stage().linkMask(light.illuminates());
         return IntStream.range(0, entries.length)
                 .anyMatch(i -> entries[i] > 0 && gains.entries().get(entries[i] - 1).gain() != 1 && lit[i]);
+    }
+
+    /** Returns the file of the world's environment and the names of the domes that are on. */
+    Stream<String> environments() {
+        return Stream.concat(scene.world().environment().stream().map(Environment::file),
+                scene.world().domes().stream().filter(d -> d.on() && d.image().isPresent()).map(Dome::name));
     }
 
     /** Returns the names of light groups that change any light. */

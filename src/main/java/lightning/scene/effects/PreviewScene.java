@@ -1,14 +1,19 @@
 package lightning.scene.effects;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.WeakHashMap;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.scene.EnvironmentLayer;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 import lightning.scene.World;
-import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentLight;
+import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.material.Material;
@@ -40,9 +45,8 @@ public final class PreviewScene {
     private @Nullable Stage stage;
     private @Nullable Stage previewStage;
     private boolean isSharpShown;
-    private List<EnvironmentLight> environmentLights = List.of();
-    /** Maximum brightness of a white diffuse surface lit by these lights, over the orientations toward each light. */
-    private double maxBrightness;
+    /** Maximum brightness of a white diffuse surface lit by the lights of an environment, over the orientations toward each light. */
+    private final Map<EnvironmentMap, Double> maxBrightness = new WeakHashMap<>();
 
     /**
      * Scene and effects of a preview.
@@ -75,20 +79,26 @@ public final class PreviewScene {
     }
 
     Scene of(Scene scene) {
-        World world = scene.world();
-        Scene dimmed = world.environment().map(e -> withLights(scene, dim(world, e))).orElse(scene);
+        List<EnvironmentLayer> environments = scene.world().environments();
+        Scene dimmed = environments.isEmpty() ? scene : withLights(scene, environments);
         Scene shown = showsReflections(scene) ? dimmed.withPicture(scene.picture().withDepth(depth(scene))) : dimmed;
         return shown.withStage(withoutHiddenReflections(scene));
     }
 
-    /** Replaces the light of an environment, but not its image, by lights: a preview gathers no light. */
-    private static Scene withLights(Scene scene, World dimmed) {
-        int count = Math.min(ENVIRONMENT_LIGHTS, SceneLimits.MAX_LIGHTS - scene.lights().size());
+    /** Replaces the light of environments, but not their images, by lights: a preview gathers no light. */
+    private Scene withLights(Scene scene, List<EnvironmentLayer> environments) {
+        double dimming = dimming(environments);
+        int count = Math.min(ENVIRONMENT_LIGHTS, SceneLimits.MAX_LIGHTS - scene.lights().size()) / environments.size();
         List<Light> lights = new ArrayList<>(scene.lights());
-        if (count > 0) {
-            lights.addAll(dimmed.approximateLights(count, scene::isNameUsed));
+        Set<String> names = new HashSet<>();
+        for (EnvironmentLayer environment : count > 0 ? environments : List.<EnvironmentLayer>of()) {
+            List<Light> added = environment.withGain(dimming * environment.gain())
+                    .approximateLights(count, name -> scene.isNameUsed(name) || names.contains(name));
+            added.forEach(light -> names.add(light.name()));
+            lights.addAll(added);
         }
-        return scene.withWorld(dimmed.withGain(0)).withLights(lights);
+        World world = scene.world();
+        return scene.withWorld(world.withGain(0).withDomes(world.domes().stream().map(d -> d.withGain(0)).toList())).withLights(lights);
     }
 
     private static int depth(Scene scene) {
@@ -129,17 +139,21 @@ public final class PreviewScene {
     }
 
     /**
-     * Dims the environment's light, not its image, so that white diffuse surfaces stay below 1. Without shadows, an interior that a window lights sparsely would
-     * receive light from the whole environment.
+     * Returns the factor of the environments' light, not of their images, by which white diffuse surfaces stay below 1. Without shadows, an
+     * interior that a window lights sparsely would receive light from the whole environment.
      */
-    private World dim(World world, Environment environment) {
-        List<EnvironmentLight> newLights = environment.map().lights(ENVIRONMENT_LIGHTS);
-        if (newLights != environmentLights) {
-            environmentLights = newLights;
-            maxBrightness = newLights.stream().mapToDouble(lamp -> brightness(lamp.direction(), newLights)).max().orElse(0);
+    private double dimming(List<EnvironmentLayer> environments) {
+        double total = 0;
+        for (EnvironmentLayer environment : environments) {
+            total += maxBrightness.computeIfAbsent(environment.map(), PreviewScene::maxBrightness) * environment.lightIntensity()
+                    / MAX_WHITE;
         }
-        double total = maxBrightness * world.lightIntensity() / MAX_WHITE;
-        return total > 0 ? world.withGain(Math.min(-Math.expm1(-total) / total, 1) * world.gain()) : world;
+        return total > 0 ? Math.min(-Math.expm1(-total) / total, 1) : 1;
+    }
+
+    private static double maxBrightness(EnvironmentMap map) {
+        List<EnvironmentLight> lights = map.lights(ENVIRONMENT_LIGHTS);
+        return lights.stream().mapToDouble(lamp -> brightness(lamp.direction(), lights)).max().orElse(0);
     }
 
     private static double brightness(Vec3 normal, List<EnvironmentLight> lights) {

@@ -12,7 +12,6 @@ import lightning.base.math.Rgb;
 import lightning.scene.AntialiasMode;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
-import lightning.scene.asset.Environment;
 import lightning.scene.light.Beam;
 import lightning.scene.light.Contribution;
 import lightning.scene.light.FaceVisibility;
@@ -135,8 +134,8 @@ public final class RenderEffect {
             register("antialiasing", "anti-aliasing", EffectUsers::supersampling, scene -> scene.withPicture(scene.picture()
                     .withSampling(new SamplingSettings(AntialiasMode.OFF, scene.picture().sampling().grid()))));
     public static final RenderEffect ENVIRONMENT =
-            register("environment", "environment", uses -> uses.scene().world().environment().stream().map(Environment::file),
-                    scene -> scene.withWorld(scene.world().withEnvironment(Optional.empty())), UnaryOperator.identity(), false);
+            register("environment", "environment", EffectUsers::environments,
+                    scene -> scene.withWorld(scene.world().withoutEnvironments()), UnaryOperator.identity(), false);
 
     public static final RenderEffect FOG = register("fog", "fog", EffectUsers::fog,
             scene -> scene.withWorld(scene.world().withFog(Fog.NONE)), UnaryOperator.identity(), false);

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
@@ -26,8 +27,8 @@ public final class LightRig {
     private final List<Light> lights;
     private final List<LightGroup> lightGroups;
     private final LightRigNames names;
-    /** Directional lights that represent the environment. */
-    private final List<Light> environmentLights;
+    /** Directional lights that represent each environment. */
+    private final List<List<Light>> environmentLights;
     /** Meters per scene unit. */
     private final double meters;
     /** Surfaces of the shapes that are lights, by the shapes' names. */
@@ -36,17 +37,17 @@ public final class LightRig {
     /** True if any light is solo and on, so that the others are dark. */
     private final boolean anySolo;
 
-    private LightRig(List<Light> lights, List<LightGroup> lightGroups, LightRigNames names, List<Light> sky, double meters,
+    private LightRig(List<Light> lights, List<LightGroup> lightGroups, LightRigNames names, List<List<Light>> skies, double meters,
             Map<String, ObjectSurface> surfaces) {
         this.lights = withoutSurfaces(lights);
         this.lightGroups = lightGroups;
         this.names = names;
-        this.environmentLights = sky;
+        this.environmentLights = skies;
         this.meters = meters;
         this.surfaces = surfaces;
         List<Light> resolved = this.lights.stream().allMatch(l -> effectiveLight(l) == l) ? this.lights
                 : this.lights.stream().map(this::effectiveLight).toList();
-        effectiveLights = sky.isEmpty() ? resolved : Stream.concat(resolved.stream(), sky.stream()).toList();
+        effectiveLights = skies.isEmpty() ? resolved : Stream.concat(resolved.stream(), skies.stream().flatMap(List::stream)).toList();
         anySolo = effectiveLights.stream().anyMatch(l -> l.solo() && l.on());
     }
 
@@ -84,14 +85,14 @@ public final class LightRig {
     }
 
     /**
-     * Returns this rig in the light of an environment, which comes last among the effective lights.
+     * Returns this rig in the light of environments, which come last among the effective lights.
      *
-     * @param environment directional lights with names that the rig does not use; empty for none
-     * @param unit        meters per scene unit
+     * @param environments directional lights of each, at least one, with names that the rig does not use; empty for none
+     * @param unit         meters per scene unit
      */
-    public LightRig withEnvironment(List<Light> environment, double unit) {
-        return environment.equals(environmentLights) && unit == meters ? this
-                : new LightRig(lights, lightGroups, names, environment, unit, surfaces);
+    public LightRig withEnvironments(List<List<Light>> environments, double unit) {
+        return environments.equals(environmentLights) && unit == meters ? this
+                : new LightRig(lights, lightGroups, names, environments, unit, surfaces);
     }
 
     /** Returns this rig with the surfaces of the shapes that are lights, by the shapes' names; a light of another shape is dark. */
@@ -112,9 +113,33 @@ public final class LightRig {
         return effectiveLights;
     }
 
-    /** Returns whether an environment lights the scene: there is one, and it is solo if any light is. */
+    /** Returns whether any environment lights the scene: it is on, and solo if any light is. */
     public boolean isEnvironmentActive() {
-        return effectiveLights.size() > lights.size() && isActive(effectiveLights.getLast());
+        return IntStream.range(0, environmentLights.size()).anyMatch(this::isEnvironmentActive);
+    }
+
+    /**
+     * Returns whether an environment lights the scene.
+     *
+     * @param index its number among all environments of the world
+     */
+    public boolean isEnvironmentActive(int index) {
+        return isActive(environmentLights.get(index).getFirst());
+    }
+
+    /** Returns the index among the effective lights of the first light of an environment; their number for the number of environments. */
+    public int environmentStart(int index) {
+        return lights.size() + environmentLights.stream().limit(index).mapToInt(List::size).sum();
+    }
+
+    /** Returns the environment whose first light has an index among the effective lights; −1 if none has. */
+    public int environmentStartingAt(int light) {
+        return IntStream.range(0, environmentLights.size()).filter(i -> environmentStart(i) == light).findFirst().orElse(-1);
+    }
+
+    /** Returns the number of environments. */
+    public int environmentCount() {
+        return environmentLights.size();
     }
 
     /**

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
+import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.light.Light;
@@ -34,6 +35,9 @@ final class FrameEvaluator {
         if (has(TrackTarget.Kind.LIGHT) || has(TrackTarget.Kind.LIGHT_GROUP)) {
             result = result.withRig(LightRig.of(scene.lights().stream().map(this::light).toList(),
                     scene.rig().lightGroups().stream().map(this::animateLightGroup).toList()));
+        }
+        if (has(TrackTarget.Kind.DOME)) {
+            result = result.withWorld(scene.world().withDomes(scene.world().domes().stream().map(this::dome).toList()));
         }
         return has(TrackTarget.Kind.NODE) ? result.withNodes(nodes(scene.nodes())) : result;
     }
@@ -70,6 +74,10 @@ final class FrameEvaluator {
 
     private LightGroup animateLightGroup(LightGroup group) {
         return animate(group, TrackTarget.bank(group.name()), LightGroup.ATTRIBUTES);
+    }
+
+    private Dome dome(Dome dome) {
+        return animate(dome, TrackTarget.dome(dome.name()), Dome.ATTRIBUTES);
     }
 
     private List<SceneNode> nodes(List<SceneNode> nodes) {

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
+import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
@@ -71,6 +72,7 @@ public final class TrackRetargeting {
             case CAMERA -> List.of("");
             case LIGHT -> scene.lights().stream().map(Light::name).toList();
             case LIGHT_GROUP -> scene.rig().lightGroups().stream().map(LightGroup::name).toList();
+            case DOME -> scene.world().domes().stream().map(Dome::name).toList();
             case NODE -> scene.nodes().stream().flatMap(TrackRetargeting::names).toList();
         };
     }

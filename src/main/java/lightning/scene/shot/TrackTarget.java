@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.base.text.Quote;
 import lightning.scene.Camera;
+import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
@@ -26,6 +27,7 @@ public record TrackTarget(Kind kind, String name) {
         CAMERA,
         LIGHT,
         LIGHT_GROUP,
+        DOME,
         /** Shape or group. */
         NODE
     }
@@ -38,6 +40,10 @@ public record TrackTarget(Kind kind, String name) {
         return new TrackTarget(Kind.LIGHT_GROUP, name);
     }
 
+    public static TrackTarget dome(String name) {
+        return new TrackTarget(Kind.DOME, name);
+    }
+
     public static TrackTarget node(String name) {
         return new TrackTarget(Kind.NODE, name);
     }
@@ -48,6 +54,7 @@ public record TrackTarget(Kind kind, String name) {
             case CAMERA -> true;
             case LIGHT -> scene.light(name).isPresent();
             case LIGHT_GROUP -> scene.rig().lightGroup(name).isPresent();
+            case DOME -> scene.world().dome(name).isPresent();
             case NODE -> scene.stage().hasNode(name);
         };
     }
@@ -65,6 +72,7 @@ public record TrackTarget(Kind kind, String name) {
             case CAMERA -> Camera.ATTRIBUTES;
             case LIGHT -> LightAttribute.ALL;
             case LIGHT_GROUP -> LightGroup.ATTRIBUTES;
+            case DOME -> Dome.ATTRIBUTES;
             case NODE -> scene.stage().node(name).map(SceneNode::attributes).orElseThrow();
         };
     }
@@ -91,6 +99,7 @@ public record TrackTarget(Kind kind, String name) {
             case CAMERA -> value(scene.camera(), Camera.ATTRIBUTES, attribute);
             case LIGHT -> value(scene.light(name).orElseThrow(), LightAttribute.ALL, attribute);
             case LIGHT_GROUP -> value(scene.rig().lightGroup(name).orElseThrow(), LightGroup.ATTRIBUTES, attribute);
+            case DOME -> value(scene.world().dome(name).orElseThrow(), Dome.ATTRIBUTES, attribute);
             case NODE -> {
                 SceneNode node = scene.stage().node(name).orElseThrow();
                 yield value(node, node.attributes(), attribute);
@@ -119,6 +128,7 @@ public record TrackTarget(Kind kind, String name) {
             case CAMERA -> "camera";
             case LIGHT -> "light " + Quote.of(name);
             case LIGHT_GROUP -> "light group " + Quote.of(name);
+            case DOME -> "dome " + Quote.of(name);
             case NODE -> "object or group " + Quote.of(name);
         };
     }

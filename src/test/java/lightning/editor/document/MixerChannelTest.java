@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.asset.Environment;
@@ -46,5 +47,24 @@ class MixerChannelTest {
     void environmentThatIsAlreadyOn_keepsItsGain() {
         Scene lit = scene(2, 0.5);
         assertThat(ENVIRONMENT.withOn(lit, true)).isSameAs(lit);
+    }
+
+    @Test
+    void dome_isFadedMutedAndSoloed() {
+        Scene own = scene(1, 1);
+        Dome dome = Dome.of("studio").withImage(own.world().image());
+        Scene scene = own.withWorld(own.world().withDomes(List.of(dome)));
+        MixerChannel channel = new MixerChannel.OfDome("studio");
+        assertThat(MixerChannel.channelsOf(scene)).endsWith(ENVIRONMENT, channel);
+        assertThat(channel.environmentIndex(scene)).isEqualTo(1);
+        assertThat(channel.withIntensity(scene, 3).world().domes()).containsExactly(dome.withIntensity(3));
+        Scene muted = channel.withOn(scene, false);
+        assertThat(muted.world().domes()).containsExactly(dome.withOn(false));
+        assertThat(channel.isShining(muted)).isFalse();
+        assertThat(ENVIRONMENT.isShining(muted)).isTrue();
+        Scene solo = channel.withSolo(scene, true);
+        assertThat(channel.isShining(solo)).isTrue();
+        assertThat(ENVIRONMENT.isShining(solo)).isFalse();
+        assertThat(channel.isIn(own)).isFalse();
     }
 }

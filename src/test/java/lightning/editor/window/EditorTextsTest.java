@@ -15,6 +15,7 @@ import lightning.editor.document.NumericParameter;
 import lightning.render.image.DisplayCurve;
 import lightning.sample.Slow;
 import lightning.scene.Camera;
+import lightning.scene.Dome;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.World;
@@ -60,6 +61,7 @@ class EditorTextsTest {
         LightGroup.ATTRIBUTES.forEach(EditorTextsTest::addTexts);
         Camera.ATTRIBUTES.forEach(a -> usedTexts.add(a.title()));
         World.ATTRIBUTES.forEach(EditorTextsTest::addTexts);
+        Dome.ATTRIBUTES.forEach(EditorTextsTest::addTexts);
         addTexts(PictureSettings.DEPTH);
         IndirectSettings.ATTRIBUTES.forEach(a -> usedTexts.add(a.title()));
         NumericParameter.ALL.forEach(d -> usedTexts.addAll(List.of(d.title().strip(), d.label())));

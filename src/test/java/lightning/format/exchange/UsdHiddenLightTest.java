@@ -57,7 +57,7 @@ class UsdHiddenLightTest {
             """;
     @TempDir
     private Path folder;
-    private LightExport export = new LightExport(new byte[0], Map.of());
+    private LightExport export = new LightExport(new byte[0], Map.of(), Map.of());
 
     @BeforeEach
     void requireUsd() throws IOException {

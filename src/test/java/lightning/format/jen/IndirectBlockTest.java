@@ -87,7 +87,7 @@ class IndirectBlockTest {
         "picture { indirect { 3 } } | 22: indirect: expected a property, found '3'",
         "picture { indirect { { rays 3 } } } | 22: indirect: expected a property, found '{'",
         "picture { indirect { rays 64 | 29: indirect: expected '}', found the end of the file",
-        "indirect { rays 64 } | 1: expected a block (bank, camera, cone, cylinder, frustum",
+        "indirect { rays 64 } | 1: expected a block (bank, camera, cone, cylinder, dome, frustum",
     })
     void mistake_isReportedWithPlace(String block, String problem) {
         assertThatThrownBy(() -> read("jen 1\n" + block)).isInstanceOf(JenException.class)

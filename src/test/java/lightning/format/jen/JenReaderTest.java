@@ -117,7 +117,7 @@ class JenReaderTest {
                 light key point { at 1 2 3 4  color 1e999 1 1 }
                 blob
                 """)).containsExactly(
-                "s.jen:2:1: expected a block (bank, camera, cone, cylinder, frustum, group, light, material, mesh, picture, plane, shot, sphere, world), found 'camra', did you mean 'camera'?",
+                "s.jen:2:1: expected a block (bank, camera, cone, cylinder, dome, frustum, group, light, material, mesh, picture, plane, shot, sphere, world), found 'camra', did you mean 'camera'?",
                 "s.jen:2:13: camera: fov must be from 0.01 to 170, was 500",
                 "s.jen:3:18: world: ambience must be a number, found 'nan'",
                 "s.jen:3:23: world: ambience must be written once, found it again",
@@ -135,7 +135,7 @@ class JenReaderTest {
                 "s.jen:8:7: light 'key': names must be unique, found a light with this name before",
                 "s.jen:8:19: light 'key': at must have 3 numbers, found 4",
                 "s.jen:8:37: light 'key': color must be a number within ±1.8e308, found '1e999'",
-                "s.jen:9:1: expected a block (bank, camera, cone, cylinder, frustum, group, light, material, mesh, picture, plane, shot, sphere, world), found 'blob'");
+                "s.jen:9:1: expected a block (bank, camera, cone, cylinder, dome, frustum, group, light, material, mesh, picture, plane, shot, sphere, world), found 'blob'");
     }
 
     @ParameterizedTest

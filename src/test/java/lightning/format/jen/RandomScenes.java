@@ -9,6 +9,7 @@ import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
+import lightning.scene.Dome;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
@@ -37,6 +38,7 @@ import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
 import lightning.scene.value.Attenuation;
+import lightning.scene.value.DomeRotation;
 import lightning.scene.value.Placement;
 import lightning.scene.value.SceneLimits;
 
@@ -81,6 +83,7 @@ final class RandomScenes {
         names(scene.nodes());
         scene.lights().forEach(l -> names.add(l.name()));
         scene.rig().lightGroups().forEach(b -> names.add(b.name()));
+        scene.world().domes().forEach(d -> names.add(d.name()));
         Scene s = scene;
         for (int i = random.nextInt(4); i >= 0; i--) {
             s = switch (random.nextInt(8)) {
@@ -117,6 +120,12 @@ final class RandomScenes {
             case 1 -> rig.renameLightGroup(group, name());
             default -> rig.with(lightGroup(group));
         };
+    }
+
+    private Dome dome(String name) {
+        return Dome.of(name).withRotation(DomeRotation.of(positive(1e6), positive(90), -positive(90))).withIntensity(positive(1000))
+                .withGain(positive(1000)).withLightCount(4 + random.nextInt(60)).withSoftness(positive(1)).withOn(chance())
+                .withSolo(chance());
     }
 
     private LightGroup lightGroup(String name) {
@@ -319,7 +328,8 @@ final class RandomScenes {
     }
 
     private World world() {
-        return chance() ? World.DEFAULT : new World(positive(1e6), color(1e6));
+        World world = chance() ? World.DEFAULT : new World(positive(1e6), color(1e6));
+        return world.withDomes(list(2, () -> dome(name())));
     }
 
     private Camera camera() {

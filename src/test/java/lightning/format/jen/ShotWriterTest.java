@@ -26,7 +26,7 @@ class ShotWriterTest {
             jen 1
             group tree { sphere crown { at 0 1 0 } frustum stem { top 0.5 } }
             mesh "odd name" { file "a.ply" }
-            bank "3\\" row" {}
+            bank "3\\" row" {} dome sky { intensity 0.5 }
             light key spot { bank "3\\" row" }
             light fill point {}
             """.replaceAll("mesh.*\n", "plane \"odd name\" {}\n");
@@ -80,6 +80,7 @@ class ShotWriterTest {
                   camera { fov { 1 40 smooth 24 30 stepped  48 20 linear } }
                   light key { type { 1 spot 9 point stepped } at { 1 0 3 2 } samples { 3 9 } }
                   bank "3\\" row" { on { 1 no } }
+                  dome sky { intensity { 1 0.5  48 0 } on { 30 no } }
                   group tree { rotate { 1 0 0 0  48 0 360 0 } }
                 }
                 """).shot().orElseThrow();
@@ -90,6 +91,9 @@ class ShotWriterTest {
                 new Track(TrackTarget.light("key"), "at", List.of(key(1, Interpolation.LINEAR, 0.0, 3.0, 2.0))),
                 new Track(TrackTarget.light("key"), "samples", List.of(key(3, Interpolation.STEPPED, 9.0))),
                 new Track(TrackTarget.bank("3\" row"), "on", List.of(word(1, "no"))),
+                new Track(TrackTarget.dome("sky"), "intensity",
+                        List.of(key(1, Interpolation.LINEAR, 0.5), key(48, Interpolation.LINEAR, 0.0))),
+                new Track(TrackTarget.dome("sky"), "on", List.of(word(30, "no"))),
                 new Track(TrackTarget.node("tree"), "rotate", List.of(key(1, Interpolation.LINEAR, 0.0, 0.0, 0.0),
                         key(48, Interpolation.LINEAR, 0.0, 360.0, 0.0))))));
     }
@@ -142,7 +146,7 @@ class ShotWriterTest {
                 "s.jen:19:13: light 'key': dropoff: expected '{' and keys, found '3'",
                 "s.jen:20:5: light 'key': shadowed_by has no keys: only numbers and words have",
                 "s.jen:23:17: sphere 'stem': unknown property 'top', expected one of at, rotate, scale, visible",
-                "s.jen:24:3: shot: a picture has no keys, expected '}' or one of camera, light, bank, sphere, cone, cylinder, frustum, "
+                "s.jen:24:3: shot: a picture has no keys, expected '}' or one of camera, light, bank, dome, sphere, cone, cylinder, frustum, "
                         + "plane, mesh, group",
                 "s.jen:25:26: group 'tree': scale must be at least 1e-9 in absolute value on every axis, was 0");
     }

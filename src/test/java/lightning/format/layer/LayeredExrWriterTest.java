@@ -209,7 +209,7 @@ class LayeredExrWriterTest {
     private static Scene direct(Scene scene) {
         Scene direct = scene
                 .withPicture(scene.picture().withDepth(0).withSampling(SamplingSettings.DEFAULT).withIndirect(Optional.empty()))
-                .withWorld(scene.world().withFog(Fog.NONE).withEnvironment(Optional.empty()));
+                .withWorld(scene.world().withFog(Fog.NONE).withoutEnvironments());
         for (Material material : scene.materials()) {
             direct = material.reflectsRoughly() ? direct.withMaterial(material.withModel(ShadingModel.METALLIC)) : direct;
         }

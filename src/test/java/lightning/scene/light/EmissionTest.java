@@ -105,7 +105,7 @@ class EmissionTest {
         Light light = light(LightType.POINT, IntensityUnit.LUMEN, SceneLimits.MAX_INTENSITY).withLightGroup("g");
         Light bright = light.withEmission(light.emission().withExposure(Emission.MAX_EXPOSURE).withTemperature(1667));
         LightRig rig = LightRig.of(List.of(bright), List.of(LightGroup.of("g").withIntensity(1000)))
-                .withEnvironment(List.of(), SceneLimits.MIN_METERS);
+                .withEnvironments(List.of(), SceneLimits.MIN_METERS);
         assertThat(rig.effectiveLight(bright).weight().max() * bright.maxFalloff()).isLessThanOrEqualTo(1.000001e30);
     }
 

@@ -23,7 +23,7 @@ import lightning.scene.light.LightRig;
 /**
  * Lighting of a scene, without its shapes and camera.
  *
- * @param world ambience, background and environment
+ * @param world ambience, background, environment and domes
  * @param rig   lights and light groups
  */
 public record Lighting(World world, LightRig rig) {

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.scene.Dome;
 import lightning.scene.World;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
@@ -32,6 +33,7 @@ import lightning.scene.value.ShapeGains;
  * <li>Light groups stay if they are equal at both ends. Otherwise they are merged into their lights.
  * <li>Environments with the same image are interpolated. Otherwise the first fades out in the first half, and the second fades in in the
  * second.
+ * <li>Domes of the same name and image are interpolated. All others fade out or in, as lights do.
  * </ul>
  */
 public final class LightingBlend {
@@ -80,6 +82,8 @@ public final class LightingBlend {
         to.rig().lightGroups().forEach(toLight -> takenNames.add(toLight.name()));
         from.rig().lights().forEach(l -> takenNames.add(l.name()));
         to.rig().lights().forEach(l -> takenNames.add(l.name()));
+        from.world().domes().forEach(dome -> takenNames.add(dome.name()));
+        to.world().domes().forEach(dome -> takenNames.add(dome.name()));
         for (Light fromLight : from.rig().lights()) {
             Optional<Light> toLight = to.rig().light(fromLight.name());
             if (toLight.isPresent() && canInterpolate(fromLight, toLight.get())) {
@@ -94,7 +98,9 @@ public final class LightingBlend {
         to.rig().lights().stream().filter(toLight -> from.rig().light(toLight.name()).isEmpty())
                 .forEach(toLight -> added.add(fade(toSolos, toLight, t)));
         lights.addAll(added);
-        return new Lighting(world(), LightRig.of(lights, lightGroups()));
+        List<Dome> domes =
+                new DomeBlend(fromSolos, toSolos, t, keepsSolos).domes(name -> freeName(name, takenNames), this::numbers, this::lerp);
+        return new Lighting(world().withDomes(domes), LightRig.of(lights, lightGroups()));
     }
 
     private List<LightGroup> lightGroups() {
@@ -225,6 +231,15 @@ public final class LightingBlend {
         }
         double angle = Math.acos(cos);
         return a.times(Math.sin((1 - t) * angle)).plus(b.times(Math.sin(t * angle))).times(1 / Math.sin(angle));
+    }
+
+    /** Interpolates all numbers of domes. */
+    private Dome numbers(Dome first, Dome last) {
+        Dome dome = first;
+        for (SceneAttribute<Dome, ?> attribute : Dome.ATTRIBUTES) {
+            dome = interpolateAttribute(attribute, dome, first, last);
+        }
+        return dome;
     }
 
     private World world() {

@@ -50,15 +50,21 @@ record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, Channe
         Map<MixerChannel, ChannelImage> updated = new HashMap<>();
         images.forEach((channel, image) -> updated.put(channel, !channel.isIn(of) ? image
                 : new ChannelImage(image.width(), image.height(), image.pixels(),
-                        channel instanceof MixerChannel.OfEnvironment ? shares.environment() : shares.ofLights(channel.lightIndices(of)))));
+                        share(shares, channel))));
         return new ChannelImages(scene, updated, master, hasAllLight);
+    }
+
+    private static double share(LightShares shares, MixerChannel channel) {
+        int environment = channel.environmentIndex(shares.scene());
+        return environment < 0 ? shares.ofLights(channel.lightIndices(shares.scene())) : shares.environments()[environment];
     }
 
     private static float[] rgb(LightThumbnails shares, MixerChannel channel) {
         return switch (channel) {
             case MixerChannel.OfLight _ -> shares.sumOfLights(channel.lightIndices(shares.scene()));
             case MixerChannel.OfLightGroup _ -> shares.sumOfLights(channel.lightIndices(shares.scene()));
-            case MixerChannel.OfEnvironment _ -> shares.environmentImage();
+            case MixerChannel.OfEnvironment _,MixerChannel.OfDome _ -> channel.environmentIndex(shares.scene()) < 0
+                    ? shares.sumOfLights() : shares.environmentImage(channel.environmentIndex(shares.scene()));
         };
     }
 

@@ -108,7 +108,8 @@ final class MixerStrip extends VBox {
         color.setOnAction(_ -> new ColorPopup(model, channel).show(color));
         var switches = new HBox(color, solo, mute);
         switches.getStyleClass().add("switches");
-        if (channel instanceof MixerChannel.OfEnvironment) {
+        if (!channel.canBeMoved()) {
+            // Environments have no color.
             color.setVisible(false);
         }
         var faderRow = new HBox(meter, fader);
@@ -194,7 +195,7 @@ final class MixerStrip extends VBox {
         Ikon icon = switch (channel) {
             case MixerChannel.OfLight(String light) -> LightTypes.icon(scene.light(light).orElseThrow().type());
             case MixerChannel.OfLightGroup _ -> MaterialDesignT.TUNE_VERTICAL;
-            case MixerChannel.OfEnvironment _ -> MaterialDesignI.IMAGE_FILTER_HDR;
+            case MixerChannel.OfEnvironment _,MixerChannel.OfDome _ -> MaterialDesignI.IMAGE_FILTER_HDR;
         };
         if (type.getIconCode() != icon) {
             type.setIconCode(icon);

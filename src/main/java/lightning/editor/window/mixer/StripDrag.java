@@ -55,7 +55,7 @@ final class StripDrag {
     }
 
     private void drag(MouseEvent e) {
-        if (pressed != null && !(pressed.channel() instanceof MixerChannel.OfEnvironment)
+        if (pressed != null && pressed.channel().canBeMoved()
                 && (dragging || Math.abs(e.getSceneX() - pressX) > CLICK_TOLERANCE)) {
             dragging = true;
             pressed.setDragged(true);
@@ -95,7 +95,7 @@ final class StripDrag {
                 model.edit(scene -> switch (strip.channel()) {
                     case MixerChannel.OfLight(String light) -> dropLight(scene, light, next);
                     case MixerChannel.OfLightGroup(String bank) -> MixerEdits.moveLightGroup(scene, bank, groupName(next));
-                    case MixerChannel.OfEnvironment _ -> new EditOutcome.Applied(scene);
+                    case MixerChannel.OfEnvironment _,MixerChannel.OfDome _ -> new EditOutcome.Applied(scene);
                 }, null);
             }
         } else if (e.isShiftDown()) {
@@ -122,8 +122,8 @@ final class StripDrag {
                 case MixerChannel.OfLightGroup(String bank) -> {
                     return MixerEdits.moveToEnd(scene, light, bank);
                 }
-                case MixerChannel.OfEnvironment _ -> {
-                    // The environment's strip is after all lights.
+                case MixerChannel.OfEnvironment _,MixerChannel.OfDome _ -> {
+                    // The strips of environments are after all lights.
                 }
             }
         }

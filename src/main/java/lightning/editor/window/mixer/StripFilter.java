@@ -40,7 +40,7 @@ enum StripFilter {
         String title = channel.title() + switch (channel) {
             case MixerChannel.OfLight(String name) -> scene.light(name).map(StripFilter::searchText).orElse("");
             case MixerChannel.OfLightGroup _ -> Messages.tr(" light group");
-            case MixerChannel.OfEnvironment _ -> "";
+            case MixerChannel.OfEnvironment _,MixerChannel.OfDome _ -> "";
         };
         String text = title.toLowerCase(Locale.ROOT);
         for (String word : query.strip().toLowerCase(Locale.ROOT).split("\\s+")) {

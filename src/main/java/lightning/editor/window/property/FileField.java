@@ -2,6 +2,7 @@ package lightning.editor.window.property;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.Supplier;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.control.MenuButton;
 import javafx.scene.layout.StackPane;
@@ -16,6 +17,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.format.jen.PropertyEdit;
 import lightning.format.jen.asset.FileKind;
+import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.asset.Environment;
@@ -25,7 +27,7 @@ import lightning.scene.attribute.ValueKind;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 
-/** Field for a file asset of the selected light or the world, chosen from the files next to the scene. Reads files in the background. */
+/** Field for a file asset of the selected light, the world or a dome, chosen from the files next to the scene. Reads files in the background. */
 final class FileField<F extends FileAsset> extends StackPane {
     private final SceneEditor editor;
     private final FileImporter files;
@@ -33,9 +35,14 @@ final class FileField<F extends FileAsset> extends StackPane {
     private final MenuButton choice;
     private final DisabledReason disabledReason;
 
-    /** Owner of the asset: the selected light or the world. */
+    /** Owner of the asset: the selected light, the world or a dome. */
     private sealed interface Owner<F extends FileAsset> {
         SceneAttribute<?, Optional<F>> attribute();
+
+        /** Returns the name of the owner; the selected light's by default. */
+        default String name(SceneEditor editor) {
+            return editor.selection().lightName();
+        }
 
         /** Returns the current asset's display text. */
         String text(EditorState now);
@@ -97,6 +104,40 @@ final class FileField<F extends FileAsset> extends StackPane {
         }
     }
 
+    private record DomeOwner(Supplier<String> dome) implements Owner<Environment> {
+        @Override
+        public SceneAttribute<Dome, Optional<Environment>> attribute() {
+            return Dome.ENVIRONMENT;
+        }
+
+        @Override
+        public String name(SceneEditor editor) {
+            return dome.get();
+        }
+
+        @Override
+        public String text(EditorState now) {
+            return now.scene().world().dome(dome.get()).map(attribute()::format).map(Messages::tr).orElse(Messages.tr("none"));
+        }
+
+        @Override
+        public Optional<String> disabledReason(EditorState now) {
+            return Optional.empty();
+        }
+
+        @Override
+        public Scene read(Scene scene, String name, String file, Path folder) {
+            return PropertyEdit.setImage(scene, scene.world().dome(name).orElseThrow(), file, folder);
+        }
+
+        @Override
+        public Scene copy(Scene source, Scene target, String name) {
+            Dome known = target.world().dome(name)
+                    .orElseThrow(() -> new IllegalArgumentException(Messages.tr("the dome no longer exists")));
+            return target.withWorld(target.world().withDome(name, attribute().copy(source.world().dome(name).orElseThrow(), known)));
+        }
+    }
+
     private FileField(SceneEditor editor, CommandRegistry commands, FileImporter files, Owner<F> owner, FileChoice fileChoice,
             ObservableValue<EditorState> visibleState) {
         this.editor = editor;
@@ -130,15 +171,23 @@ final class FileField<F extends FileAsset> extends StackPane {
                 visibleState);
     }
 
+    /** Creates the field of a dome's image. */
+    static FileField<Environment> forDome(SceneEditor editor, CommandRegistry commands, FileImporter files, Supplier<String> dome,
+            ObservableValue<EditorState> visibleState) {
+        FileChoice choice = FileChoice.of(new ValueKind.EnvironmentKind());
+        return new FileField<>(editor, commands, files, new DomeOwner(dome),
+                new FileChoice("dome-environment", choice.command(), choice.kind(), choice.help()), visibleState);
+    }
+
     private void show(EditorState state) {
         choice.setText(owner.text(state));
         disabledReason.set(owner.disabledReason(state));
     }
 
     private void browse(Command command, FileKind kind) {
-        String lightName = editor.selection().lightName();
+        String name = owner.name(editor);
         files.promptAndImport(command.plainTitle(), kind, file -> {
-            if (editor.selection().lightName().equals(lightName)) {
+            if (owner.name(editor).equals(name)) {
                 set(file);
             }
         }, editor.message()::show);
@@ -146,11 +195,11 @@ final class FileField<F extends FileAsset> extends StackPane {
 
     /** Reads a file in the background and applies the asset to the scene as it is then. */
     private void set(String file) {
-        String lightName = editor.selection().lightName();
+        String name = owner.name(editor);
         Path folder = files.folder();
         Scene requestScene = editor.scene();
-        files.files().runConcurrently(() -> owner.read(requestScene, lightName, file, folder),
-                loaded -> editor.editOrReport(scene -> EditOutcome.of(() -> owner.copy(loaded, scene, lightName))),
+        files.files().runConcurrently(() -> owner.read(requestScene, name, file, folder),
+                loaded -> editor.editOrReport(scene -> EditOutcome.of(() -> owner.copy(loaded, scene, name))),
                 e -> editor.message().show(ErrorMessage.of(e)));
     }
 }

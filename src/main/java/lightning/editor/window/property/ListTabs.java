@@ -9,6 +9,7 @@ import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;
+import lightning.scene.EnvironmentLayer;
 import lightning.scene.light.Light;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
@@ -29,8 +30,8 @@ public final class ListTabs extends TabPane {
         getTabs().setAll(lights, shapes, world);
         var solo = new FontIcon(MaterialDesignA.ALPHA_S_CIRCLE);
         solo.getStyleClass().add("world-solo");
-        var soloTip = new Tooltip(Messages.tr("The environment is solo and mutes all lights that are not"));
-        editor.sceneProperty().map(scene -> scene.world().environment().isPresent() && scene.world().solo()).subscribe(isSolo -> {
+        var soloTip = new Tooltip(Messages.tr("An environment is solo and mutes all lights that are not"));
+        editor.sceneProperty().map(scene -> scene.world().environments().stream().anyMatch(EnvironmentLayer::solo)).subscribe(isSolo -> {
             world.setGraphic(isSolo ? solo : null);
             world.setTooltip(isSolo ? soloTip : null);
         });

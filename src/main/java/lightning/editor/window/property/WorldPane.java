@@ -25,10 +25,11 @@ import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.render.image.DisplayCurve;
+import lightning.scene.EnvironmentLayer;
 import lightning.scene.World;
 import org.jspecify.annotations.Nullable;
 
-/** Properties of the scene as a whole: ambient light, background, environment, fog, indirect light and view. */
+/** Properties of the scene as a whole: ambient light, background, environments, fog, indirect light and view. */
 final class WorldPane extends VBox {
     private final SceneEditor editor;
     private final ViewActions views;
@@ -41,6 +42,7 @@ final class WorldPane extends VBox {
     private final ComboBox<DisplayCurve> curve = new ComboBox<>();
     private final FogControls fog;
     private final SkyControls sky;
+    private final DomeControls domes;
     private final Node imageField;
     private final ArrowWidget exposure;
     private final CheckBox solo = new CheckBox(Messages.tr("Solo"));
@@ -58,6 +60,7 @@ final class WorldPane extends VBox {
                 Messages.tr("Color behind the scene, also seen in reflections")).sliders();
         fog = new FogControls(editor, visibleState);
         sky = new SkyControls(editor, visibleState);
+        domes = new DomeControls(model, visibleState);
         imageField = FileField.forWorld(editor, model.commands(), model.fileImporter(), visibleState);
         solo.setId("world-solo");
         solo.setTooltip(new Tooltip(Messages.tr("Mute all lights that are not solo")));
@@ -79,6 +82,7 @@ final class WorldPane extends VBox {
                         imageField, sky,
                         new EnvironmentPicture(editor, visibleState), environmentRows,
                         number(NumericParameter.AMBIENCE), backgroundRows, number(NumericParameter.METERS)),
+                SectionLayout.section(Messages.tr("Domes"), domes),
                 SectionLayout.section(Messages.tr("Fog"), fog),
                 SectionLayout.section(Messages.tr("Indirect Light"), new IndirectControls(editor, model.commands(), visibleState)),
                 SectionLayout.section(Messages.tr("View"), SectionLayout.caption(Messages.tr("View Transform")), curveBox(), exposure,
@@ -133,10 +137,11 @@ final class WorldPane extends VBox {
             background.revert();
             fog.revert();
             sky.revert();
+            domes.revert();
         }
         boolean hasEnvironment = state.scene().world().environment().isPresent();
         setShown(environmentRows, hasEnvironment);
-        setShown(backgroundRows, !hasEnvironment);
+        setShown(backgroundRows, state.scene().world().environments().stream().noneMatch(EnvironmentLayer::on));
         background.show(state.scene().world().background());
         fog.show(state.scene().world().fog());
         sky.show(state.scene().world().sky());

@@ -106,7 +106,7 @@ final class KeyframeMouse {
         switch (target.kind()) {
             case LIGHT -> editor.selection().selectLight(target.name());
             case NODE -> workbench.select(new Selection.OfNode(target.name()));
-            case CAMERA, LIGHT_GROUP -> {
+            case CAMERA, LIGHT_GROUP, DOME -> {
                 // The timeline does not select these.
             }
         }

@@ -3,6 +3,7 @@ package lightning.editor.window.timeline;
 import java.util.List;
 import lightning.base.text.Messages;
 import lightning.scene.Camera;
+import lightning.scene.Dome;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightGroup;
@@ -28,6 +29,7 @@ final class TrackNames {
             case CAMERA -> Camera.ATTRIBUTES;
             case LIGHT -> LightAttribute.ALL;
             case LIGHT_GROUP -> LightGroup.ATTRIBUTES;
+            case DOME -> Dome.ATTRIBUTES;
             case NODE -> List.of();
         };
         return Messages.tr(attributes.stream().filter(a -> a.name().equals(track.attribute())).map(SceneAttribute::title).findFirst()

@@ -3,6 +3,7 @@ package lightning.format.exchange.assembly;
 import java.util.List;
 import java.util.Set;
 import java.util.function.UnaryOperator;
+import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.attribute.SceneAttribute;
@@ -29,7 +30,8 @@ record FileRenaming(UnaryOperator<String> newName) {
         return scene.withNodes(nodes(scene.nodes()))
                 .withMaterials(scene.materials().stream().map(m -> rename(m, MaterialAttribute.ALL)).toList())
                 .withLights(scene.lights().stream().map(l -> rename(l, LightAttribute.ALL)).toList())
-                .withWorld(rename(scene.world(), World.ATTRIBUTES));
+                .withWorld(rename(scene.world(), World.ATTRIBUTES)
+                        .withDomes(scene.world().domes().stream().map(d -> rename(d, Dome.ATTRIBUTES)).toList()));
     }
 
     private List<SceneNode> nodes(List<SceneNode> nodes) {

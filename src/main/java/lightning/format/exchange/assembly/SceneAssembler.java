@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import lightning.base.file.ParentFolder;
 import lightning.base.file.RegularFile;
 import lightning.base.math.Rgb;
@@ -26,6 +27,7 @@ import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.UniqueNames;
 import lightning.scene.Camera;
+import lightning.scene.Dome;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
@@ -43,6 +45,7 @@ import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
 import lightning.scene.shot.Shot;
 import lightning.scene.value.Placement;
+import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
 
 /** Mutable builder of an imported scene: materials, shapes, lights, and the files to copy. */
@@ -94,6 +97,15 @@ public final class SceneAssembler {
     /** Adds a comment line at the start of the scene file. */
     public void addComment(String line) {
         comments.add(line);
+    }
+
+    /** Adds a further environment; notes it if there are too many. */
+    public void addDome(Dome dome) {
+        if (world.domes().size() == SceneLimits.MAX_DOMES) {
+            notes.add("domes after the first " + SceneLimits.MAX_DOMES);
+            return;
+        }
+        world = world.withDomes(Stream.concat(world.domes().stream(), Stream.of(dome)).toList());
     }
 
     /** Returns the name of the scene file without its ending. */
@@ -239,7 +251,7 @@ public final class SceneAssembler {
     public ImportedScene build() throws IOException, MeshException {
         try {
             Camera view = camera.orElseGet(this::defaultCamera);
-            boolean hasLights = !lights.isEmpty() || isLit || world.environment().isPresent();
+            boolean hasLights = !lights.isEmpty() || isLit || world.hasEnvironment();
             if (!hasLights) {
                 addComment(ImportedScene.ADDED_LIGHT_COMMENT);
                 notes.add(ImportedScene.ADDED_LIGHT);

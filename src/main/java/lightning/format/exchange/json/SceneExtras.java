@@ -77,6 +77,7 @@ public final class SceneExtras {
         assembler.picture = PictureJson.read(json.path("picture"), assembler.picture, _ -> noteUnusable(assembler));
         assembler.world = AttributeJson.read(json.path("world"), assembler.world, World.ATTRIBUTES, assembler::hasOrCopiesFile,
                 _ -> noteUnusable(assembler));
+        DomeJson.read(json, assembler, () -> noteUnusable(assembler));
         MaterialExtras.apply(json.path("materials"), assembler.materials, () -> noteUnusable(assembler));
         assembler.isLit = json.path("lights").isArray();
         if (assembler.lights.isEmpty()) {

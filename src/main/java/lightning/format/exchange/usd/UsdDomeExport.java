@@ -1,58 +1,111 @@
 package lightning.format.exchange.usd;
 
 import java.io.IOException;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.function.Supplier;
+import java.util.function.Function;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.format.jen.asset.FileKind;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.usd.UsdLayer;
+import lightning.scene.Dome;
+import lightning.scene.EnvironmentLayer;
+import lightning.scene.Scene;
 import lightning.scene.World;
+import lightning.scene.value.DomeRotation;
 
 /**
- * Writer of what has been edited of the environment.
+ * Writer of what has been edited of the environments.
  *
  * @param layer receives the edits
  * @param writer writer of single attributes
  * @param notes receives what cannot be written
+ * @param create defines a dome light of a name
  */
-public record UsdDomeExport(UsdLayer layer, UsdPrimWriter writer, ConversionNotes notes) {
+public record UsdDomeExport(UsdLayer layer, UsdPrimWriter writer, ConversionNotes notes, Function<String, UsdLayer.Prim> create) {
+    /** Values of an environment that a dome light has. */
+    private record Values(double intensity, DomeRotation rotation) {}
+
     /**
-     * Writes the edits; removes the dome light if the scene has no environment.
+     * Writes the edits; removes the dome lights whose environments the scene does not have.
      *
-     * @param create defines a dome light if the stage has none
+     * @param skyImage name, relative to the layer, of an image of the physical sky
      */
-    public void add(World world, Supplier<UsdLayer.Prim> create) throws IOException {
-        Optional<UsdPaths.Dome> dome = writer.paths().dome();
-        if (world.environment().isEmpty()) {
-            dome.ifPresent(d -> layer.prim(d.prim().path()).metadata("active", "false"));
-            return;
-        }
+    public void add(Scene scene, String skyImage) throws IOException {
+        World world = scene.world();
+        Optional<UsdPaths.Dome> own = writer.paths().dome();
         if (world.sky().on()) {
-            notes.add("physical skies");
+            write(own, "environment", new Values(world.intensity(), world.dome()), UsdLayer.asset("./" + skyImage), true);
+            notes.add("discs of suns, which are distant lights", world.sky().sun() > 0 ? 1 : 0);
+        } else if (world.image().isPresent()) {
+            String file = world.image().get().file();
+            write(own, "environment", new Values(world.intensity(), world.dome()), writer.asset(FileKind.ENVIRONMENT, file),
+                    isOther(own, file));
+        } else {
+            own.ifPresent(this::remove);
+        }
+        notes.add("light gain of the environment", world.environment().isPresent() && world.gain() != 1 ? 1 : 0);
+        for (Dome dome : world.domes()) {
+            add(dome);
+        }
+        for (Map.Entry<String, UsdPaths.Dome> original : writer.paths().domes().entrySet()) {
+            if (world.dome(original.getKey()).filter(d -> d.image().isPresent()).isEmpty()) {
+                remove(original.getValue());
+            }
+        }
+        noteSolos(scene);
+    }
+
+    private void add(Dome dome) throws IOException {
+        if (dome.image().isEmpty()) {
+            notes.add("domes without an image");
             return;
         }
-        notes.add("light gain of the environment", world.gain() == 1 ? 0 : 1);
-        String file = world.environment().get().file();
+        Optional<UsdPaths.Dome> original = Optional.ofNullable(writer.paths().domes().get(dome.name()));
+        String file = dome.image().get().file();
+        write(original, dome.name(), new Values(dome.on() ? dome.intensity() : 0, dome.rotation()),
+                writer.asset(FileKind.ENVIRONMENT, file), isOther(original, file));
+        notes.add("domes that are off, written with an intensity of 0", dome.on() ? 0 : 1);
+        notes.add("light gain of domes", dome.gain() == 1 ? 0 : 1);
+    }
+
+    private void noteSolos(Scene scene) {
+        List<EnvironmentLayer> environments = scene.world().environments();
+        for (int i = 0; i < environments.size(); i++) {
+            notes.add("environments that a solo mutes, written as lit",
+                    environments.get(i).on() && !scene.rig().isEnvironmentActive(i) ? 1 : 0);
+        }
+    }
+
+    private boolean isOther(Optional<UsdPaths.Dome> original, String file) {
+        return original.isEmpty() || !writer.paths().isSameFile(original.get().file(), file);
+    }
+
+    private void remove(UsdPaths.Dome dome) {
+        layer.prim(dome.prim().path()).metadata("active", "false");
+    }
+
+    /** Writes what differs from the original. */
+    private void write(Optional<UsdPaths.Dome> dome, String name, Values values, String asset, boolean isImage) {
         boolean isBrightness =
-                dome.isEmpty() || dome.get().intensity().isEmpty() || dome.get().intensity().getAsDouble() != world.intensity();
-        boolean isImage = dome.isEmpty() || !writer.paths().isSameFile(dome.get().file(), file);
-        boolean isTurned = dome.isEmpty() || !dome.get().rotation().equals(world.dome());
+                dome.isEmpty() || dome.get().intensity().isEmpty() || dome.get().intensity().getAsDouble() != values.intensity();
+        boolean isTurned = dome.isEmpty() || !dome.get().rotation().equals(values.rotation());
         if (!isBrightness && !isImage && !isTurned) {
             return;
         }
-        UsdLayer.Prim prim = dome.map(d -> layer.prim(d.prim().path())).orElseGet(create);
+        UsdLayer.Prim prim = dome.map(d -> layer.prim(d.prim().path())).orElseGet(() -> create.apply(name));
         if (isBrightness) {
-            prim.set("float inputs:intensity", UsdLayer.number(world.intensity() * dome.map(UsdPaths.Dome::factor).orElse(1.0)));
+            prim.set("float inputs:intensity", UsdLayer.number(values.intensity() * dome.map(UsdPaths.Dome::factor).orElse(1.0)));
         }
         if (isImage) {
-            prim.set(UsdPrimWriter.TEXTURE, writer.asset(FileKind.ENVIRONMENT, file));
+            prim.set(UsdPrimWriter.TEXTURE, asset);
             prim.set("token inputs:texture:format", UsdLayer.quoted("latlong"));
         }
         if (isTurned) {
             boolean hasZUp = writer.paths().hasZUp();
-            Transform turn = world.dome().toWorld().times(Transform.rotation(new Vec3(0, -180, 0)));
+            Transform turn = values.rotation().toWorld().times(Transform.rotation(new Vec3(0, -180, 0)));
             if (hasZUp && dome.isPresent() && dome.get().prim().type().equals("DomeLight_1")) {
                 turn = turn.times(Transform.rotation(new Vec3(-90, 0, 0)));
             }

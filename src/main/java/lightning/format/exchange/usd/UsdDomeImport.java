@@ -1,7 +1,6 @@
 package lightning.format.exchange.usd;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import lightning.base.file.RegularFile;
@@ -18,7 +17,7 @@ import lightning.format.jen.asset.UnusableFileException;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
 import lightning.render.image.Film;
-import lightning.render.image.ViewTransform;
+import lightning.scene.Dome;
 import lightning.scene.World;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
@@ -27,16 +26,16 @@ import lightning.scene.value.ColorTemperature;
 import lightning.scene.value.DomeRotation;
 import lightning.scene.value.SceneLimits;
 
-/** Converter from a dome light to the environment: an image in Radiance's format, which is written where the dome has another or none. */
+/** Converter from a dome light to an environment: an image in Radiance's format, which is written where the dome has another or none. */
 record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp) {
     /** Largest number of pixels of an environment. */
     private static final int MAX_PIXELS = 8 << 20;
-    private static final int MAX_BYTES = 64 << 20;
+    private static final int MAX_BYTES = RadianceBytes.MAX_BYTES;
     private static final int PLAIN_WIDTH = 16;
     /** Smaller angles are 0, degrees. */
     private static final double MIN_ANGLE = 1e-4;
 
-    /** Sets the environment, and the comment that brings it back. */
+    /** Sets the environment, or adds a dome after the first, and the comment that brings it back. */
     void add(JsonValue in) throws IOException, MeshException {
         double exposure = UsdNumbers.tidy(in.get("exposure").number(0));
         double intensity = UsdNumbers.tidy(in.get("intensity").number(1));
@@ -57,17 +56,25 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
         assembler.notes.add("dome lights whose image is missing or unreadable", texture.isPresent() && place.isEmpty() ? 1 : 0);
         Environment environment = place.isPresent() ? image(place.get(), texture, factor) : plain(factor);
         DomeRotation rotation = rotation(in);
-        World before = assembler.world;
-        assembler.world = before.withEnvironment(Optional.of(environment)).withDome(rotation).withIntensity(strength);
         // The intensity of the dome for one of the environment; its color and exposure stay as they are.
-        UsdPaths.addDome(assembler, in, strength > 0 ? intensity / strength : 1 / stops, rotation, strength, environment.file());
+        double ratio = strength > 0 ? intensity / strength : 1 / stops;
+        World before = assembler.world;
+        if (before.hasEnvironment()) {
+            String name = assembler.names.unique(in.get("name").text().orElse(""), "dome");
+            assembler.addDome(Dome.of(name).withImage(Optional.of(environment)).withRotation(rotation).withIntensity(strength));
+            UsdPaths.addDome(assembler, in, ratio, rotation, strength, environment.file(), name);
+        } else {
+            assembler.world = before.withEnvironment(Optional.of(environment)).withDome(rotation).withIntensity(strength);
+            UsdPaths.addDome(assembler, in, ratio, rotation, strength, environment.file());
+        }
     }
 
     private Environment image(Path place, JsonValue texture, Rgb factor) throws IOException, MeshException {
         String name = texture.get("name").text().orElse("dome");
         if (LinearTextureReader.isLinear(name) && factor.equals(Rgb.WHITE) && assembler.canAdd(place)) {
             try {
-                EnvironmentMap map = EnvironmentReader.read(place, _ -> assembler.notes.add("dome lights with values that are not finite"));
+                EnvironmentMap map = EnvironmentReader.read(place, assembler.world.images().stream().mapToLong(EnvironmentMap::bytes).sum(),
+                        _ -> assembler.notes.add("dome lights with values that are not finite"));
                 return new Environment(assembler.addFile(place, name), map);
             } catch (IOException | MeshException e) {
                 return unreadable(factor);
@@ -137,17 +144,7 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
     }
 
     private Environment written(String name, EnvironmentMap map) throws IOException {
-        float[] rgb = new float[3 * map.width() * map.height()];
-        for (int i = 0; i < rgb.length; i++) {
-            rgb[i] = map.channel(i / 3 % map.width(), i / 3 / map.width(), i % 3);
-        }
-        Path file = Files.createTempFile("lightning-dome", ".hdr");
-        try {
-            ImageFile.write(file, Film.ofScanlines(map.width(), map.height(), rgb), ViewTransform.DEFAULT);
-            return new Environment(assembler.addFile(name, RegularFile.readBytes(file, "an image", MAX_BYTES)), map);
-        } finally {
-            Files.deleteIfExists(file);
-        }
+        return new Environment(assembler.addFile(name, RadianceBytes.of(map)), map);
     }
 
     /**

@@ -125,12 +125,16 @@ public final class UsdImport {
         for (int i = 0; i < lights.size(); i++) {
             JsonValue in = lights.element(i);
             if (in.get("type").text().orElse("").startsWith("DomeLight")) {
-                if (assembler.world.environment().isEmpty()) {
+                if (assembler.world.domes().size() < SceneLimits.MAX_DOMES) {
                     new UsdDomeImport(assembler, upright, hasZUp).add(in);
                     assembler.notes.add("animation of dome lights", in.get("frames").size() > 0 ? 1 : 0);
                 } else {
-                    assembler.notes.add("additional dome lights");
+                    assembler.notes.add("dome lights after the first " + (1 + SceneLimits.MAX_DOMES));
                 }
+                continue;
+            }
+            if (in.get("type").text().orElse("").equals("PortalLight")) {
+                assembler.notes.add("portal lights, not needed: openings are found without them");
                 continue;
             }
             if (assembler.lights.size() == SceneLimits.MAX_LIGHTS) {

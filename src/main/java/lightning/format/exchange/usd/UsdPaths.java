@@ -20,19 +20,22 @@ import lightning.scene.value.DomeRotation;
  * @param hasZUp  true if the z axis of the stage is up
  * @param shift   time in the stage of frame 0
  * @param lights  path and type of each light, by its name
- * @param dome    the dome light that the environment stands for
+ * @param dome    the dome light that the environment of the world stands for
+ * @param domes   the dome lights that other environments stand for, by their names
  * @param objects path of each shape and group, by its name
  * @param originals each light as it was imported, by its name; none of scenes that were imported by versions without them
  * @param hidden  prims above hidden lights, by their path
  * @param renamed name of each file in the stage, by its other name in the scene
  */
-public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Optional<Dome> dome, Map<String, String> objects,
+public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Optional<Dome> dome, Map<String, Dome> domes,
+        Map<String, String> objects,
         Map<String, UsdOriginal> originals, Map<String, String> renamed, Map<String, UsdHiddenParent> hidden) {
     private static final String UP = "usd up: ";
     private static final String SHIFT = "usd time of frame 0: ";
     private static final Pattern LIGHT = Pattern.compile("# usd light: (\\w+) (/\\S*) (.+)");
     private static final Pattern DOME = Pattern.compile("# usd dome: (\\w+) (/\\S*) (\\S+) (\\S+) (.+)");
     private static final Pattern DOME_INTENSITY = Pattern.compile("# usd dome intensity: (\\S+)");
+    private static final Pattern NAMED_DOME = Pattern.compile("# usd named dome: (\\w+) (/\\S*) (\\S+) (\\S+) (\\S+) ([^<>]+?) < (.+)");
     private static final Pattern RENAMED = Pattern.compile("# wrote: [0-9a-f]{64} ([^<>]+?) < ([^<>]+)");
     private static final Pattern OBJECT = Pattern.compile("# usd prim: (/\\S*) (.+)");
 
@@ -68,7 +71,16 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
         }
     }
 
-    /** Adds the comment of the dome light. */
+    /** Adds the comment of a dome light after the first. */
+    static void addDome(SceneAssembler assembler, JsonValue in, double factor, DomeRotation rotation, double intensity, String file,
+            String name) throws MeshException {
+        if (isPath(in)) {
+            assembler.closingComments.add("usd named dome: " + in.get("type").text().orElse("") + " " + path(in) + " " + factor + " "
+                    + text(rotation) + " " + intensity + " " + file + " < " + name);
+        }
+    }
+
+    /** Adds the comment of the first dome light. */
     static void addDome(SceneAssembler assembler, JsonValue in, double factor, DomeRotation rotation, double intensity, String file)
             throws MeshException {
         if (isPath(in)) {
@@ -107,6 +119,7 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
         Map<String, UsdHiddenParent> hidden = new HashMap<>();
         OptionalDouble intensity = OptionalDouble.empty();
         Optional<Dome> dome = Optional.empty();
+        Map<String, Dome> domes = new LinkedHashMap<>();
         boolean hasZUp = false;
         int shift = 0;
         for (String line : (Iterable<String>) text.lines().filter(s -> s.startsWith("# usd ") || s.startsWith("# wrote: "))::iterator) {
@@ -115,6 +128,7 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
             Matcher light = LIGHT.matcher(line);
             Matcher object = OBJECT.matcher(line);
             Matcher environment = DOME.matcher(line);
+            Matcher named = NAMED_DOME.matcher(line);
             Matcher strength = DOME_INTENSITY.matcher(line);
             Matcher file = RENAMED.matcher(line);
             if (light.matches()) {
@@ -124,6 +138,9 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
             } else if (environment.matches()) {
                 dome = Optional.of(new Dome(new Prim(environment.group(1), environment.group(2)), number(environment.group(3)),
                         rotation(environment.group(4)), environment.group(5), OptionalDouble.empty()));
+            } else if (named.matches()) {
+                domes.put(named.group(7), new Dome(new Prim(named.group(1), named.group(2)), number(named.group(3)),
+                        rotation(named.group(4)), named.group(6), DecimalNumber.parse(named.group(5))));
             } else if (line.startsWith("# " + UsdOriginal.COMMENT)) {
                 UsdOriginal.parse(line.substring(2)).ifPresent(original -> originals.put(original.light().name(), original));
             } else if (line.startsWith("# " + UsdHiddenParent.COMMENT)) {
@@ -135,7 +152,8 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
             }
         }
         OptionalDouble found = intensity;
-        return new UsdPaths(hasZUp, shift, lights, dome.map(d -> new Dome(d.prim(), d.factor(), d.rotation(), d.file(), found)), objects,
+        return new UsdPaths(hasZUp, shift, lights, dome.map(d -> new Dome(d.prim(), d.factor(), d.rotation(), d.file(), found)), domes,
+                objects,
                 originals, renamed, hidden);
     }
 

@@ -1,19 +1,21 @@
 package lightning.format.jen.asset;
 
 import java.io.IOException;
+import java.lang.ref.SoftReference;
 import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import lightning.format.mesh.MeshException;
 import lightning.scene.asset.EnvironmentMap;
 import org.jspecify.annotations.Nullable;
 
-/** Loader for the environment map of a scene, with the same search path as textures ({@link AssetSearchPath}). Keeps the last one. */
+/** Loader for the environment maps of a scene, with the same search path as textures ({@link AssetSearchPath}). */
 public final class EnvironmentFolder {
     private final AssetSearchPath searchPath;
-    /** Last map and its file; null before. A scene has one. */
-    private @Nullable EnvironmentMap map;
-    private @Nullable Path path;
+    /** Maps that were read, as long as a scene has them or memory is not short. */
+    private final Map<Path, SoftReference<EnvironmentMap>> maps = new HashMap<>();
 
     /**
      * Creates a loader.
@@ -24,27 +26,37 @@ public final class EnvironmentFolder {
         searchPath = FileKind.ENVIRONMENT.searchPath(scene);
     }
 
-    /** Returns the file that was read last. */
+    /** Returns the files that were read. */
     Set<Path> files() {
-        return path == null ? Set.of() : Set.of(path);
+        return Set.copyOf(maps.keySet());
     }
 
     /**
      * Loads an environment map.
      *
+     * @param others other maps of the scene, which count against the same limit of memory
      * @param notes receives a clause if it is reduced
-     * @throws UnusableFileException if the file does not exist in the folders, a link leads out of them, or it is not a
-     *     valid image
+     * @throws UnusableFileException if the file does not exist in the folders, a link leads out of them, it is not a
+     *     valid image, or the maps would take too much memory
      */
-    public EnvironmentMap load(String file, Consumer<String> notes) throws UnusableFileException {
-        return searchPath.read(file, path -> load(path, notes));
+    public EnvironmentMap load(String file, Set<EnvironmentMap> others, Consumer<String> notes) throws UnusableFileException {
+        return searchPath.read(file, path -> load(path, others, notes));
     }
 
-    private EnvironmentMap load(Path file, Consumer<String> notes) throws IOException, MeshException {
-        if (map == null || !file.equals(path)) {
-            map = EnvironmentReader.read(file, notes);
-            path = file;
+    private EnvironmentMap load(Path file, Set<EnvironmentMap> others, Consumer<String> notes) throws IOException, MeshException {
+        SoftReference<EnvironmentMap> reference = maps.get(file);
+        @Nullable
+        EnvironmentMap known = reference == null ? null : reference.get();
+        if (known != null && others.contains(known)) {
+            return known;
         }
+        long used = others.stream().mapToLong(EnvironmentMap::bytes).sum();
+        if (known != null) {
+            EnvironmentReader.checkMemory(file, known.width(), known.height(), known.bytes(), used);
+            return known;
+        }
+        EnvironmentMap map = EnvironmentReader.read(file, used, notes);
+        maps.put(file, new SoftReference<>(map));
         return map;
     }
 }

@@ -24,14 +24,26 @@ public final class EnvironmentReader {
     private EnvironmentReader() {}
 
     /**
+     * Reads a map of a scene that has no other.
+     *
+     * @param notes receives a clause if it has values that are not finite
+     * @throws MeshException as {@link #read(Path, long, Consumer)}
+     * @throws IOException if it cannot be read
+     */
+    public static EnvironmentMap read(Path file, Consumer<String> notes) throws IOException, MeshException {
+        return read(file, 0, notes);
+    }
+
+    /**
      * Reads a map.
      *
+     * @param others memory of the other maps of the scene, bytes
      * @param notes receives a clause if it has values that are not finite
      * @throws MeshException if it is no image in one of the formats, too large, or damaged; the message contains the position
      * @throws IOException if it cannot be read
      */
-    public static EnvironmentMap read(Path file, Consumer<String> notes) throws IOException, MeshException {
-        EnvironmentMeans means = file.toString().toLowerCase(Locale.ROOT).endsWith(".exr") ? readExr(file) : readHdr(file);
+    public static EnvironmentMap read(Path file, long others, Consumer<String> notes) throws IOException, MeshException {
+        EnvironmentMeans means = file.toString().toLowerCase(Locale.ROOT).endsWith(".exr") ? readExr(file, others) : readHdr(file, others);
         EnvironmentMap map = means.map();
         if (means.infiniteCount() > 0) {
             notes.accept("values of the environment that are not finite: " + means.infiniteCount()
@@ -40,15 +52,15 @@ public final class EnvironmentReader {
         return map;
     }
 
-    private static EnvironmentMeans readHdr(Path file) throws IOException, MeshException {
+    private static EnvironmentMeans readHdr(Path file, long others) throws IOException, MeshException {
         HdrReader reader = HdrReader.open(file, MAX_HDR_BYTES, MAX_PIXELS);
-        checkMemory(file, reader.width(), reader.height());
+        checkMemory(file, reader.width(), reader.height(), EnvironmentMeans.bytes(reader.width(), reader.height()), others);
         var means = new EnvironmentMeans(reader.width(), reader.height());
         reader.read(means::add);
         return means;
     }
 
-    private static EnvironmentMeans readExr(Path file) throws IOException, MeshException {
+    private static EnvironmentMeans readExr(Path file, long others) throws IOException, MeshException {
         if (Files.size(file) > MAX_EXR_BYTES) {
             throw new MeshException(file, "", "an environment must have at most " + MAX_EXR_BYTES + " bytes, has " + Files.size(file));
         }
@@ -59,7 +71,8 @@ public final class EnvironmentReader {
                         "an image must have from 1 to " + MAX_PIXELS + " pixels, has " + reader.header().width() + "×"
                                 + reader.header().height());
             }
-            checkMemory(file, reader.header().width(), reader.header().height());
+            checkMemory(file, reader.header().width(), reader.header().height(),
+                    EnvironmentMeans.bytes(reader.header().width(), reader.header().height()), others);
             var means = new EnvironmentMeans(reader.header().width(), reader.header().height());
             ExrColorReader.read(reader, means::add);
             return means;
@@ -68,13 +81,18 @@ public final class EnvironmentReader {
         }
     }
 
-    /** Rejects a map that would take more than half of the memory for pictures. */
-    private static void checkMemory(Path file, int width, int height) throws MeshException {
-        long bytes = EnvironmentMeans.bytes(width, height);
+    /**
+     * Rejects a map that would take more than half of the memory for pictures, with the other maps of the scene.
+     *
+     * @param bytes  its own memory
+     * @param others memory of the other maps, bytes
+     */
+    static void checkMemory(Path file, int width, int height, long bytes, long others) throws MeshException {
         long limit = HeapBudget.availableBytes() / 2;
-        if (bytes > limit) {
+        if (bytes + others > limit) {
             throw new MeshException(file, "", "an environment of " + width + "×" + height + " pixels takes " + (bytes >> 20)
-                    + " MiB of memory, more than half of what is available; use a smaller image, or more memory");
+                    + " MiB of memory, " + (others == 0 ? "" : "and with the other environments of the scene ")
+                    + "more than half of what is available; use a smaller image, or more memory");
         }
     }
 }

@@ -95,6 +95,6 @@ record LiveLayers(Scene base, List<Part> parts, Layer rest, Scene shown) {
 
     /** Returns whether a light that a scene shows is in the layers, even if it is dark there. */
     private static boolean hasAll(Scene base, Scene scene) {
-        return scene.world().lightIntensity() == 0 || base.world().lightIntensity() > 0;
+        return !scene.world().hasEnvironmentLight() || base.world().hasEnvironmentLight();
     }
 }

@@ -10,6 +10,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.sample.EditSession;
 import lightning.scene.Camera;
+import lightning.scene.Dome;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
@@ -24,6 +25,7 @@ import lightning.scene.light.LightGroup;
 import lightning.scene.light.LightRig;
 import lightning.scene.light.LightType;
 import lightning.scene.sky.Sky;
+import lightning.scene.value.DomeRotation;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
@@ -297,5 +299,54 @@ class LightingBlendTest {
         var a = new Lighting(World.DEFAULT.withAmbience(1), LightRig.EMPTY);
         var b = new Lighting(World.DEFAULT.withAmbience(0.5), LightRig.EMPTY);
         assertThat(LightingBlend.blend(a, b, 0.5).world().ambience()).isEqualTo(0.75);
+    }
+
+    private static Dome dome(String name, float value) {
+        float[] rgb = new float[3 * 8];
+        Arrays.fill(rgb, value);
+        return Dome.of(name).withImage(Optional.of(new Environment(name + value, new EnvironmentMap(4, 2, rgb))));
+    }
+
+    private static Lighting withDomes(Dome... domes) {
+        return new Lighting(World.DEFAULT.withDomes(List.of(domes)), LightRig.EMPTY);
+    }
+
+    @Test
+    void domeAtBothEnds_isInterpolated() {
+        Dome sky = dome("sky", 1);
+        Scene scene = blendScene(withDomes(sky.withRotation(DomeRotation.of(10, 0, 0))),
+                withDomes(sky.withIntensity(3).withGain(2).withRotation(DomeRotation.of(50, 20, 0))), 0.25);
+        Dome blended = scene.world().domes().getFirst();
+        assertThat(scene.world().domes()).hasSize(1);
+        assertThat(blended.intensity()).isEqualTo(1.5);
+        assertThat(blended.intensity() * blended.gain()).isCloseTo(0.75 + 0.25 * 6, within(1e-15));
+        assertThat(blended.rotation()).isEqualTo(DomeRotation.of(20, 5, 0));
+    }
+
+    @Test
+    void otherDomes_fadeOutAndIn() {
+        Scene scene = blendScene(withDomes(dome("day", 1), dome("studio", 1)), withDomes(dome("night", 2), dome("studio", 3)), 0.25);
+        assertThat(scene.world().domes()).extracting(Dome::name).containsExactly("day", "studio", "studio2", "night");
+        assertThat(scene.world().domes()).extracting(Dome::intensity).containsExactly(0.75, 0.75, 0.25, 0.25);
+    }
+
+    @Test
+    void domeThatIsOffAtOneEnd_fadesIn() {
+        Dome sky = dome("sky", 1).withIntensity(2);
+        Dome blended = blendScene(withDomes(sky.withOn(false)), withDomes(sky), 0.25).world().domes().getFirst();
+        assertThat(blended.on()).isTrue();
+        assertThat(blended.intensity()).isEqualTo(0.5);
+    }
+
+    @Test
+    void soloOfADome_fadesWhatItMutes() {
+        Dome sky = dome("sky", 1);
+        Dome studio = dome("studio", 1);
+        Scene scene = blendScene(withDomes(sky.withSolo(true), studio), withDomes(sky, studio), 0.25);
+        assertThat(scene.world().domes()).extracting(Dome::solo).containsExactly(false, false);
+        assertThat(scene.world().domes()).extracting(Dome::gain).containsExactly(1.0, 0.25);
+        assertThat(scene.world().domes()).extracting(Dome::intensity).containsExactly(1.0, 1.0);
+        assertThat(blendScene(withDomes(sky.withSolo(true), studio), withDomes(sky.withSolo(true), studio), 0.5).world().domes())
+                .containsExactly(sky.withSolo(true), studio);
     }
 }
