@@ -127,7 +127,8 @@ class FogPictureTest {
     @Test
     void beamInMirror_equalsMirroredBeam() throws JenException {
         String lamp = "light lamp spot { at -3 %s -8 direction 1 0 0 angle 10 casts_shadows no }";
-        Film mirrored = render("fog 0.05", lamp.replace("%s", "0.2") + MIRROR + "plane floor { material mirror at 0 -0.4 0 scale 90 1 90 }");
+        Film mirrored =
+                render("fog 0.05", lamp.replace("%s", "0.2") + MIRROR + "plane floor { material mirror at 0 -0.4 0 scale 90 1 90 }");
         Film direct = render("fog 0.05", lamp.replace("%s", "-1"));
         float max = direct.red(16, 28);
         // About fourteen samples of the filter are in the beam: one more or less is that share of its light.
