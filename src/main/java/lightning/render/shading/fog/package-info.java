@@ -1,4 +1,7 @@
-/** Light that fog scatters toward the camera: samples along a grid of rays, and their sums before each pixel's surface. */
+/**
+ * Light that fog scatters toward the camera, also by mirrors and glass: samples along a grid of rays and those that bounce from it, and their sums before
+ * each row's surface.
+ */
 @NullMarked
 package lightning.render.shading.fog;
 
