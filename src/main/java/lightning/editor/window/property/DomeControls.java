@@ -68,8 +68,7 @@ final class DomeControls extends VBox {
         image = FileField.forDome(editor, model.commands(), model.fileImporter(), this::selected, visibleState);
         List<ArrowWidget> widgets = new ArrayList<>();
         Dome.ATTRIBUTES.forEach(attribute -> number(attribute).ifPresent(widgets::add));
-        rows.getChildren().addAll(FileField.forDome(editor, model.commands(), model.fileImporter(), this::selected, visibleState),
-                switches);
+        rows.getChildren().addAll(image, switches);
         rows.getChildren().addAll(widgets);
         var add = new FileMenu(model.commands(), model.fileImporter(), Messages.tr("Add Dome"), Command.CHOOSE_ENVIRONMENT,
                 FileKind.ENVIRONMENT, file -> add(model, file), () -> model.fileImporter().promptAndImport(
