@@ -50,7 +50,7 @@ final class DomeControls extends VBox {
         list.setId("domes");
         list.setAccessibleText(Messages.tr("Domes"));
         list.setMaxWidth(Double.MAX_VALUE);
-        list.valueProperty().subscribe(_ -> {
+        list.valueProperty().addListener((_, _, _) -> {
             if (!isUpdating) {
                 show(editor.editorStateProperty().getValue());
             }
