@@ -21,7 +21,7 @@ import lightning.format.exchange.usd.UsdSparseLights;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.usd.UsdLayer;
 import lightning.scene.Scene;
-import lightning.scene.World;
+import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.light.Beam;
 import lightning.scene.light.Falloff;
 import lightning.scene.light.Light;
@@ -103,18 +103,16 @@ public final class UsdLightExport {
     /** Adds dome lights; for a physical sky one with its image, and a distant light for its sun. */
     private void addEnvironments() throws IOException {
         new UsdDomeExport(layer, writer, notes, name -> prim(name, Optional.empty(), "DomeLight")).add(scene, skyImage);
-        World world = scene.world();
-        if (world.sky().on()) {
-            files.put(skyImage, RadianceBytes.of(world.environment().orElseThrow().map()));
-            Light sun = scene.rig().effectiveLights().get(scene.rig().environmentStart(0));
-            if (!sun.weight().isBlack()) {
-                UsdLayer.Prim prim = prim("sun", Optional.empty(), "DistantLight");
-                prim.metadata("prepend apiSchemas", "[\"ShadowAPI\"]");
-                Light disc = sun.withArea(sun.area().withSpread(world.sky().sunRadius()));
-                new UsdLightValues("DistantLight", disc, world.meters(), paths.hasZUp()).values(true).forEach(prim::set);
-                prim.set(UsdPrimWriter.ORDER, UsdPrimWriter.RESET_ORDER);
-            }
+        Optional<EnvironmentMap> sky = UsdDomeExport.sky(scene.world());
+        if (sky.isPresent()) {
+            files.put(skyImage, RadianceBytes.of(sky.get()));
         }
+        UsdDomeExport.sun(scene).ifPresent(sun -> {
+            UsdLayer.Prim prim = prim("sun", Optional.empty(), "DistantLight");
+            prim.metadata("prepend apiSchemas", "[\"ShadowAPI\"]");
+            new UsdLightValues("DistantLight", sun, scene.world().meters(), paths.hasZUp()).values(true).forEach(prim::set);
+            prim.set(UsdPrimWriter.ORDER, UsdPrimWriter.RESET_ORDER);
+        });
         notes.add("animation of domes", (int) animated.shot().stream().flatMap(s -> s.tracks().stream())
                 .filter(t -> t.target().kind() == TrackTarget.Kind.DOME).map(Track::target).distinct().count());
     }

@@ -25,6 +25,7 @@ import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.format.jen.asset.FileKind;
 import lightning.scene.Dome;
+import lightning.scene.asset.Environment;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
 import org.jspecify.annotations.Nullable;
@@ -37,6 +38,7 @@ final class DomeControls extends VBox {
     private final CheckBox on = new CheckBox(Messages.tr("On"));
     private final CheckBox solo = new CheckBox(Messages.tr("Solo"));
     private final Map<SceneAttribute<Dome, ?>, ArrowWidget> numbers = new LinkedHashMap<>();
+    private final FileField<Environment> image;
     private final VBox rows = new VBox();
     private boolean isUpdating;
     /** Names of the domes that are listed. */
@@ -48,7 +50,7 @@ final class DomeControls extends VBox {
         list.setId("domes");
         list.setAccessibleText(Messages.tr("Domes"));
         list.setMaxWidth(Double.MAX_VALUE);
-        list.valueProperty().subscribe(_ -> {
+        list.valueProperty().addListener((_, _, _) -> {
             if (!isUpdating) {
                 show(editor.editorStateProperty().getValue());
             }
@@ -63,10 +65,10 @@ final class DomeControls extends VBox {
         solo.setOnAction(_ -> edit(Dome.SOLO, solo.isSelected()));
         var switches = new HBox(on, solo, delete);
         switches.getStyleClass().add("switches");
+        image = FileField.forDome(editor, model.commands(), model.fileImporter(), this::selected, visibleState);
         List<ArrowWidget> widgets = new ArrayList<>();
         Dome.ATTRIBUTES.forEach(attribute -> number(attribute).ifPresent(widgets::add));
-        rows.getChildren().addAll(FileField.forDome(editor, model.commands(), model.fileImporter(), this::selected, visibleState),
-                switches);
+        rows.getChildren().addAll(image, switches);
         rows.getChildren().addAll(widgets);
         var add = new FileMenu(model.commands(), model.fileImporter(), Messages.tr("Add Dome"), Command.CHOOSE_ENVIRONMENT,
                 FileKind.ENVIRONMENT, file -> add(model, file), () -> model.fileImporter().promptAndImport(
@@ -131,6 +133,8 @@ final class DomeControls extends VBox {
         WorldPane.setShown(list, !domes.isEmpty());
         WorldPane.setShown(rows, dome.isPresent());
         dome.ifPresent(this::show);
+        // Another dome may be selected without a change of the scene.
+        image.show(state);
     }
 
     /** Lists other names; selects a new one, or the one at the place of one that is gone. */

@@ -179,7 +179,8 @@ final class FileField<F extends FileAsset> extends StackPane {
                 new FileChoice("dome-environment", choice.command(), choice.kind(), choice.help()), visibleState);
     }
 
-    private void show(EditorState state) {
+    /** Shows the asset of the owner, which may be another one than before. */
+    void show(EditorState state) {
         choice.setText(owner.text(state));
         disabledReason.set(owner.disabledReason(state));
     }

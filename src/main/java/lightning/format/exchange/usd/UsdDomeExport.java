@@ -14,6 +14,9 @@ import lightning.scene.Dome;
 import lightning.scene.EnvironmentLayer;
 import lightning.scene.Scene;
 import lightning.scene.World;
+import lightning.scene.asset.Environment;
+import lightning.scene.asset.EnvironmentMap;
+import lightning.scene.light.Light;
 import lightning.scene.value.DomeRotation;
 
 /**
@@ -27,6 +30,20 @@ import lightning.scene.value.DomeRotation;
 public record UsdDomeExport(UsdLayer layer, UsdPrimWriter writer, ConversionNotes notes, Function<String, UsdLayer.Prim> create) {
     /** Values of an environment that a dome light has. */
     private record Values(double intensity, DomeRotation rotation) {}
+
+    /** Returns the image of the physical sky, which has no file; empty without a sky. */
+    public static Optional<EnvironmentMap> sky(World world) {
+        return world.sky().on() ? world.environment().map(Environment::map) : Optional.empty();
+    }
+
+    /** Returns the sun of the physical sky as a light; empty without one, or if it is dark. */
+    public static Optional<Light> sun(Scene scene) {
+        if (!scene.world().sky().on()) {
+            return Optional.empty();
+        }
+        Light sun = scene.rig().effectiveLights().get(scene.rig().environmentStart(0));
+        return Optional.of(sun.withArea(sun.area().withSpread(scene.world().sky().sunRadius()))).filter(l -> !l.weight().isBlack());
+    }
 
     /**
      * Writes the edits; removes the dome lights whose environments the scene does not have.
