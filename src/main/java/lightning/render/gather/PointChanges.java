@@ -68,12 +68,13 @@ public final class PointChanges {
     }
 
     /**
-     * Returns the weights of rows after the edit.
+     * Returns the weights of rows after the edit, with those of reflection points found again.
      *
      * @param weights of the same rows before
-     * @return null if they may differ
+     * @param weigher finds the points after the edit
+     * @return null if those of gather points may differ
      */
-    public @Nullable RowWeights keep(RowWeights weights, HitRows rows) {
+    public @Nullable RowWeights keep(RowWeights weights, HitRows rows, RowWeigher weigher) {
         if (weights.structure() != before || before.pointCount() == 0 || rows.count == 0) {
             return null;
         }
@@ -85,7 +86,7 @@ public final class PointChanges {
             enlarge(box, 2, rows.pz[row]);
         }
         return removed.reaches(box) || added.reaches(box) || mayHaveOtherNearest(weights, rows) ? null
-                : weights.renumbered(after, newNumber);
+                : weights.renumbered(after, newNumber, rows, weigher);
     }
 
     private static void enlarge(float[] box, int axis, float place) {

@@ -83,8 +83,13 @@ public final class RowWeigher {
                 write(rows, row, index, weight);
             });
         }
-        return new RowWeights(structure, best.used(), index, weight,
-                reflections == null ? null : reflections.weigh(rows));
+        return new RowWeights(structure, best.used(), index, weight, weighReflections(rows));
+    }
+
+    /** Returns the weights of the reflection points of up to 1024 rows; null if the structure has none. */
+    @Nullable
+    RowWeights weighReflections(HitRows rows) {
+        return reflections == null ? null : reflections.weigh(rows);
     }
 
     private void findBest(HitRows rows, int row, int count) {

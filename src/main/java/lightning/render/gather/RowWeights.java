@@ -5,6 +5,7 @@ import java.util.Arrays;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.gather.point.WeightedPoints;
+import lightning.render.trace.HitRows;
 import org.jspecify.annotations.Nullable;
 
 /** Weights of the gather points near each row of a level: at most eight for each, fixed like the rows. Immutable. */
@@ -224,12 +225,15 @@ public final class RowWeights {
         return only;
     }
 
-    /** Returns these weights with other numbers of the points; null if one has none. */
+    /**
+     * Returns these weights with other numbers of the gather points; null if one has none.
+     *
+     * @param weigher finds the reflection points of the rows, of which nothing is known without their rays
+     */
     @Nullable
-    RowWeights renumbered(GatherStructure to, int[] newNumber) {
+    RowWeights renumbered(GatherStructure to, int[] newNumber, HitRows its, RowWeigher weigher) {
         WeightedPoints renumbered = near.renumbered(newNumber);
-        // Without the rays of all reflection points nothing is known about these.
-        return renumbered == null || reflected != null ? null : new RowWeights(to, rows, counts, renumbered, null);
+        return renumbered == null ? null : new RowWeights(to, rows, counts, renumbered, weigher.weighReflections(its));
     }
 
     /** Returns the bytes of all columns. */

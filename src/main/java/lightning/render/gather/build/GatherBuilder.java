@@ -221,7 +221,7 @@ public final class GatherBuilder {
      * @param after paths after the edit
      */
     public @Nullable PointChanges changes(GatherStructure after) {
-        return memo == null || before == null || settings.reflections() ? null : PointChanges.between(before, after, memo.points());
+        return memo == null || before == null ? null : PointChanges.between(before, after, memo.points());
     }
 
     private RimLinks castThroughRims(RimCaster caster, PointPlacer placer, SurfelBuilder surfels, PathMemory memory) {

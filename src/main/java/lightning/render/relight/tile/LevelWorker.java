@@ -122,13 +122,10 @@ final class LevelWorker {
         if (target.indirect() == null || level.hasWeightsOf(target.indirect().structure())) {
             return level;
         }
-        RowWeights kept =
-                target.pointChanges() == null || level.weights() == null ? null : target.pointChanges().keep(level.weights(), level.rows());
-        if (kept != null) {
-            return level.withWeights(kept);
-        }
         weigher = weigher == null ? new RowWeigher(target.indirect().structure()) : weigher;
-        return level.withWeights(weigher.weigh(level.rows()));
+        RowWeights kept = target.pointChanges() == null || level.weights() == null ? null
+                : target.pointChanges().keep(level.weights(), level.rows(), weigher);
+        return level.withWeights(kept != null ? kept : weigher.weigh(level.rows()));
     }
 
     /**
