@@ -57,7 +57,7 @@ final class EditorMenu extends MenuBar {
                 menu(Messages.tr("Light"), Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, SEPARATOR, Command.NEW_BANK,
                         Command.DELETE_BANK, SEPARATOR, Command.RENAME_LIGHT,
                         Command.SWITCH_ON, Command.SOLO, Command.LOOK_THROUGH_LIGHT, SEPARATOR, Command.AIM, Command.PLACE_HIGHLIGHT,
-                        Command.PLACE_DIFFUSE, Command.PLACE_RIM, Command.PLACE_SHADOW, Command.PLACE_FLAG, Command.ADD_BLOCKER, SEPARATOR,
+                        Command.PLACE_DIFFUSE, Command.PLACE_RIM, Command.PLACE_SHADOW, Command.PLACE_FLAG, SEPARATOR,
                         Command.MIXER,
                         Command.LIGHT_LINKS,
                         Command.CONTRIBUTIONS, Command.MATCH_REFERENCE,
@@ -67,7 +67,7 @@ final class EditorMenu extends MenuBar {
         rig.setGraphic(new FontIcon("mdi2f-file-outline"));
         light.getItems().add(rig);
         Menu shape = menu(Messages.tr("Object"), Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, SEPARATOR,
-                Command.SHOW_SHAPE, Command.MAKE_LIGHT, Command.LIGHTS_OF_GLOW);
+                Command.SHOW_SHAPE, Command.ADD_BLOCKER, Command.MAKE_LIGHT, Command.LIGHTS_OF_GLOW);
         Menu shot =
                 menu(Messages.tr("Shot"), Command.TIMELINE, Command.FILM_STRIP, Command.SEQUENCE, SEPARATOR, Command.NEW_SHOT,
                         Command.DELETE_SHOT, SEPARATOR,
