@@ -1,7 +1,7 @@
 package lightning.render.fulltrace;
 
 import java.util.Arrays;
-import lightning.base.work.Progress;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.engine.EngineChoice;
 import lightning.render.fog.BounceRays;
@@ -26,15 +26,15 @@ final class FogTracer {
     private final Geometry geometry;
     private final Scene scene;
     private final WorkerPool workers;
-    private final Progress progress;
+    private final ProgressPart progress;
     private final EngineChoice engines;
     private long shadowRays;
 
-    FogTracer(Geometry geometry, Scene scene, EngineChoice engines, WorkerPool workers, Progress progress) {
+    FogTracer(Geometry geometry, Scene scene, EngineChoice engines, WorkerPool workers, ProgressPart progress) {
         this.geometry = geometry;
         this.scene = scene;
         this.workers = workers;
-        this.progress = progress.cancellationOnly();
+        this.progress = progress;
         this.engines = engines;
     }
 
@@ -67,11 +67,11 @@ final class FogTracer {
     private PictureFog trace(FogRays rays, FogMedium medium, WeightedLight[] lights) {
         float[] depths = FogDepths.trace(rays, geometry, workers, progress);
         var solver = new FogSolver(rays, medium, scene.world().fog().anisotropy(), depths, workers, progress);
-        var shadows = new FogShadows(rays, geometry, ViewEffects.ALL, engines, workers, progress);
+        var shadows = new FogShadows(rays, geometry, ViewEffects.ALL, engines, workers, lights.length, progress);
         @Nullable
         FogLight[] traced = new FogLight[lights.length];
         for (int l = 0; l < lights.length; l++) {
-            traced[l] = lights[l].isDarkInFog() ? null : solver.solve(lights[l].source(), shadows.visible(lights[l].source()));
+            traced[l] = lights[l].isDarkInFog() ? null : solver.solve(lights[l].source(), shadows.visible(l, lights[l].source()));
         }
         shadowRays += shadows.rayCount();
         return new PictureFog(rays, medium, depths, traced);

@@ -26,6 +26,8 @@ import org.jspecify.annotations.Nullable;
 public final class TraditionalTracer {
     /** Usual share of indirect light in the time of a trace. */
     private static final double INDIRECT_SHARE = 0.6;
+    /** Usual share of fog in the time after that. */
+    private static final double FOG_SHARE = 0.5;
 
     private final Geometry geometry;
     private final Geometry mirroredGeometry;
@@ -99,7 +101,7 @@ public final class TraditionalTracer {
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
     public @Nullable PictureFog traceFog(WorkerPool workers, Progress progress) {
-        return new FogTracer(geometry, scene, engines, workers, progress).trace(WeightedLight.ofScene(scene));
+        return new FogTracer(geometry, scene, engines, workers, new ProgressPart(progress, 0, 1)).trace(WeightedLight.ofScene(scene));
     }
 
     /**
@@ -108,7 +110,8 @@ public final class TraditionalTracer {
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
     public @Nullable PictureFog traceBounceFog(WorkerPool workers, Progress progress) {
-        return new FogTracer(mirroredGeometry, mirrored, engines, workers, progress).traceBounces(WeightedLight.ofScene(mirrored));
+        return new FogTracer(mirroredGeometry, mirrored, engines, workers, new ProgressPart(progress, 0, 1))
+                .traceBounces(WeightedLight.ofScene(mirrored));
     }
 
     private int[] allTiles() {
@@ -147,12 +150,14 @@ public final class TraditionalTracer {
         IndirectTracer inMirrors = scene == mirrored ? indirect
                 : new IndirectTracer(mirroredGeometry, mirrored, lights.mirrored(), engines, workers, indirectProgress);
         IndirectLight light = indirect.trace();
-        FogTracer fog = new FogTracer(geometry, scene, engines, workers, progress);
-        FogTracer mirroredFog = new FogTracer(mirroredGeometry, mirrored, engines, workers, progress);
+        ProgressPart fogProgress = new ProgressPart(progress, 0, FOG_SHARE);
+        FogTracer fog = new FogTracer(geometry, scene, engines, workers, fogProgress.section(0, 2));
+        FogTracer mirroredFog = new FogTracer(mirroredGeometry, mirrored, engines, workers, fogProgress.section(1, 2));
         List<EngineWorkers<TileTracer>> threads =
                 createTracers(workers, scenes, lights.withIndirect(light, inMirrors == indirect ? light : inMirrors.trace())
                         .withFog(fog.trace(lights.direct()), mirroredFog.traceBounces(lights.mirrored())));
-        Film film = trace(workers, threads, tiles, progress);
+        Film film = trace(workers, threads, tiles,
+                scene.world().fog().isPresent() ? new ProgressPart(progress, FOG_SHARE, 1) : progress);
         RayCounts rays = indirect.rays().plus(inMirrors == indirect ? RayCounts.NONE : inMirrors.rays());
         rays = rays.plus(fog.rays()).plus(mirroredFog.rays());
         for (EngineWorkers<TileTracer> thread : threads) {

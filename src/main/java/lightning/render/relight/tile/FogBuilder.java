@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.cache.LayerStamp;
 import lightning.render.fog.BounceRays;
@@ -70,14 +71,16 @@ final class FogBuilder {
     /**
      * Builds the fog.
      *
+     * @param progress progress of this part of the job
      * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
      */
-    BuiltFog build(FogMedium medium) {
+    BuiltFog build(FogMedium medium, ProgressPart progress) {
         WeightedLight[] lights = target.lights();
         float[] depths = depths();
         double anisotropy = target.scene().world().fog().anisotropy();
         var solver = new FogSolver(rays, medium, anisotropy, depths, workers, job.progress());
-        var shadows = new FogShadows(rays, target.geometry(), job.options().view(), job.options().engines(), workers, job.progress());
+        var shadows = new FogShadows(rays, target.geometry(), job.options().view(), job.options().engines(), workers, lights.length,
+                progress);
         @Nullable
         FogLight[] built = new FogLight[lights.length];
         for (int l = 0; l < lights.length; l++) {
@@ -94,14 +97,14 @@ final class FogBuilder {
         }
         LightSource source = light.source();
         if (known == null) {
-            return solver.solve(source, shadows.visible(source));
+            return solver.solve(source, shadows.visible(l, source));
         }
         LightDifference difference = LightDifference.between(known.light(), light.light());
         if (difference.moved() || difference.shadows()) {
-            return solver.solve(source, shadows.visible(source));
+            return solver.solve(source, shadows.visible(l, source));
         }
         if (sameRay != null || !shapeChange(l).isEmpty()) {
-            return solver.solve(source, shadows.visibleAfter(source, visibleBefore(known), unknownRays, shapeChange(l)));
+            return solver.solve(source, shadows.visibleAfter(l, source, visibleBefore(known), unknownRays, shapeChange(l)));
         }
         boolean isSame = difference.update() instanceof LightUpdate.Keep || difference.update() instanceof LightUpdate.Reweight;
         return isSame && known.hasDepths(depths) && known.medium().equals(medium)

@@ -3,6 +3,7 @@ package lightning.render.relight.tile;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.cache.PixelCache;
 import lightning.render.fog.BounceRays;
@@ -18,6 +19,9 @@ import org.jspecify.annotations.Nullable;
 
 /** Update of the fog of a job's target scenes: along camera rays, and along bounced rays of the scene that mirrors show. */
 final class FogUpdate {
+    /** Usual share of fog in the time of a job that traces it, after indirect light. */
+    private static final double SHARE = 0.5;
+
     private final RenderJob job;
     private final WorkerPool workers;
     private final @Nullable PixelCache old;
@@ -36,29 +40,31 @@ final class FogUpdate {
      * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
      */
     RenderJob apply() {
-        RenderJob shown = job.withFog(cameraFog());
+        ProgressPart part = new ProgressPart(job.progress(), 0, SHARE);
+        RenderJob shown = job.withFog(cameraFog(part.section(0, 2)));
+        shown = shown.fog() == null ? shown : shown.withProgress(new ProgressPart(job.progress(), SHARE, 1));
         PictureFog before = old == null ? null : old.mirrored().fog();
         if (old != null && job.mirrorPlan() == null) {
             return shown.withBounceFog(before, false);
         }
-        PictureFog bounced = bounceFog(before);
+        PictureFog bounced = bounceFog(before, part.section(1, 2));
         return shown.withBounceFog(bounced, showsOtherLight(before, bounced));
     }
 
-    private @Nullable PictureFog cameraFog() {
+    private @Nullable PictureFog cameraFog(ProgressPart part) {
         FogMedium medium = FogMedium.of(job.scene());
         PictureFog before = old == null ? null : old.shown().fog();
         return medium == null ? null : build(new FogBuilder(job, job.target(), job.topPlan(), before,
-                before != null ? before.rays() : new FogGrid(job.scene().camera(), job.scene().picture()), workers), medium);
+                before != null ? before.rays() : new FogGrid(job.scene().camera(), job.scene().picture()), workers), medium, part);
     }
 
-    private PictureFog build(FogBuilder builder, FogMedium medium) {
-        FogBuilder.BuiltFog built = builder.build(medium);
+    private PictureFog build(FogBuilder builder, FogMedium medium, ProgressPart part) {
+        FogBuilder.BuiltFog built = builder.build(medium, part);
         shadowRays += built.shadowRays();
         return built.fog();
     }
 
-    private @Nullable PictureFog bounceFog(@Nullable PictureFog before) {
+    private @Nullable PictureFog bounceFog(@Nullable PictureFog before, ProgressPart part) {
         PreparedScene mirrored = job.mirrorTarget();
         FogMedium medium = FogMedium.of(mirrored.scene());
         if (medium == null || before == null && Arrays.stream(mirrored.lights()).allMatch(WeightedLight::isDarkInFog)) {
@@ -66,7 +72,7 @@ final class FogUpdate {
         }
         FogRays rays = bounceRays(before);
         return rays == null ? null
-                : build(new FogBuilder(job, mirrored, job.mirrorPlan(), before, rays, workers), medium);
+                : build(new FogBuilder(job, mirrored, job.mirrorPlan(), before, rays, workers), medium, part);
     }
 
     /** Returns the bounced rays, those of the last picture if they are the same; null if no material mirrors or is clear. */

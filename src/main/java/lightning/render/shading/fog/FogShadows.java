@@ -3,7 +3,7 @@ package lightning.render.shading.fog;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
-import lightning.base.work.Progress;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.engine.EngineChoice;
 import lightning.render.engine.EngineWorkers;
@@ -26,37 +26,43 @@ public final class FogShadows {
     private final FogRays rays;
     private final WorkerPool workers;
     private final List<EngineWorkers<PointShadows>> casters;
-    private final Progress progress;
+    private final ProgressPart progress;
+    private final int lights;
     private final Group[] groups;
 
-    /** @param view its effects decide whether shapes block light */
-    public FogShadows(FogRays rays, Geometry geometry, ViewEffects view, EngineChoice engines, WorkerPool workers, Progress progress) {
+    /**
+     * @param view   its effects decide whether shapes block light
+     * @param lights number of lights; each has an equal part of the progress
+     */
+    public FogShadows(FogRays rays, Geometry geometry, ViewEffects view, EngineChoice engines, WorkerPool workers, int lights,
+            ProgressPart progress) {
         this.rays = rays;
+        this.lights = lights;
         this.workers = workers;
         casters = EngineWorkers.perThread(workers.count(), engines,
                 engine -> new PointShadows(geometry, engine.tracer(geometry), view));
-        this.progress = progress.cancellationOnly();
+        this.progress = progress;
         groups = new Group[workers.count()];
         Arrays.setAll(groups, _ -> new Group());
     }
 
-    /** Returns the samples that see a light, one bit each: {@code int[rays]}. */
-    public int[] visible(LightSource source) {
+    /** Returns the samples that see light number {@code l}, one bit each: {@code int[rays]}. */
+    public int[] visible(int l, LightSource source) {
         int[] visible = new int[rays.count()];
-        test(source, visible, null);
+        test(l, source, visible, null);
         return visible;
     }
 
     /**
-     * Returns the samples that see a light after a change, one bit each: {@code int[rays]}.
+     * Returns the samples that see light number {@code l} after a change, one bit each: {@code int[rays]}.
      *
      * @param before  samples that saw it before; not modified
      * @param unknown rays of which all samples must be tested, because they were others before
      * @param change  change of the shapes since then
      */
-    public int[] visibleAfter(LightSource source, int[] before, BitSet unknown, ShapeChange change) {
+    public int[] visibleAfter(int l, LightSource source, int[] before, BitSet unknown, ShapeChange change) {
         int[] visible = before.clone();
-        test(source, visible, new Change(unknown, change));
+        test(l, source, visible, new Change(unknown, change));
         return visible;
     }
 
@@ -64,10 +70,10 @@ public final class FogShadows {
     private record Change(BitSet unknown, ShapeChange shapes) {}
 
     /** @param change null if all samples must be tested */
-    private void test(LightSource source, int[] visible, @Nullable Change change) {
+    private void test(int l, LightSource source, int[] visible, @Nullable Change change) {
         FogSamples samples = new FogSamples(rays.grid().scale(), source);
         workers.run(rays.groupCount(), (worker, i) -> groups[worker].test(i, samples, casters.get(worker).forTile(i), change, visible),
-                progress);
+                progress.section(l, lights));
     }
 
     /** Returns the number of shadow rays cast since the start. */
