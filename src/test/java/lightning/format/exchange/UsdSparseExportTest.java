@@ -233,14 +233,15 @@ class UsdSparseExportTest {
     }
 
     @Test
-    void physicalSky_isNoted_andTheDomeStays() throws Exception {
+    void physicalSky_replacesTheImageOfTheDome() throws Exception {
         JenDocument document = imported();
         Scene scene = document.scene();
         JenDocument edited = document.withAnimatedScene(document.animatedScene().withScene(
                 scene.withWorld(scene.world().withSky(scene.world().sky().withOn(true)))));
         LightExport export =
                 LightExport.toUsd(edited.text(), edited.animatedScene(), folder.resolve("sparse.jen"), folder.resolve("lights.usda"));
-        assertThat(export.notes()).containsEntry("physical skies", 1);
+        assertThat(export.files()).containsOnlyKeys("lights.sky.hdr");
+        assertThat(new String(export.bytes(), StandardCharsets.UTF_8)).contains("over \"sky\"", "@./lights.sky.hdr@");
     }
 
     /** A dome's image has its center at +z: half a turn more about y, which inverts the other angles. */

@@ -12,6 +12,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
@@ -20,6 +21,7 @@ import lightning.format.jen.JenReader;
 import lightning.sample.SampleMeshes;
 import lightning.sample.SceneArbitraries;
 import lightning.scene.Camera;
+import lightning.scene.EnvironmentLayer;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
@@ -61,11 +63,12 @@ class PovSceneTest {
         String text = PovScene.of(scene, "x").text();
         assertThat(text.chars().filter(c -> c == '{').count()).isEqualTo(text.chars().filter(c -> c == '}').count());
         assertThat(text).doesNotContain("NaN", "Infinity");
-        int ofEnvironment = !scene.rig().isEnvironmentActive() ? 0
-                : scene.world().environment().orElseThrow().map().lights(scene.world().lightCount()).size();
+        List<EnvironmentLayer> environments = scene.world().environments();
+        int ofEnvironments = IntStream.range(0, environments.size()).filter(scene.rig()::isEnvironmentActive)
+                .map(e -> environments.get(e).map().lights(environments.get(e).lightCount()).size()).sum();
         assertThat(text.lines().filter(line -> line.startsWith("light_source"))).hasSize(
                 (int) scene.lights().stream().filter(light -> scene.isActive(light) && light.type() != LightType.OBJECT).count()
-                        + ofEnvironment);
+                        + ofEnvironments);
         boolean isTilted = scene.world().environment().isPresent() && !scene.world().dome().isUpright();
         assertThat(text.lines().filter(line -> line.startsWith("  matrix"))).hasSize(scene.placedShapes().size() + (isTilted ? 1 : 0));
     }
