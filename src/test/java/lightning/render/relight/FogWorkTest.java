@@ -2,12 +2,10 @@ package lightning.render.relight;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.relight.paper.MirrorStorage;
@@ -15,6 +13,7 @@ import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.fog.PictureFog;
 import lightning.render.shading.reference.ReferenceTracer;
+import lightning.sample.ProgressRecorder;
 import lightning.sample.StudioScene;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
@@ -51,30 +50,17 @@ class FogWorkTest {
     @Test
     void fog_reportsItsProgress() {
         Scene scene = withFog(StudioScene.of(LightType.POINT).withPicture(new PictureSettings(16, 16, 0)), _ -> FOG);
-        List<Double> first = new ArrayList<>();
-        List<Double> full = new ArrayList<>();
+        ProgressRecorder first = new ProgressRecorder();
+        ProgressRecorder full = new ProgressRecorder();
         try (WorkerPool workers = new WorkerPool(1); Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
-            renderer.render(scene, reportsTo(first));
-            new TraditionalTracer(scene).trace(workers, reportsTo(full));
+            renderer.render(scene, first);
+            new TraditionalTracer(scene).trace(workers, full);
         }
-        for (List<Double> shares : List.of(first, full)) {
+        for (ProgressRecorder progress : List.of(first, full)) {
+            List<Double> shares = progress.shares();
             assertThat(shares).isSorted().hasSizeGreaterThan(1).endsWith(1.0);
             assertThat(shares.getFirst()).isLessThan(0.3);
         }
-    }
-
-    private static Progress reportsTo(List<Double> shares) {
-        return new Progress() {
-            @Override
-            public void report(int done, int total) {
-                shares.add((double) done / total);
-            }
-
-            @Override
-            public boolean isCanceled() {
-                return false;
-            }
-        };
     }
 
     @ParameterizedTest
