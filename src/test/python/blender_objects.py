@@ -105,4 +105,10 @@ assert FILE.with_name("shot.edited.jen").read_text(encoding="utf-8") == kept, "t
 for name in ("shot.jen", "shot.edited.jen", "shot.edited2.jen"):
     sample.run_program("check", str(FILE.with_name(name)))
 assert not any("only in" in m for m in transfer.send(bpy.context, FILE))
+
+# Environments that Blender's world does not show are named.
+FILE.write_text(FILE.read_text(encoding="utf-8") + 'dome studio { environment "studio.hdr" }\ndome dark { environment "studio.hdr"  on no }\n', encoding="utf-8")
+(FILE.parent / "studio.hdr").write_bytes(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n" + bytes([128, 128, 128, 129]))
+messages = edit("world.sky=yes")
+assert "domes, which stay in Lightning: studio" in messages and "world: the physical sky stays in Lightning" in messages, messages
 print("all objects are equal")

@@ -274,6 +274,7 @@ def _get_rest(scene, source: Path, exported: dict, groups: dict, messages: list[
     lost += instanced_lights.lost(exported, instances)
     messages += lost
     world.receive(scene.world, exported["world"], remembered.get("world", {}), messages)
+    messages += world.lost(exported)
     _store(scene, source, exported, groups, kept, instances, [*remembered.get("lost", []), *lost])
 
 

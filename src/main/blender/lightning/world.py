@@ -63,6 +63,13 @@ def receive(world, settings: dict, before: dict, messages: list[str]) -> None:
         socket.default_value = 1
 
 
+def lost(exported: dict) -> list[str]:
+    """Returns messages about environments that Blender's world does not show."""
+    domes = [dome["name"] for dome in exported.get("domes", []) if dome["on"] and "environment" in dome]
+    messages = [f"domes, which stay in Lightning: {', '.join(domes)}"] if domes else []
+    return messages + (["world: the physical sky stays in Lightning"] if exported["world"]["sky"] else [])
+
+
 def _background(world):
     tree = world.node_tree if world is not None else None
     output = tree.get_output_node("ALL") or tree.get_output_node("CYCLES") if tree else None
