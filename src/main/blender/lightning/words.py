@@ -2,7 +2,7 @@
 """Edits in words: values of JSON as `lightning serve` reads them."""
 
 # Properties with a word, which has no quotes. Other texts are names.
-CHOICES = ("type", "falloff", "unit")
+CHOICES = ("type", "falloff", "unit", "filter", "sky_unit")
 # No properties of scene files.
 SKIPPED = ("name", "relative_intensity")
 
