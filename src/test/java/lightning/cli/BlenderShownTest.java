@@ -253,8 +253,8 @@ class BlenderShownTest {
         Material noisy = material(send("linked").scene(), "noisy");
         assertThat(noisy.base()).as("the mean").isEqualTo(Rgb.gray(0.5));
         assertThat(noisy.coat().roughness()).isCloseTo(0.5, within());
-        assertThat(messages()).contains("shaders are not sent exactly: noisy (Noise Texture for Base Color, sent as the mean, "
-                + "Noise Texture for Coat Roughness, sent as the mean), bumpy (Bump for Normal, not sent, Bump for Coat Normal, not sent), "
+        assertThat(messages()).contains("shaders are not sent exactly: noisy (Noise Texture for Coat Roughness, sent as the mean, "
+                + "Noise Texture for Base Color, sent as the mean), bumpy (Bump for Normal, not sent, Bump for Coat Normal, not sent), "
                 + "colored (colors of coats)");
     }
 
