@@ -2,7 +2,6 @@ package lightning.editor.document;
 
 import java.util.Comparator;
 import java.util.List;
-import java.util.Set;
 import java.util.stream.Stream;
 import lightning.base.math.Vec3;
 import lightning.editor.document.manipulation.ViewFocus;
@@ -28,7 +27,7 @@ public final class NewBlocker {
 
     /** Returns the name of the next blocker. */
     public static String name(Scene scene) {
-        return scene.isNameUsed(NAME) ? NodeEdits.freeName(scene, NAME, Set.of()) : NAME;
+        return LightEdits.freeName(scene, NAME);
     }
 
     /**
