@@ -87,13 +87,14 @@ public final class Geometry {
     }
 
     private boolean @Nullable [] seenPrimitives() {
+        if (!materials.hasUnseenMaterials()) {
+            return null;
+        }
         boolean[] result = new boolean[primitives.count];
-        boolean isAllSeen = true;
         for (int s = 0; s < result.length; s++) {
             result[s] = material(s).transmission().isSeen();
-            isAllSeen &= result[s];
         }
-        return isAllSeen ? null : result;
+        return result;
     }
 
     /** Prepares the shapes of a scene. */

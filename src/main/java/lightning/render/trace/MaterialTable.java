@@ -255,6 +255,11 @@ public final class MaterialTable {
         return materials.stream().anyMatch(m -> !m.transmission().castsShadows());
     }
 
+    /** Returns whether rays other than shadow rays pass any material. */
+    boolean hasUnseenMaterials() {
+        return materials.stream().anyMatch(m -> !m.transmission().isSeen());
+    }
+
     /** Returns whether any material is metallic. */
     public boolean hasMetallic() {
         return metalF0 != null;
