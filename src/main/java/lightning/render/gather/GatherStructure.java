@@ -3,6 +3,7 @@ package lightning.render.gather;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.gather.cell.CellKeys;
@@ -20,6 +21,8 @@ import lightning.render.gather.rim.RimLinks;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
+import lightning.scene.GatherSettings;
+import lightning.scene.Scene;
 import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
@@ -74,7 +77,20 @@ public final class GatherStructure {
      * @param seen   those at which rays of reflections are aimed
      * @param materials materials of reflection points, by number; none without these
      */
-    public record Metadata(CellKeys keys, GlowShapes shapes, GlowShapes seen, List<Material> materials) {}
+    public record Metadata(CellKeys keys, GlowShapes shapes, GlowShapes seen, List<Material> materials) {
+        /** Returns what the paths of a scene refer to when they are traced. */
+        public static Metadata of(Geometry geometry, Scene scene, GatherSettings settings) {
+            MaterialTable table = geometry.materials();
+            return new Metadata(new CellKeys(scene, settings), settings.isIndirect() ? GlowShapes.of(geometry) : GlowShapes.none(),
+                    settings.reflections() ? GlowShapes.seen(geometry, table) : GlowShapes.none(),
+                    settings.reflections() ? IntStream.range(0, table.count()).mapToObj(table::material).toList() : List.of());
+        }
+
+        /** Returns whether paths that refer to this may refer to another instead: they have the same camera and settings. */
+        public boolean isSame(Metadata other) {
+            return shapes.areSame(other.shapes) && seen.areSame(other.seen) && materials.equals(other.materials);
+        }
+    }
 
     /** Returns what stored paths refer to. */
     public Metadata metadata() {

@@ -22,6 +22,7 @@ import lightning.scene.material.Coat;
 import lightning.scene.material.Material;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.material.Sheen;
+import lightning.scene.node.SceneNode;
 import org.junit.jupiter.api.Test;
 
 /** Tests which edits cast rays for blurred reflections, and that the picture is that of a full trace. */
@@ -80,6 +81,43 @@ class BlurredReflectionWorkTest {
     void hiddenObject_keepsPathsOfIndirectLightThatPassIt() throws JenException {
         long[] rays = gatherRays(scene -> scene.withNode("bulb", scene.stage().node("bulb").orElseThrow().withVisible(false)));
         assertThat(rays[1]).isLessThan(rays[0]);
+    }
+
+    private static Scene moved(Scene scene, String name, Vec3 by) {
+        SceneNode node = scene.stage().node(name).orElseThrow();
+        return scene.withNode(name, node.withPlacement(node.placement().withPosition(node.placement().position().plus(by))));
+    }
+
+    @Test
+    void movedObject_keepsReflectionsThatCannotMeetIt() throws JenException {
+        SceneNode ball = scene().stage().node("ball").orElseThrow();
+        Scene scene = scene().withNode("ball",
+                ball.withPlacement(ball.placement().withScale(new Vec3(0.1, 0.1, 0.1)).withPosition(new Vec3(1.5, 0.1, -1))));
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+            long first = renderer.render(scene, Progress.NONE).rays().gather();
+            Scene after = moved(scene, "ball", new Vec3(0.1, 0, 0));
+            long moved = renderer.render(after, Progress.NONE).rays().gather();
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(after).trace(), "moved-ball");
+            assertThat(moved).isPositive().isLessThan(first / 2);
+        }
+    }
+
+    @Test
+    void objectSeenInAMirrorByRays_isMovedThereToo() throws JenException {
+        Scene scene = JenReader.read("""
+                jen 1
+                picture { size 40 30  depth 2 }
+                camera { from 0 1 5  to 0 0.4 0  fov 40 }
+                world { ambience 0 }
+                material table { model principled  base 0.9 0.9 0.9  metalness 1  roughness 0.3 }
+                material mirror { diffuse 0 0 0  reflective 0.95 0.95 0.95 }
+                material red { diffuse 0.9 0.1 0.1 }
+                plane top { material table  scale 4 1 4 }
+                plane back { material mirror  at 0 2 -2  rotate 90 0 0  scale 6 1 4 }
+                sphere ball { material red  at 0 2 6  scale 0.7 0.7 0.7 }
+                light key point { at 2 3 3 }
+                """, "mirror", Path.of(".")).scene();
+        assertThat(edit(scene, moved(scene, "ball", new Vec3(1, 0, 0))).rays().gather()).isPositive();
     }
 
     @Test

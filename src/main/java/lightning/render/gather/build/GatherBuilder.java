@@ -37,6 +37,7 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.ShapeChange;
 import lightning.render.trace.Tracer;
+import lightning.render.trace.tree.BoxSet;
 import lightning.scene.GatherSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
@@ -94,17 +95,18 @@ public final class GatherBuilder {
         this.progress = progress;
         this.tracers = new Tracer[workers.count()];
         Arrays.setAll(this.tracers, tracers);
-        keys = new CellKeys(scene, settings);
+        GatherStructure.Metadata metadata = GatherStructure.Metadata.of(geometry, scene, settings);
+        keys = metadata.keys();
         lobes = new RoughLobes[geometry.materials().count()];
         Arrays.setAll(lobes, m -> RoughLobes.of(geometry.materials().material(m)));
         reflectionDirections = ReflectionDirections.of(settings.reflections() ? settings.reflectionRaysPerSide() : 2);
-        seenGlows = settings.reflections() ? GlowShapes.seen(geometry, geometry.materials()) : GlowShapes.none();
-        glows = settings.isIndirect() ? GlowShapes.of(geometry) : GlowShapes.none();
+        seenGlows = metadata.seen();
+        glows = metadata.shapes();
     }
 
     /**
-     * Uses the paths before an edit, if few enough objects changed; rays of blurred reflections only if no object did. The structure then
-     * contains no rows of surfels that stay.
+     * Uses the paths before an edit, if few enough objects changed; rays of blurred reflections only if no object was added or removed. The
+     * structure then contains no rows of surfels that stay.
      *
      * @param old      paths of a picture with the same camera, size and settings
      * @param rows     rows of its surfels
@@ -114,7 +116,7 @@ public final class GatherBuilder {
      */
     public void remember(GatherStructure old, HitRows[] rows, Geometry previous, ShapeChange shapes,
             IntFunction<Tracer> itsTracers) {
-        boolean keepsReflections = settings.reflections() && shapes == ShapeChange.NONE;
+        boolean keepsReflections = settings.reflections() && shapes.hasSameIndices();
         if (!settings.gathers() && !keepsReflections) {
             return;
         }
@@ -125,7 +127,11 @@ public final class GatherBuilder {
             memoTracers = itsTracers;
         }
         if (keepsReflections) {
-            reflectionMemo = ReflectionMemo.of(old.reflections(), known.keys(), previous.materials(), geometry.materials(), seenGlows);
+            // Without an edit of shapes the memo itself knows which materials changed.
+            BoxSet changes = shapes == ShapeChange.NONE ? BoxSet.NONE : PathChanges.of(previous, shapes, geometry, true);
+            reflectionMemo = changes == null ? null
+                    : ReflectionMemo.of(old.reflections(), known.keys(), changes, shapes, previous.materials(), geometry.materials(),
+                            seenGlows);
         }
         knownSurfels = memo == null && reflectionMemo == null ? null : known;
     }

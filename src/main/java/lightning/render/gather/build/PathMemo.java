@@ -10,7 +10,6 @@ import lightning.render.gather.ray.RaySources;
 import lightning.render.gather.reflection.ReflectionPaths;
 import lightning.render.gather.rim.RimLinks;
 import lightning.render.trace.Geometry;
-import lightning.render.trace.MaterialTable;
 import lightning.render.trace.ShapeChange;
 import lightning.render.trace.tree.BoxRay;
 import lightning.render.trace.tree.BoxSet;
@@ -23,9 +22,6 @@ import org.jspecify.annotations.Nullable;
  * <p>Rays that may pass a transparent object or the face of a light are cast again: their segments do not lie exactly on one line.
  */
 public final class PathMemo {
-    /** With more boxes their tests cost as much as rays. */
-    private static final int MAX_BOXES = 256;
-
     private final Geometry geometry;
     private final BoxSet changes;
     private final KnownRays points;
@@ -97,27 +93,8 @@ public final class PathMemo {
      */
     static @Nullable PathMemo of(GatherStructure before, KnownSurfels known, Geometry geometry, ShapeChange shapes, Geometry after,
             CellKeys cells) {
-        BoxSet changes =
-                shapes.visibleChanges().union(changedMaterials(geometry, geometry, after)).union(changedMaterials(after, geometry, after));
-        return changes.count() > MAX_BOXES ? null : new PathMemo(before, known, geometry, cells, changes);
-    }
-
-    /** Returns the boxes of the primitives of a geometry that rays pass, or whose materials changed in what rays and surfels read. */
-    private static BoxSet changedMaterials(Geometry of, Geometry geometry, Geometry after) {
-        MaterialTable old = geometry.materials();
-        MaterialTable now = after.materials();
-        boolean[] changed = new boolean[now.count()];
-        for (int m = 0; m < changed.length; m++) {
-            changed[m] = now.isTransparent(m) || m < old.count() && !old.hasSamePaths(m, now);
-        }
-        int[] primitives = new int[of.primitiveCount()];
-        int count = 0;
-        for (int p = 0; p < primitives.length && count <= MAX_BOXES; p++) {
-            if (changed[of.materialIndex(p)] || of.isLightFace(p)) {
-                primitives[count++] = p;
-            }
-        }
-        return of.boxes(primitives, count);
+        BoxSet changes = PathChanges.of(geometry, shapes, after, false);
+        return changes == null ? null : new PathMemo(before, known, geometry, cells, changes);
     }
 
     /** Returns the geometry before the edit. */

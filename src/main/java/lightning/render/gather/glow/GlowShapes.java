@@ -7,6 +7,7 @@ import lightning.render.gather.cell.SurfaceColumns;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.MaterialTable;
+import lightning.render.trace.ShapeChange;
 import lightning.render.trace.tree.Bvh;
 import lightning.scene.asset.TextureMap;
 
@@ -126,6 +127,11 @@ public final class GlowShapes {
     /** Returns whether these are some objects of the same scene. */
     public boolean areSame(GlowShapes others) {
         return (this == TOO_MANY) == (others == TOO_MANY) && Arrays.equals(primitives, others.primitives);
+    }
+
+    /** Returns whether an edit of shapes changed any of these objects. */
+    public boolean haveChanged(ShapeChange shapes) {
+        return !Arrays.equals(shapes.mapIndices(primitives), primitives);
     }
 
     /** Returns whether these contain some objects of the same scene. Too many objects contain only too many. */

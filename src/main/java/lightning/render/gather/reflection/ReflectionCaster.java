@@ -19,6 +19,7 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RayBatch;
 import lightning.render.trace.Tracer;
+import lightning.render.trace.tree.BoxRay;
 import lightning.scene.Scene;
 import lightning.scene.material.Anisotropy;
 import lightning.scene.material.Material;
@@ -51,6 +52,7 @@ public final class ReflectionCaster {
     /** Object at which each ray of a batch is aimed; −1 for none. */
     private final int[] aimed = new int[RayBatch.MAX_RAYS];
     private final double[] d = new double[3];
+    private final BoxRay boxRay = new BoxRay();
     private final SurfaceNormals normals;
     private final ReflectionLobe lobe = new ReflectionLobe();
     private final SheenDirections sheen = new SheenDirections();
@@ -96,6 +98,20 @@ public final class ReflectionCaster {
     /** Finds the normals of the surfaces of points {@code from … to − 1}, before their rays are cast. */
     void findNormals(ReflectionPoints points, int from, int to) {
         normals.find(points.sources, from, to);
+    }
+
+    /** Returns whether any ray of a point may meet something else than before an edit. */
+    boolean mayChange(ReflectionPoints points, int p, ReflectionMemo memo) {
+        moveTo(points, p);
+        SurfaceColumns s = points.surface();
+        for (int k = 0; k < raysPerPoint; k++) {
+            direct(points, p, k, 0);
+            boxRay.setRay(s.px[p], s.py[p], s.pz[p], d[0], d[1], d[2]);
+            if (memo.mayChange(boxRay)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /**

@@ -1,17 +1,22 @@
 package lightning.render.gather.reflection;
 
+import java.util.Arrays;
 import java.util.Objects;
+import lightning.render.gather.cell.CellKeys;
 import lightning.render.gather.cell.SurfaceColumns;
 import lightning.render.gather.glow.GlowShapes;
 import lightning.render.gather.ray.RayLinks;
 import lightning.render.lobe.RoughLobes;
 import lightning.render.trace.MaterialTable;
+import lightning.render.trace.ShapeChange;
+import lightning.render.trace.tree.BoxRay;
+import lightning.render.trace.tree.BoxSet;
 import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Paths of reflections before an edit of materials. Rays of points whose own material reflects as before meet what they met, and are not cast again.
- * Immutable.
+ * Paths of reflections before an edit of materials or objects. Rays of points whose own material reflects as before meet what they met, unless they may
+ * meet a changed object, and are not cast again. Immutable.
  */
 public final class ReflectionMemo {
     /** No point. */
@@ -21,40 +26,79 @@ public final class ReflectionMemo {
     private final ReflectionOrigins origins;
     /** Key of the cell of each surfel; that of a part is unused. */
     private final long[] surfelKeys;
-    /** Points of each material, ascending; none if it does not reflect as before. */
-    private final int[][] points;
+    /** Boxes of what rays may meet otherwise than before. */
+    private final BoxSet changes;
+    /** Open hash table of the points whose materials reflect as before; {@link #NONE} in an empty slot. */
+    private final int[] slots;
 
-    private ReflectionMemo(ReflectionPaths before, long[] surfelKeys, int[][] points) {
+    private ReflectionMemo(ReflectionPaths before, long[] surfelKeys, BoxSet changes) {
         this.before = before;
         origins = before.origins();
         this.surfelKeys = surfelKeys;
-        this.points = points;
+        this.changes = changes;
+        slots = new int[Integer.highestOneBit(Math.max(1, origins.seed().length)) * 4];
+        Arrays.fill(slots, NONE);
     }
 
     /**
-     * Returns the paths of a picture with the same shapes and settings; null if rays of other materials may meet something else as well.
+     * Returns the paths of a picture with the same settings and the same indices of shapes; null if rays of all materials may meet something else.
      *
      * @param surfelKeys key of the cell of each surfel
+     * @param changes    boxes of changed objects, before and after, and of those where rays go on
+     * @param shapes     edit of the shapes
      * @param after      materials after the edit
      * @param glows      objects that are shown glowing after it
      */
-    public static @Nullable ReflectionMemo of(@Nullable ReflectionPaths before, long[] surfelKeys, MaterialTable materials,
-            MaterialTable after,
-            GlowShapes glows) {
-        if (before == null || materials.count() != after.count() || !before.glows().areSame(glows)) {
+    public static @Nullable ReflectionMemo of(@Nullable ReflectionPaths before, long[] surfelKeys, BoxSet changes, ShapeChange shapes,
+            MaterialTable materials, MaterialTable after, GlowShapes glows) {
+        if (before == null || materials.count() != after.count() || !before.glows().areSame(glows) || before.glows().haveChanged(shapes)) {
             return null;
         }
-        int[][] points = new int[after.count()][];
-        for (int m = 0; m < points.length; m++) {
+        var memo = new ReflectionMemo(before, surfelKeys, changes);
+        for (int m = 0; m < after.count(); m++) {
             Material old = materials.material(m);
             Material now = after.material(m);
             if (!areMetAlike(old, now) || !materials.hasSamePaths(m, after)) {
                 return null;
             }
             ReflectionGroup group = before.group(m);
-            points[m] = group == null || !castAlike(old, now) ? new int[0] : group.number;
+            if (group != null && castAlike(old, now)) {
+                memo.add(group.number);
+            }
         }
-        return new ReflectionMemo(before, surfelKeys, points);
+        return memo;
+    }
+
+    private void add(int[] points) {
+        for (int p : points) {
+            int slot = slot(before.points(), origins.seed()[p], p);
+            slots[slot] = slots[slot] == NONE ? p : slots[slot];
+        }
+    }
+
+    /** Returns the slot of a point that is equal to one of some points, or the empty one where it belongs. */
+    private int slot(ReflectionPoints of, long seed, int p) {
+        SurfaceColumns s = of.surface();
+        int slot = CellKeys.rank(seed, s.px[p], s.py[p], s.pz[p], 0) & slots.length - 1;
+        while (slots[slot] != NONE && !isSame(slots[slot], of, seed, p)) {
+            slot = slot + 1 & slots.length - 1;
+        }
+        return slot;
+    }
+
+    /** Returns the known point at the place of another, with its view and its directions; {@link #NONE} if there is none. */
+    int find(ReflectionPoints now, int p) {
+        return slots[slot(now, now.seed[p], p)];
+    }
+
+    /** Returns whether rays may meet something else than before. */
+    boolean hasChanges() {
+        return !changes.isEmpty();
+    }
+
+    /** Returns whether a ray may meet something else than before. */
+    boolean mayChange(BoxRay ray) {
+        return changes.intersects(ray, Double.POSITIVE_INFINITY);
     }
 
     /** Returns whether rays of blurred reflections start from and end at both materials in the same way. */
@@ -71,22 +115,11 @@ public final class ReflectionMemo {
         return a == b || Objects.equals(a.mirrorTint(), b.mirrorTint()) && a.isFrosted() == b.isFrosted();
     }
 
-    /** Returns the number of points of a material that are known. */
-    int count(int material) {
-        return points[material].length;
-    }
-
-    /** Returns a known point of a material. */
-    int point(int material, int number) {
-        return points[material][number];
-    }
-
-    /** Returns whether a point is at the place of a known one, with its view and its directions. */
-    boolean isSame(int known, ReflectionPoints now, int p) {
+    private boolean isSame(int known, ReflectionPoints now, long seed, int p) {
         ReflectionPoints old = before.points();
         SurfaceColumns s = old.surface();
         SurfaceColumns t = now.surface();
-        return origins.seed()[known] == now.seed[p] && s.px[known] == t.px[p] && s.py[known] == t.py[p] && s.pz[known] == t.pz[p]
+        return origins.seed()[known] == seed && s.px[known] == t.px[p] && s.py[known] == t.py[p] && s.pz[known] == t.pz[p]
                 && s.nx[known] == t.nx[p] && s.ny[known] == t.ny[p] && s.nz[known] == t.nz[p] && s.primitive[known] == t.primitive[p]
                 && old.seen.vx[known] == now.seen.vx[p] && old.seen.vy[known] == now.seen.vy[p] && old.seen.vz[known] == now.seen.vz[p]
                 && old.seen.roughness[known] == now.seen.roughness[p];

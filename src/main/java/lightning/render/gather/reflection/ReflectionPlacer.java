@@ -74,7 +74,7 @@ public final class ReflectionPlacer {
         points = new ReflectionPoints(keys);
         steps = steps(lobes);
         this.lobeRays = lobeRays;
-        repeated = new RepeatedPoints(memo, lobes.length, raysPerPoint);
+        repeated = new RepeatedPoints(memo, raysPerPoint);
         links = new ReflectionLinks(raysPerPoint, memory);
     }
 
@@ -229,6 +229,7 @@ public final class ReflectionPlacer {
             int from = first + job * BATCH;
             int to = Math.min(count, from + BATCH);
             casters[worker].findNormals(points, from, to);
+            repeated.forgetChanged(points, from, to, casters[worker]);
             for (int p = from; p < to; p++) {
                 if (repeated.isKnown(p)) {
                     repeated.write(p, links);

@@ -6,46 +6,38 @@ import java.util.Arrays;
 import lightning.render.gather.ray.RayLinks;
 import org.jspecify.annotations.Nullable;
 
-/** Reflection points of a memo that are found again while points are placed, in their order. Without a memo there are none. */
+/** Reflection points of a memo that are found again while points are placed. Without a memo there are none. */
 final class RepeatedPoints {
     private final @Nullable ReflectionMemo memo;
     private final int raysPerPoint;
-    /** Number of points of each material that were found. */
-    private final int[] found;
     /** For each point or copy that of the memo; {@link ReflectionMemo#NONE} for others. */
     private int[] known = {};
+    /** Points and copies of which rays may meet something else than before. */
+    private boolean[] isChanged = {};
     private int count;
     /** For each point and copy of the memo whether it was found. */
     private final boolean[] isFound;
 
-    RepeatedPoints(@Nullable ReflectionMemo memo, int materials, int raysPerPoint) {
+    RepeatedPoints(@Nullable ReflectionMemo memo, int raysPerPoint) {
         this.memo = memo;
         this.raysPerPoint = raysPerPoint;
-        found = new int[materials];
         isFound = new boolean[memo == null ? 0 : memo.pointCount()];
     }
 
     /** Adds the last of some points. */
     void addPoint(ReflectionPoints points) {
-        int p = points.count() - 1;
-        int m = points.material[p];
-        int old = memo == null || found[m] == memo.count(m) ? ReflectionMemo.NONE : memo.point(m, found[m]);
-        if (memo != null && old != ReflectionMemo.NONE && memo.isSame(old, points, p)) {
-            found[m]++;
-            add(old);
-        } else {
-            add(ReflectionMemo.NONE);
-        }
+        add(memo == null ? ReflectionMemo.NONE : memo.find(points, points.count() - 1));
     }
 
     /** Adds copy {@code k} of a point, 1 or more. */
     void addCopy(int p, int k) {
-        add(memo == null || !isKnown(p) ? ReflectionMemo.NONE : memo.copy(known[p], k));
+        add(memo == null || known[p] == ReflectionMemo.NONE ? ReflectionMemo.NONE : memo.copy(known[p], k));
     }
 
     private void add(int old) {
         if (count == known.length) {
             known = Arrays.copyOf(known, Math.max(1024, 2 * count));
+            isChanged = Arrays.copyOf(isChanged, known.length);
         }
         known[count++] = old;
         if (old != ReflectionMemo.NONE) {
@@ -55,7 +47,21 @@ final class RepeatedPoints {
 
     /** Returns whether the rays of a point are those of a point of the memo. */
     boolean isKnown(int p) {
-        return known[p] != ReflectionMemo.NONE;
+        return known[p] != ReflectionMemo.NONE && !isChanged[p];
+    }
+
+    /**
+     * Forgets points and copies of which a ray may meet something else than before. Threads may test different ones at the same time.
+     *
+     * @param from first of them, before {@code to}
+     */
+    void forgetChanged(ReflectionPoints points, int from, int to, ReflectionCaster caster) {
+        for (int p = from; memo != null && memo.hasChanges() && p < to; p++) {
+            if (isKnown(p) && caster.mayChange(points, p, memo)) {
+                isChanged[p] = true;
+                isFound[known[p]] = false;
+            }
+        }
     }
 
     /** Writes the rays of a known point. */
