@@ -239,6 +239,9 @@ public enum Command {
     COMPARE_SETTINGS(Messages.key("Compare Settings…"),
             Messages.key("Compare the time and accuracy of settings of indirect light, blurred reflections and soft shadows"),
             "mdi2c-chart-scatter-plot"),
+    KEEP_PICTURES(Messages.key("Keep Pictures on Disk"),
+            Messages.key("Keep finished pictures, so that scenes open with them; switched off, those on the disk are deleted"),
+            "mdi2h-harddisk"),
 
     ONLY_SELECTED(Messages.key("Isolate Selected Light"), Messages.key("Show only the selected light's contribution, reflections included"),
             "mdi2f-filter-outline", "Shortcut+I"),

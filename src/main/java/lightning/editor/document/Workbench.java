@@ -11,6 +11,7 @@ import java.util.function.Supplier;
 import lightning.editor.loop.CoarsePicture;
 import lightning.editor.loop.DisplayMode;
 import lightning.editor.loop.Frame;
+import lightning.editor.loop.KeptPictures;
 import lightning.editor.loop.RenderFeed;
 import lightning.editor.loop.RenderListener;
 import lightning.editor.loop.RenderLoop;
@@ -34,6 +35,7 @@ public final class Workbench implements AutoCloseable {
     private final Runnable changeListener;
     private volatile RenderOptions renderOptions;
     private final RenderLoop loop;
+    private final KeptPictures kept;
     private final FileThread files;
     private final ArrayDeque<Runnable> pendingSaves = new ArrayDeque<>();
     private final Autosave autosave;
@@ -61,10 +63,12 @@ public final class Workbench implements AutoCloseable {
      * @param progressListener called there if only {@link #renderState} changed
      * @param canvas           receives events of the render loop on its own threads, before the workbench
      * @param failureListener  receives, on the autosave thread, failures to save
+     * @param kept             pictures of earlier processes
      */
     public Workbench(OpenDocument document, RenderOptions options, RecoveryFolder recovery, FileThread files, Runnable changeListener,
-            Runnable progressListener, RenderListener canvas, Consumer<Throwable> failureListener) {
+            Runnable progressListener, RenderListener canvas, Consumer<Throwable> failureListener, KeptPictures kept) {
         this.document = document;
+        this.kept = kept;
         this.changeListener = changeListener;
         this.progressListener = progressListener;
         this.files = files;
@@ -72,7 +76,12 @@ public final class Workbench implements AutoCloseable {
         autosave = new Autosave(recovery, Autosave.DEFAULT_DELAY, failureListener);
         feed = new RenderFeed(files.windowExecutor(), canvas, this::renderStateChanged);
         renderOptions = options;
-        loop = new RenderLoop(options, feed);
+        loop = new RenderLoop(options, feed, keptFor(document));
+    }
+
+    private KeptPictures keptFor(OpenDocument its) {
+        Path folder = its.file().toAbsolutePath().getParent();
+        return folder == null ? KeptPictures.none() : kept.forScenesIn(folder);
     }
 
     /** Sets a running startup preview before the document is rendered, as {@link RenderLoop#setStartupPreview}. */
@@ -144,7 +153,7 @@ public final class Workbench implements AutoCloseable {
     public void open(OpenDocument other) {
         openCount++;
         feed.open(openCount);
-        loop.open(other.scene(), openCount);
+        loop.open(other.scene(), openCount, keptFor(other));
         sceneInProgress = Optional.of(other.scene());
         autosave.discard();
         document = other;
@@ -320,6 +329,9 @@ public final class Workbench implements AutoCloseable {
             return newSaved;
         }, newSaved -> {
             savedDocument.onSaved(newSaved);
+            if (savedDocument == document) {
+                loop.keepPicture();
+            }
             contentChanged();
             saveNext();
             completion.accept(Optional.empty());

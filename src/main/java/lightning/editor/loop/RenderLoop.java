@@ -27,15 +27,28 @@ public final class RenderLoop implements AutoCloseable {
     private final RenderWorker worker;
     private final Thread thread;
 
-    /** Starts the thread. Renders nothing until a scene is requested. */
+    /** Starts the thread, for scenes whose pictures are not kept. Renders nothing until a scene is requested. */
     public RenderLoop(RenderOptions options, RenderListener listener) {
-        this(options, listener, PathTimes.SLOW_SECONDS);
+        this(options, listener, KeptPictures.none());
+    }
+
+    /**
+     * Starts the thread. Renders nothing until a scene is requested.
+     *
+     * @param kept pictures of earlier processes, for the first scene
+     */
+    public RenderLoop(RenderOptions options, RenderListener listener, KeptPictures kept) {
+        this(options, listener, kept, PathTimes.SLOW_SECONDS);
     }
 
     /** @param slowPaths time of paths of indirect light from which a picture with direct light is shown first, in seconds */
     RenderLoop(RenderOptions options, RenderListener listener, double slowPaths) {
+        this(options, listener, KeptPictures.none(), slowPaths);
+    }
+
+    private RenderLoop(RenderOptions options, RenderListener listener, KeptPictures kept, double slowPaths) {
         verifier = new PictureVerifier(options.threads(), listener);
-        worker = new RenderWorker(options, queue, verifier, listener, new PathTimes(slowPaths));
+        worker = new RenderWorker(options, queue, verifier, listener, new PathTimes(slowPaths), kept);
         thread = DedicatedThread.create("lightning-render", new RenderJobRunner(queue, worker, listener));
         thread.start();
     }
@@ -65,6 +78,11 @@ public final class RenderLoop implements AutoCloseable {
     /** Verifies the scene rendered last with a full trace, concurrently with other work. Does nothing before the first image. */
     public void verify() {
         queue.requestVerification();
+    }
+
+    /** Keeps the picture of the scene rendered last for later processes, after pending work, if tracing it again would take long. */
+    public void keepPicture() {
+        queue.requestKeeping();
     }
 
     /** Changes the options. Keeps the cache as far as possible: see {@link Renderer#setOptions}. */
@@ -103,9 +121,10 @@ public final class RenderLoop implements AutoCloseable {
      * Stops all work, drops the cache and renders the scene of another document.
      *
      * @param number reported when the cache is dropped; larger than that of the previous document
+     * @param kept   pictures of earlier processes, for the document's scenes
      */
-    public void open(Scene scene, long number) {
-        queue.open(scene, number);
+    public void open(Scene scene, long number, KeptPictures kept) {
+        queue.open(scene, number, kept);
         verifier.cancel();
     }
 

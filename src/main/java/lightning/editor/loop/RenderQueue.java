@@ -25,8 +25,11 @@ final class RenderQueue {
 
         record Verify() implements Job {}
 
-        /** Drops the cache, for the document of that number. */
-        record DropPicture(long number) implements Job {}
+        /** Drops the cache, for the document of that number and its kept pictures. */
+        record DropPicture(long number, KeptPictures kept) implements Job {}
+
+        /** Keeps the current image for later processes. */
+        record KeepPicture() implements Job {}
 
         /** Displays the current image in another display mode. */
         public record Redisplay() implements Job {}
@@ -44,6 +47,7 @@ final class RenderQueue {
                 case Redisplay _ -> Slot.DISPLAY;
                 case RenderSamples _ -> Slot.SAMPLES;
                 case Verify _ -> Slot.VERIFICATION;
+                case KeepPicture _ -> Slot.KEEPING;
             };
         }
     }
@@ -56,7 +60,8 @@ final class RenderQueue {
         REFLECTIONS,
         DISPLAY,
         SAMPLES,
-        VERIFICATION
+        VERIFICATION,
+        KEEPING
     }
 
     /** Listener for the progress of a job. */
@@ -174,7 +179,7 @@ final class RenderQueue {
             case Job.Render r -> !r.scene().hasSameView(requested);
             case Job.ChangeOptions r -> r.scene() != null && !r.scene().hasSameView(requested);
             case Job.UpdateReflections _ -> true;
-            case Job.RenderSamples _,Job.Verify _,Job.Redisplay _,Job.DropPicture _ -> false;
+            case Job.RenderSamples _,Job.Verify _,Job.Redisplay _,Job.DropPicture _,Job.KeepPicture _ -> false;
         };
     }
 
@@ -199,15 +204,19 @@ final class RenderQueue {
         add(new Job.Verify());
     }
 
+    synchronized void requestKeeping() {
+        add(new Job.KeepPicture());
+    }
+
     synchronized void requestRedisplay() {
         add(new Job.Redisplay());
         postponeSamples();
     }
 
     /** Drops all pending work, running work and the cache for another document. */
-    synchronized void open(Scene requested, long number) {
+    synchronized void open(Scene requested, long number, KeptPictures kept) {
         cancel();
-        add(new Job.DropPicture(number));
+        add(new Job.DropPicture(number, kept));
         render(requested);
     }
 
@@ -225,7 +234,7 @@ final class RenderQueue {
     /** Drops pending jobs and stops the running one. Returns whether a scene was pending; its cancellation is not reported elsewhere. */
     synchronized boolean cancel() {
         boolean wasWaiting = waiting.containsKey(Slot.SCENE);
-        waiting.keySet().removeAll(EnumSet.of(Slot.SCENE, Slot.REFLECTIONS, Slot.SAMPLES, Slot.VERIFICATION));
+        waiting.keySet().removeAll(EnumSet.of(Slot.SCENE, Slot.REFLECTIONS, Slot.SAMPLES, Slot.VERIFICATION, Slot.KEEPING));
         if (cancelSignal != null) {
             cancelSignal.cancel();
         }

@@ -55,8 +55,12 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     /** Cache of the last reported image, weakly referenced so that readers do not keep it in memory. */
     private volatile WeakReference<PixelCache> publishedCache = new WeakReference<>(null);
 
-    RenderWorker(RenderOptions options, RenderQueue queue, PictureVerifier verifier, RenderListener listener, PathTimes pathTimes) {
+    private final PictureKeeper keeper;
+
+    RenderWorker(RenderOptions options, RenderQueue queue, PictureVerifier verifier, RenderListener listener, PathTimes pathTimes,
+            KeptPictures kept) {
         this.pathTimes = pathTimes;
+        keeper = new PictureKeeper(kept);
         renderer = new Renderer(options);
         editPreview = new EditPreview(renderer);
         this.queue = queue;
@@ -93,7 +97,8 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
             case RenderQueue.Job.Redisplay _ -> redisplay(signal);
             case RenderQueue.Job.RenderSamples _ -> renderSamples(signal);
             case RenderQueue.Job.Verify _ -> startVerification(signal);
-            case RenderQueue.Job.DropPicture f -> dropDocument(f.number());
+            case RenderQueue.Job.DropPicture f -> dropDocument(f.number(), f.kept());
+            case RenderQueue.Job.KeepPicture _ -> keeper.keep(renderer);
         }
     }
 
@@ -121,6 +126,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     }
 
     private void renderScene(Scene scene, RenderQueue.CancelSignal signal) {
+        keeper.restore(scene, renderer, () -> result(menusShown));
         PlannedUpdate planned = renderer.plan(scene);
         listener.started(planned.update());
         boolean isSeparable = canShowDirectLightAlone(scene);
@@ -142,6 +148,9 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         }
         if (!renderer.state().isFinished()) {
             queue.requestSamples();
+        }
+        if (keeper.isNew()) {
+            queue.requestKeeping();
         }
     }
 
@@ -329,8 +338,9 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         return renderer.state().hasPicture() && renderer.options().method().equals(lastMethod) ? renderer.state().lastFinished() : null;
     }
 
-    private void dropDocument(long number) {
+    private void dropDocument(long number, KeptPictures kept) {
         dropPicture();
+        keeper.open(kept);
         listener.pictureDropped(number);
     }
 
@@ -398,6 +408,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     @Override
     public void close() {
+        keeper.close();
         renderer.close();
         displayRenderer.close();
     }

@@ -131,7 +131,7 @@ public final class Editor implements AutoCloseable {
                 settings.gizmoSizeProperty(), settings.navigationProperty(), settings.shadowsProperty(),
                 model.commands().keyBindings().changesProperty(), model.layout().canvasLayoutProperty(),
                 model.layout().welcomeAtStartProperty(), model.layout().panelsProperty(),
-                model.languageProperty(),
+                model.languageProperty(), model.commands().toggleState(Command.KEEP_PICTURES).orElseThrow(),
                 model.renderMachines().hostsProperty(), model.renderMachines().certificateProperty(),
                 model.commands().toggleState(Command.LIGHT_THEME).orElseThrow())) {
             choice.addListener(_ -> savePreferences());
@@ -148,6 +148,7 @@ public final class Editor implements AutoCloseable {
         model.layout().save(preferences);
         model.renderMachines().save(preferences);
         preferences.set("live", model.editor().liveProperty().get());
+        preferences.set("keep-pictures", model.commands().toggleState(Command.KEEP_PICTURES).orElseThrow().getValue());
         preferences.set("precision", model.accuracyModeProperty().get().name());
         preferences.save();
     }

@@ -80,7 +80,9 @@ final class EditorMenu extends MenuBar {
                         Command.EXPORT_SHOT);
         Menu render =
                 menu(Messages.tr("Render"), Command.GO, Command.LIVE, Command.UPDATE_REFLECTIONS, Command.VERIFY, Command.CANCEL, SEPARATOR,
-                        Command.UPDATES_PANEL, Command.ACCURACY_PANEL, Command.COMPARE_SETTINGS, Command.EFFECTS_PANEL, SEPARATOR);
+                        Command.UPDATES_PANEL, Command.ACCURACY_PANEL, Command.COMPARE_SETTINGS, Command.EFFECTS_PANEL,
+                        Command.KEEP_PICTURES,
+                        SEPARATOR);
         render.getItems().addAll(accuracy(), sizes(), SamplingMenu.of(model.editor(), items), IndirectMenu.of(model.editor(), items),
                 ReflectionMenu.of(model.editor(), items));
         getMenus().setAll(file, edit, light, shape, shot, render, view(),

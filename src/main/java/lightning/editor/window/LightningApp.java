@@ -19,6 +19,7 @@ import lightning.base.file.ShippedFile;
 import lightning.editor.document.FileThread;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.document.RecoveryFolder;
+import lightning.editor.loop.KeptPictures;
 import lightning.editor.window.command.FilePrompt;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.Preferences;
@@ -194,9 +195,16 @@ public class LightningApp extends Application {
         if (files != null && layout != null) {
             startupFiles = null;
             OpenDocument document = files.isStartScene() ? files.document().fittedTo(layout.picture().area()) : files.document();
-            startupSession = new StartupSession(layout, document, files.preview(), preferences, recovery, thread);
+            startupSession = new StartupSession(layout, document, files.preview(), preferences, recovery, thread,
+                    keptPictures());
             startupSession.whenPainted(() -> runIfOpen(stage, () -> showEditor(stage, files)));
         }
+    }
+
+    private KeptPictures keptPictures() {
+        KeptPictures kept = KeptPictures.in(EditorPaths.pictureFolder());
+        kept.setEnabled(!preferences.hasValue("keep-pictures", "false"));
+        return kept;
     }
 
     private void showEditor(Stage stage, StartupFiles files) {

@@ -3,6 +3,7 @@ package lightning.editor.window;
 import lightning.editor.document.FileThread;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.document.RecoveryFolder;
+import lightning.editor.loop.KeptPictures;
 import lightning.editor.window.command.ColorTableActions;
 import lightning.editor.window.model.AccuracyMode;
 import lightning.editor.window.model.EditorModel;
@@ -30,11 +31,12 @@ final class StartupSession implements AutoCloseable {
      * Starts to render the document.
      *
      * @param preview preview of the document's scene, from {@link #startPreview}
+     * @param kept    pictures of earlier processes
      */
     StartupSession(EditorLayout layout, OpenDocument document, StartupPreview preview, Preferences preferences, RecoveryFolder recovery,
-            FileThread thread) {
+            FileThread thread, KeptPictures kept) {
         this.preview = preview;
-        model = new EditorModel(document, preview, recovery, thread);
+        model = new EditorModel(document, preview, recovery, thread, kept);
         model.accuracyModeProperty().set(preferences.enumValue("precision", AccuracyMode.EXACT).forOtherFile());
         model.editor().liveProperty().set(!preferences.hasValue("live", "false"));
         ColorTableActions.restore(model, preferences);

@@ -5,6 +5,7 @@ import lightning.render.gather.GatherStructure;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
 import lightning.scene.GatherSettings;
+import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -25,6 +26,26 @@ public record CacheMetadata(Geometry geometry, RenderedScenes scenes, List<Cache
         static @Nullable Paths of(@Nullable IndirectCache cache) {
             return cache == null ? null : new Paths(cache.settings(), cache.structure().metadata());
         }
+
+        static @Nullable Paths ofScene(Geometry geometry, Scene scene) {
+            return GatherSettings.of(scene)
+                    .map(settings -> new Paths(settings, GatherStructure.Metadata.of(geometry, scene, settings))).orElse(null);
+        }
+
+        static boolean areSame(@Nullable Paths a, @Nullable Paths b) {
+            return a == null || b == null ? a == b : a.settings.equals(b.settings) && a.metadata.isSame(b.metadata);
+        }
+    }
+
+    /**
+     * Returns what follows from a scene alone: the metadata of its first pass. Lights that are off have no layers.
+     *
+     * @param geometry its geometry
+     */
+    static CacheMetadata ofScene(Geometry geometry, Scene scene) {
+        List<CachedLight> lights = CachedLight.ofScene(scene);
+        Paths paths = Paths.ofScene(geometry, scene);
+        return new CacheMetadata(geometry, new RenderedScenes(scene, scene), lights, lights, paths, paths);
     }
 
     public static CacheMetadata of(PixelCache cache) {

@@ -3,6 +3,7 @@ package lightning.render.cache;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
+import lightning.render.shading.WeightedLight;
 import lightning.render.shading.layer.LightLayer;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
@@ -24,6 +25,14 @@ public record CachedLight(int index, Light light, @Nullable LayerStamp stamp) {
             lights.add(new CachedLight(lights.size(), light, stamps.apply(light)));
         }
         return lights;
+    }
+
+    /** Returns all lights of a scene, in order, each with the stamp of the layers that a first pass computes; null if it is off. */
+    public static List<CachedLight> ofScene(Scene scene) {
+        return ofScene(scene, light -> {
+            WeightedLight weighted = WeightedLight.of(light, scene);
+            return weighted.isDark() ? null : LayerStamp.ofComputed(weighted);
+        });
     }
 
     /** Returns its layer over a level's rows; null if it was never on. */

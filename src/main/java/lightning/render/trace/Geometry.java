@@ -301,6 +301,11 @@ public final class Geometry {
                 : seenFrom(other, newCastsReflections);
     }
 
+    /** Returns whether materials have the indices that they have in the geometry of a scene's first pass. */
+    public boolean hasFirstMaterialIndices() {
+        return surfaces.hasFirstIndices();
+    }
+
     /**
      * Returns these shapes with the materials of another scene; each material keeps its index.
      *

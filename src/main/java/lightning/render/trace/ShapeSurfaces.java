@@ -46,6 +46,11 @@ record ShapeSurfaces(Scene scene, List<Shape> shapes, List<String> materialNames
         return of(other, others, MaterialTable.materialNames(materialNames, others), materials, castsReflections);
     }
 
+    /** Returns whether materials have the indices that they get without an edit before. */
+    boolean hasFirstIndices() {
+        return materialNames.equals(MaterialTable.materialNames(shapes));
+    }
+
     PrimitiveTable.BoxedPrimitives primitives() {
         Map<String, Integer> index = new HashMap<>();
         materialNames.forEach(name -> index.put(name, index.size()));

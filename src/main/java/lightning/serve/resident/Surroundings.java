@@ -1,6 +1,5 @@
 package lightning.serve.resident;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -11,6 +10,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.base.file.ContentHash;
+import lightning.base.file.ProgramFiles;
 import lightning.base.file.RegularFile;
 
 /**
@@ -28,7 +28,7 @@ final class Surroundings {
 
     /** Returns a hash of the surroundings of this process, 64 hexadecimal digits. */
     static String ofThisProcess() throws IOException {
-        return hash(program(), Path.of("").toAbsolutePath().toString(), System.getenv(), umask());
+        return hash(ProgramFiles.state(), Path.of("").toAbsolutePath().toString(), System.getenv(), umask());
     }
 
     static String hash(String program, String folder, Map<String, String> environment, String umask) {
@@ -38,20 +38,6 @@ final class Surroundings {
         String all = Stream.concat(Stream.of(program, folder, umask), relevant.entrySet().stream().map(Map.Entry::toString))
                 .collect(Collectors.joining("\0"));
         return ContentHash.of(all.getBytes(StandardCharsets.UTF_8)).hex();
-    }
-
-    /** Returns the version of Java, and the name, size and time of each file of the program. */
-    private static String program() throws IOException {
-        var text = new StringBuilder(Runtime.version().toString());
-        String path = System.getProperty("jdk.module.path", System.getProperty("java.class.path"));
-        for (String name : path.split(File.pathSeparator, -1)) {
-            Path file = Path.of(name).toAbsolutePath();
-            text.append('\n').append(file);
-            if (Files.exists(file)) {
-                text.append(' ').append(Files.size(file)).append(' ').append(Files.getLastModifiedTime(file));
-            }
-        }
-        return text.toString();
     }
 
     /** Returns the line with the mode of new files, or nothing on systems that do not tell it. */

@@ -15,6 +15,7 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import lightning.base.math.Vec3;
 import lightning.base.work.Await;
+import lightning.editor.loop.KeptPictures;
 import lightning.editor.loop.RecordingRenderListener;
 import lightning.render.measure.Verification;
 import lightning.render.relight.paper.ReflectionMode;
@@ -45,7 +46,7 @@ class WorkbenchTest {
     void open() throws Exception {
         Path file = Files.writeString(folder.resolve("desk.jen"), DeskScene.TEXT);
         workbench = new Workbench(OpenDocument.open(file), OPTIONS, new RecoveryFolder(folder.resolve("kept")), files,
-                () -> changes++, () -> {}, listener, e -> {});
+                () -> changes++, () -> {}, listener, e -> {}, KeptPictures.none());
     }
 
     @AfterEach

@@ -15,6 +15,7 @@ import lightning.base.work.Await;
 import lightning.editor.document.FileThread;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.document.RecoveryFolder;
+import lightning.editor.loop.KeptPictures;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.WindowLayout.CanvasLayout;
@@ -62,7 +63,8 @@ public final class TestEditors {
             FileThread thread) {
         preferences.set("live", preferences.text("live", "false"));
         preferences.set("arrangement", preferences.text("arrangement", CanvasLayout.SIDE_BY_SIDE.name()));
-        return new StartupSession(frame, document, StartupSession.startPreview(document, preferences), preferences, recovery, thread);
+        return new StartupSession(frame, document, StartupSession.startPreview(document, preferences), preferences, recovery, thread,
+                KeptPictures.none());
     }
 
     /** Opens a valid scene file. */

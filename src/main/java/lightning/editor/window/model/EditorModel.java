@@ -1,6 +1,8 @@
 package lightning.editor.window.model;
 
+import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
@@ -9,6 +11,7 @@ import lightning.editor.document.OpenDocument;
 import lightning.editor.document.RecoveryFolder;
 import lightning.editor.document.Workbench;
 import lightning.editor.document.manipulation.PreviewCamera;
+import lightning.editor.loop.KeptPictures;
 import lightning.render.image.ViewTransform;
 
 /**
@@ -26,6 +29,7 @@ public final class EditorModel implements AutoCloseable {
     private final PicturePointer picturePointer = new PicturePointer();
     private final ObjectProperty<AccuracyMode> accuracyMode = new SimpleObjectProperty<>(AccuracyMode.EXACT);
     private final ObjectProperty<UiLanguage> language = new SimpleObjectProperty<>(UiLanguage.SYSTEM);
+    private final BooleanProperty keepsPictures;
     private final Workbench workbench;
     private final SceneEditor editor;
     private final TracedPicture picture;
@@ -43,19 +47,20 @@ public final class EditorModel implements AutoCloseable {
      * @param files  reads and writes files off the window's thread
      */
     public EditorModel(OpenDocument document, RecoveryFolder recovery, FileThread files) {
-        this(document, StartupPreview.none(ViewTransform.DEFAULT), recovery, files);
+        this(document, StartupPreview.none(ViewTransform.DEFAULT), recovery, files, KeptPictures.none());
     }
 
     /**
      * Opens a document that a startup preview already shows.
      *
      * @param preview  preview of the document's scene
+     * @param kept     pictures of earlier processes
      */
-    public EditorModel(OpenDocument document, StartupPreview preview, RecoveryFolder recovery, FileThread files) {
+    public EditorModel(OpenDocument document, StartupPreview preview, RecoveryFolder recovery, FileThread files, KeptPictures kept) {
         this.files = files;
         workbench =
                 new Workbench(document, accuracyMode.get().options(), recovery, files, this::refresh, this::progressed, preview.raster(),
-                        failure -> files.windowExecutor().execute(() -> reportAutosaveFailure(failure)));
+                        failure -> files.windowExecutor().execute(() -> reportAutosaveFailure(failure)), kept);
         editor = new SceneEditor(workbench, previewSettings.cameraProperty(), fileActivity, keySelection);
         picture = new TracedPicture(workbench, preview.raster());
         editor.sceneProperty().subscribe(scene -> {
@@ -69,6 +74,11 @@ public final class EditorModel implements AutoCloseable {
         pictureDisplay = new PictureDisplay(editor, workbench, commands);
         materials = new MaterialSelection(editor);
         fileImporter = new FileImporter(editor, files);
+        keepsPictures = new SimpleBooleanProperty(kept.isEnabled());
+        keepsPictures.addListener((_, _, keeps) -> files.runConcurrently(() -> {
+            kept.setEnabled(keeps);
+            return keeps;
+        }, _ -> {}, failure -> editor.message().show(ErrorMessage.of(failure))));
         accuracyMode.addListener((_, _, mode) -> workbench.changeOptions(mode.options()));
         addCommands();
         documentOpened();
@@ -92,6 +102,7 @@ public final class EditorModel implements AutoCloseable {
         ShotActions.register(editor, keySelection, layout, commands);
         LightCameraToggle.register(commands, editor, previewSettings.cameraProperty());
         commands.setToggle(Command.LIVE, editor.liveProperty());
+        commands.setToggle(Command.KEEP_PICTURES, keepsPictures);
         commands.setToggle(Command.HIDE_PANELS, layout.panelsHiddenProperty());
         layout.registerPresets(commands);
         commands.setToggle(Command.TIMELINE, layout.timelineShownProperty());

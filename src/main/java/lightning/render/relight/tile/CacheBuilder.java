@@ -13,15 +13,12 @@ import lightning.render.cache.CachedScene;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.FineTile;
 import lightning.render.cache.IndirectCache;
-import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.shading.EdgeColors;
-import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.EdgeDetector;
 import lightning.scene.AntialiasMode;
-import lightning.scene.light.Light;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -88,7 +85,7 @@ public final class CacheBuilder {
     private BuildResult buildTiles(@Nullable IndirectCache indirect, @Nullable IndirectCache mirroredIndirect, boolean centersOnly) {
         CachedTile[] centers = buildCenters(centersOnly ? 0 : fineTileCount());
         FineTile[] fine = centersOnly ? new FineTile[0] : buildSamples(centers, centers.length);
-        List<CachedLight> lights = job.plan() == null ? CachedLight.ofScene(job.scene(), this::freshStamp) : lightsAfter(job.topPlan());
+        List<CachedLight> lights = job.plan() == null ? CachedLight.ofScene(job.scene()) : lightsAfter(job.topPlan());
         List<CachedLight> mirrored =
                 job.plan() == null ? lights : job.mirrorPlan() == null ? requireNonNull(oldCache).mirrored().lights()
                         : lightsAfter(job.mirrorPlan());
@@ -96,11 +93,6 @@ public final class CacheBuilder {
                 new PixelCache(job.target().geometry(), centers, fine, new CachedScene(job.scene(), lights, indirect, job.fog()),
                         new CachedScene(job.mirrorTarget().scene(), mirrored, mirroredIndirect, job.bounceFog())),
                 work());
-    }
-
-    private @Nullable LayerStamp freshStamp(Light light) {
-        WeightedLight weighted = WeightedLight.of(light, job.scene());
-        return weighted.isDark() ? null : LayerStamp.ofComputed(weighted);
     }
 
     private List<CachedLight> lightsAfter(@Nullable LevelPlan plan) {

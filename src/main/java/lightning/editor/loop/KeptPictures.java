@@ -1,0 +1,214 @@
+package lightning.editor.loop;
+
+import java.io.IOException;
+import java.nio.file.DirectoryIteratorException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Function;
+import lightning.base.file.AtomicFile;
+import lightning.base.file.ContentHash;
+import lightning.base.file.PrivateFolder;
+import lightning.base.file.ProgramFiles;
+import lightning.render.cache.PictureFile;
+import lightning.render.cache.PixelCache;
+import lightning.render.relight.MemoryEstimate;
+import lightning.render.trace.Geometry;
+import lightning.scene.Scene;
+
+/**
+ * Pictures that earlier processes finished, in a folder of the user, with all that was computed for them. A scene that was traced before opens
+ * with its picture, and edits continue from it. Only the owner can read the folder, and all of it may be deleted at any time. Thread-safe.
+ *
+ * <p>A picture is found only for a scene with the same text and the same content of files, by the same program, so it equals the one that
+ * would be traced.
+ */
+public final class KeptPictures {
+    static final String EXTENSION = ".picture";
+    /** Most bytes of all files. */
+    private static final long MAX_BYTES = 3L << 30;
+    /** Space that stays free on the disk, in sizes of a picture. */
+    private static final int FREE_SHARE = 4;
+
+    /** Clocks of processes and of files may differ by so many seconds. */
+    private static final int CLOCK_SECONDS = 2;
+
+    private final Optional<Path> folder;
+    private final long maxBytes;
+    /** State of the program; empty if it is unknown. */
+    private final Optional<String> program;
+    /** Folder of the scene file. */
+    private final Path sceneFolder;
+    private final AtomicBoolean isEnabled;
+
+    private KeptPictures(Optional<Path> folder, long maxBytes, Optional<String> program, Path sceneFolder, AtomicBoolean isEnabled) {
+        this.isEnabled = isEnabled;
+        this.folder = folder;
+        this.maxBytes = maxBytes;
+        this.program = program;
+        this.sceneFolder = sceneFolder;
+    }
+
+    /** Returns pictures that are never kept. */
+    public static KeptPictures none() {
+        return new KeptPictures(Optional.empty(), 0, Optional.empty(), Path.of(""), new AtomicBoolean());
+    }
+
+    /**
+     * Returns the pictures in a folder.
+     *
+     * @param folder created with the first picture
+     */
+    public static KeptPictures in(Path folder) {
+        try {
+            return in(folder, MAX_BYTES, ProgramFiles.areArchives() ? Optional.of(ProgramFiles.state()) : Optional.empty());
+        } catch (IOException e) {
+            return none();
+        }
+    }
+
+    /**
+     * @param maxBytes most bytes of all files
+     * @param program  state of the program; without it no picture is kept
+     */
+    static KeptPictures in(Path folder, long maxBytes, Optional<String> program) {
+        return new KeptPictures(Optional.of(folder), maxBytes, program, Path.of(""), new AtomicBoolean(true));
+    }
+
+    /** Returns these for scenes whose files are found from a folder. */
+    public KeptPictures forScenesIn(Path itsFolder) {
+        return new KeptPictures(folder, maxBytes, program, itsFolder, isEnabled);
+    }
+
+    /** Returns whether pictures are kept and found. */
+    public boolean isEnabled() {
+        return isEnabled.get();
+    }
+
+    /** Sets whether pictures are kept and found, with any folder of scenes. Switched off, all are deleted, as far as they can be. */
+    public void setEnabled(boolean enabled) {
+        isEnabled.set(enabled);
+        try {
+            if (!enabled && folder.isPresent()) {
+                removeOldest(0);
+            }
+        } catch (IOException e) {
+            // They are replaced or deleted later.
+        }
+    }
+
+    /**
+     * Reads the picture of a scene.
+     *
+     * @param geometries prepares the geometry of a scene
+     * @param memory     most bytes of the picture
+     * @return empty if there is none, or it cannot be read
+     */
+    Optional<PixelCache> find(Scene scene, Function<Scene, Geometry> geometries, long memory) {
+        try {
+            if (!isEnabled() || folder.isEmpty() || program.isEmpty() || files().isEmpty()) {
+                return Optional.empty();
+            }
+            Optional<ContentHash> text = PictureKey.textOf(scene, program.get());
+            if (text.isEmpty() || files().stream().noneMatch(file -> hasText(file, text.get()))) {
+                return Optional.empty();
+            }
+            Optional<Path> found = file(scene, text.get());
+            if (found.isEmpty() || !Files.isRegularFile(found.get()) || Files.size(found.get()) > memory) {
+                return Optional.empty();
+            }
+            return Optional.of(read(found.get(), geometries.apply(scene), scene));
+        } catch (IOException e) {
+            // Then it is traced.
+            return Optional.empty();
+        }
+    }
+
+    private static boolean hasText(Path file, ContentHash text) {
+        return String.valueOf(file.getFileName()).startsWith(PictureKey.prefix(text));
+    }
+
+    private Optional<Path> file(Scene scene, ContentHash text) throws IOException {
+        return PictureKey.filesOf(scene, sceneFolder, processStart())
+                .map(files -> folder.orElseThrow().resolve(new PictureKey(text, files).fileName()));
+    }
+
+    /** Returns a time before which files must have changed last: scenes were read after it. */
+    private static FileTime processStart() {
+        Instant start = ProcessHandle.current().info().startInstant().orElseGet(() -> Instant.ofEpochMilli(0));
+        return FileTime.from(start.minusSeconds(CLOCK_SECONDS));
+    }
+
+    private static PixelCache read(Path file, Geometry geometry, Scene scene) throws IOException {
+        try {
+            PixelCache read = PictureFile.read(file, geometry, scene);
+            Files.setLastModifiedTime(file, FileTime.from(Instant.now()));
+            return read;
+        } catch (IOException | RuntimeException e) {
+            Files.deleteIfExists(file);
+            throw new IOException("cannot read a kept picture", e);
+        }
+    }
+
+    /**
+     * Keeps a picture, unless it is kept already or there is no space. Removes those that were not used for the longest time.
+     *
+     * @param cache finished picture of accuracy exact
+     * @throws IOException if it cannot be written
+     */
+    void keep(PixelCache cache) throws IOException {
+        long bytes = MemoryEstimate.usedBytes(cache);
+        if (!isEnabled() || folder.isEmpty() || program.isEmpty() || bytes > maxBytes || !PictureFile.canWrite(cache)) {
+            return;
+        }
+        Optional<ContentHash> text = PictureKey.textOf(cache.scene(), program.get());
+        Optional<Path> file = text.isEmpty() ? Optional.empty() : file(cache.scene(), text.get());
+        if (file.isEmpty() || Files.exists(file.get())) {
+            return;
+        }
+        PrivateFolder.restrict(folder.get());
+        removeOldest(maxBytes - bytes);
+        if (Files.getFileStore(folder.get()).getUsableSpace() > FREE_SHARE * bytes) {
+            AtomicFile.of(file.get()).forOwnerOnly().writeRandomAccess(out -> PictureFile.write(cache, out));
+        }
+    }
+
+    /** Removes the files that were used first until the others need at most some bytes. */
+    private void removeOldest(long most) throws IOException {
+        record Used(Path file, long bytes, FileTime time) {}
+        List<Used> used = new ArrayList<>();
+        for (Path file : files()) {
+            used.add(new Used(file, Files.size(file), Files.getLastModifiedTime(file)));
+        }
+        used.sort(Comparator.comparing(Used::time));
+        long sum = used.stream().mapToLong(Used::bytes).sum();
+        for (Used oldest : used) {
+            if (sum <= most) {
+                return;
+            }
+            Files.deleteIfExists(oldest.file);
+            sum -= oldest.bytes;
+        }
+    }
+
+    private List<Path> files() throws IOException {
+        Path in = folder.orElseThrow();
+        if (!Files.isDirectory(in)) {
+            return List.of();
+        }
+        List<Path> files = new ArrayList<>();
+        try (DirectoryStream<Path> found = Files.newDirectoryStream(in, "*" + EXTENSION)) {
+            found.forEach(files::add);
+        } catch (DirectoryIteratorException e) {
+            throw e.getCause();
+        }
+        return files;
+    }
+}

@@ -1,0 +1,176 @@
+package lightning.editor.loop;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import lightning.base.work.Progress;
+import lightning.editor.document.DeskScene;
+import lightning.format.jen.JenReader;
+import lightning.format.jen.PropertyEdit;
+import lightning.render.cache.PixelCache;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.UpdateResult;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests which pictures of earlier processes are found, and that they are those of the scene. */
+class KeptPicturesTest {
+    private static final RenderOptions OPTIONS = RenderOptions.DEFAULT.withThreads(1);
+    private static final long MANY_BYTES = 1 << 28;
+
+    @TempDir
+    private Path folder;
+    private final Renderer renderer = new Renderer(OPTIONS);
+
+    @AfterEach
+    void close() {
+        renderer.close();
+    }
+
+    private KeptPictures pictures(long maxBytes, String program) {
+        return KeptPictures.in(folder.resolve("pictures"), maxBytes, Optional.of(program)).forScenesIn(Path.of("scenes"));
+    }
+
+    private PixelCache trace(Scene scene) {
+        renderer.clear();
+        renderer.render(scene, Progress.NONE);
+        return renderer.cache();
+    }
+
+    private Optional<PixelCache> find(Scene scene, String program) {
+        renderer.clear();
+        return pictures(MANY_BYTES, program).find(scene, renderer::prepare, MANY_BYTES);
+    }
+
+    private List<Path> files() throws IOException {
+        try (Stream<Path> files = Files.list(folder.resolve("pictures"))) {
+            return files.sorted().toList();
+        }
+    }
+
+    @Test
+    void equalSceneOfAnotherProcess_hasItsPicture() throws IOException {
+        PixelCache traced = trace(DeskScene.scene());
+        pictures(MANY_BYTES, "program").keep(traced);
+        assertThat(find(DeskScene.scene(), "program")).hasValueSatisfying(found -> {
+            assertThat(found.film().hasSameBits(traced.film())).isTrue();
+            renderer.restore(found);
+            assertThat(renderer.render(DeskScene.scene(), Progress.NONE).rays().total()).isZero();
+        });
+    }
+
+    @Test
+    void otherValueOrProgram_isNotFound() throws IOException {
+        pictures(MANY_BYTES, "program").keep(trace(DeskScene.scene()));
+        assertThat(find(DeskScene.scene(), "newer program")).isEmpty();
+        assertThat(find(PropertyEdit.apply(DeskScene.scene(), "key.intensity=1.1"), "program")).isEmpty();
+    }
+
+    private static Scene textured() throws Exception {
+        String text = """
+                jen 1
+                picture { size 30 20 }
+                material board { diffuse 1 1 1  texture "wood.png" }
+                plane ground { material board  at 0 -1 0  scale 9 1 9 }
+                light key point { at 0 3 3 }
+                """;
+        return JenReader.read(text, "desk.jen", Path.of("scenes")).scene();
+    }
+
+    @Test
+    void textureOfOtherContent_isNotFound() throws Exception {
+        pictures(MANY_BYTES, "program").keep(trace(textured()));
+        assertThat(files()).hasSize(1);
+        assertThat(find(textured(), "program")).isPresent();
+        Path other = Files.createDirectories(folder.resolve("other"));
+        Files.writeString(other.resolve("wood.png"), "other content");
+        var there = KeptPictures.in(folder.resolve("pictures"), MANY_BYTES, Optional.of("program")).forScenesIn(other);
+        assertThat(there.find(textured(), renderer::prepare, MANY_BYTES)).isEmpty();
+    }
+
+    @Test
+    void fileThatMayHaveChangedAfterItWasRead_keepsNothing() throws Exception {
+        Path mine = Files.createDirectories(folder.resolve("mine"));
+        Files.copy(Path.of("textures", "wood.png"), mine.resolve("wood.png"));
+        KeptPictures there = KeptPictures.in(folder.resolve("pictures"), MANY_BYTES, Optional.of("program")).forScenesIn(mine);
+        there.keep(trace(textured()));
+        assertThat(folder.resolve("pictures")).doesNotExist();
+    }
+
+    @Test
+    void picturesOfTooManyBytes_replaceThoseUsedFirst() throws IOException {
+        PixelCache first = trace(DeskScene.scene());
+        pictures(MANY_BYTES, "program").keep(first);
+        long bytes = Files.size(files().getFirst());
+        Path oldest = files().getFirst();
+        Files.setLastModifiedTime(oldest, FileTime.from(Instant.now().minusSeconds(60)));
+        long space = 2 * bytes + bytes / 2;
+        pictures(space, "program").keep(trace(PropertyEdit.apply(DeskScene.scene(), "key.intensity=2")));
+        assertThat(files()).hasSize(2);
+        pictures(space, "program").keep(trace(PropertyEdit.apply(DeskScene.scene(), "key.intensity=3")));
+        assertThat(files()).hasSize(2).doesNotContain(oldest);
+    }
+
+    @Test
+    void damagedPicture_isRemovedAndNotShown() throws IOException {
+        pictures(MANY_BYTES, "program").keep(trace(DeskScene.scene()));
+        byte[] bytes = Files.readAllBytes(files().getFirst());
+        bytes[bytes.length / 2] ^= 1;
+        Files.write(files().getFirst(), bytes);
+        assertThat(find(DeskScene.scene(), "program")).isEmpty();
+        assertThat(files()).isEmpty();
+    }
+
+    @Test
+    void switchedOff_deletesAll() throws IOException {
+        KeptPictures kept = pictures(MANY_BYTES, "program");
+        PixelCache traced = trace(DeskScene.scene());
+        kept.keep(traced);
+        kept.forScenesIn(folder).setEnabled(false);
+        assertThat(files()).isEmpty();
+        kept.keep(traced);
+        assertThat(files()).isEmpty();
+        kept.setEnabled(true);
+        kept.keep(traced);
+        assertThat(files()).hasSize(1);
+    }
+
+    @Test
+    void onlyTheOwner_canReadThem() throws IOException {
+        pictures(MANY_BYTES, "program").keep(trace(DeskScene.scene()));
+        if (Files.getFileStore(folder).supportsFileAttributeView("posix")) {
+            assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(folder.resolve("pictures")))).isEqualTo("rwx------");
+            assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(files().getFirst()))).isEqualTo("rw-------");
+        }
+    }
+
+    @Test
+    void sceneOpenedAgain_isNotTraced() {
+        Scene scene = DeskScene.scene();
+        try (var keeper = new PictureKeeper(pictures(MANY_BYTES, "program"), 0)) {
+            keeper.restore(scene, renderer, () -> {});
+            assertThat(renderer.state().hasPicture()).isFalse();
+            renderer.render(scene, Progress.NONE);
+            assertThat(keeper.isNew()).isTrue();
+            keeper.keep(renderer);
+        }
+        renderer.clear();
+        try (var keeper = new PictureKeeper(pictures(MANY_BYTES, "program"), 0)) {
+            keeper.restore(scene, renderer, () -> {});
+            UpdateResult nothing = renderer.render(scene, Progress.NONE);
+            assertThat(nothing.rays().total()).isZero();
+            assertThat(keeper.isNew()).as("already kept").isFalse();
+        }
+    }
+}
