@@ -7,18 +7,19 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import lightning.base.work.DedicatedThread;
 import lightning.base.work.WorkerPool;
+import lightning.render.cache.PixelCache;
 import lightning.render.engine.choice.Engines;
 import lightning.render.image.Film;
 import lightning.render.measure.AccuracyGuarantee;
 import lightning.render.measure.Verification;
 import lightning.render.measure.WarmSaving;
-import lightning.render.trace.Geometry;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.warmup.EditRehearsal;
 import lightning.render.warmup.WarmUp;
-import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Verifies images with full traces on its own thread. When the editor is idle, it also warms up the process and measures what an update
+ * Verifies images with full traces on its own thread. When the editor is idle, it also warms up the process, edits first, and measures what an update
  * saves. A new verification replaces an older one. Thread-safe.
  */
 final class PictureVerifier implements AutoCloseable {
@@ -38,6 +39,8 @@ final class PictureVerifier implements AutoCloseable {
     /** Edit whose saving is to be measured; null if none. */
     private WarmSaving.@Nullable RepeatableEdit pendingEdit;
     private int runningCount;
+    /** Whether edits of the document's first picture were repeated. */
+    private volatile boolean hasRehearsed;
 
     PictureVerifier(int threads, RenderListener listener) {
         this.listener = listener;
@@ -64,6 +67,11 @@ final class PictureVerifier implements AutoCloseable {
         verifyThread.execute(() -> run(promise, picture, signal));
     }
 
+    /** Begins with another document. */
+    void openDocument() {
+        hasRehearsed = false;
+    }
+
     /** Sets the last edit and cancels the measurement of an older one. */
     synchronized void setLastEdit(Optional<WarmSaving.RepeatableEdit> edit) {
         stopIdleWork();
@@ -74,11 +82,12 @@ final class PictureVerifier implements AutoCloseable {
      * While the editor is idle, warms up the process and measures the saving of the last update, unless it is known or being measured.
      * Reports it to the listener.
      *
-     * @param scene    scene of the image
-     * @param geometry reusable geometry
+     * @param picture finished picture, exact
+     * @param options options that it was rendered with
      */
-    synchronized void startIdleWork(Scene scene, Geometry geometry) {
-        if (pendingEdit == null && Engines.isFastestInUse() || idleSignal != null || verifyThread.isShutdown()) {
+    synchronized void startIdleWork(PixelCache picture, RenderOptions options) {
+        boolean rehearses = !hasRehearsed && pendingEdit == null;
+        if (pendingEdit == null && !rehearses && Engines.isFastestInUse() || idleSignal != null || verifyThread.isShutdown()) {
             return;
         }
         var signal = new RenderQueue.CancelSignal((_, _) -> {});
@@ -88,13 +97,18 @@ final class PictureVerifier implements AutoCloseable {
             // Workers inherit the priority of the thread that creates them, so this pool is not shared.
             try (WorkerPool lowPriorityWorkers = new WorkerPool(workers.count())) {
                 waitForDisplay(signal);
-                WarmUp.run(scene, geometry, signal);
+                if (rehearses) {
+                    EditRehearsal.run(picture, options, signal);
+                    hasRehearsed = true;
+                }
+                WarmUp.run(picture.scene(), picture.geometry(), signal);
                 finishMeasuring(signal,
                         edit == null ? Optional.empty() : WarmSaving.measure(edit, lowPriorityWorkers, MAX_WARM_UP_MS, signal));
             } catch (CancellationException e) {
                 // Retried at the next idle time.
             } catch (RuntimeException | OutOfMemoryError e) {
                 // Without a full trace there is no time to compare with.
+                hasRehearsed = true;
                 finishMeasuring(signal, Optional.empty());
             }
         });

@@ -109,8 +109,8 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     @Override
     public void becomeIdle() {
-        if (renderedScene != null) {
-            verifier.startIdleWork(renderedScene, renderer.cache().geometry());
+        if (renderedScene != null && renderer.state().isFinished()) {
+            verifier.startIdleWork(renderer.cache(), renderer.options());
         }
     }
 
@@ -340,6 +340,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     private void dropDocument(long number, KeptPictures kept) {
         dropPicture();
+        verifier.openDocument();
         keeper.open(kept);
         listener.pictureDropped(number);
     }
