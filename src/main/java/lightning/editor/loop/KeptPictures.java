@@ -125,8 +125,8 @@ public final class KeptPictures {
                 return Optional.empty();
             }
             return Optional.of(read(found.get(), geometries.apply(scene), scene));
-        } catch (IOException e) {
-            // Then it is traced.
+        } catch (IOException | RuntimeException | OutOfMemoryError e) {
+            // Then it is traced, and that tells what is wrong with the scene or with the memory.
             return Optional.empty();
         }
     }

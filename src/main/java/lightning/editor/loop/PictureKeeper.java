@@ -86,7 +86,7 @@ final class PictureKeeper implements AutoCloseable {
     private static void write(PixelCache cache, KeptPictures to) {
         try {
             to.keep(cache);
-        } catch (IOException e) {
+        } catch (IOException | RuntimeException | OutOfMemoryError e) {
             // Then the scene is traced again.
         }
     }

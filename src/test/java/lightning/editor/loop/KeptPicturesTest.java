@@ -3,6 +3,9 @@ package lightning.editor.loop;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
@@ -13,6 +16,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.base.work.Progress;
 import lightning.editor.document.DeskScene;
+import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
 import lightning.render.cache.PixelCache;
@@ -20,6 +24,9 @@ import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureMap;
+import lightning.scene.material.Material;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -88,6 +95,18 @@ class KeptPicturesTest {
         return JenReader.read(text, "desk.jen", Path.of("scenes")).scene();
     }
 
+    /** A scene may be read with smaller images than those it was opened with, if other images are there or gone. */
+    @Test
+    void imageOfOtherSize_isNotFound() throws Exception {
+        Scene scene = textured();
+        pictures(MANY_BYTES, "program").keep(trace(scene));
+        Material board = scene.materials().getFirst();
+        TextureMap map = board.texture().orElseThrow();
+        Scene smaller = scene.withMaterials(List.of(board.withTexture(Optional.of(map.withImage(new Texture(2, 1, new float[6]))))));
+        assertThat(JenDocument.of(smaller).text()).isEqualTo(JenDocument.of(scene).text());
+        assertThat(find(smaller, "program")).isEmpty();
+    }
+
     @Test
     void textureOfOtherContent_isNotFound() throws Exception {
         pictures(MANY_BYTES, "program").keep(trace(textured()));
@@ -97,6 +116,24 @@ class KeptPicturesTest {
         Files.writeString(other.resolve("wood.png"), "other content");
         var there = KeptPictures.in(folder.resolve("pictures"), MANY_BYTES, Optional.of("program")).forScenesIn(other);
         assertThat(there.find(textured(), renderer::prepare, MANY_BYTES)).isEmpty();
+    }
+
+    private Path glb(String json) throws IOException {
+        byte[] text = json.getBytes(StandardCharsets.UTF_8);
+        ByteBuffer bytes = ByteBuffer.allocate(20 + text.length).order(ByteOrder.LITTLE_ENDIAN);
+        bytes.put("glTF".getBytes(StandardCharsets.US_ASCII)).putInt(2).putInt(bytes.limit()).putInt(text.length).putInt(0x4E4F534A)
+                .put(text);
+        return Files.write(folder.resolve("mesh.glb"), bytes.array());
+    }
+
+    @Test
+    void meshFileWithFurtherFiles_isRecognized() throws IOException {
+        assertThat(PictureKey.mayNameFiles(glb("{\"buffers\": [{\"uri\": \"mesh.bin\"}]}"))).isTrue();
+        assertThat(PictureKey.mayNameFiles(glb("{\"buffers\": [{\"byteLength\": 3}]}"))).isFalse();
+        assertThat(PictureKey.mayNameFiles(Files.writeString(folder.resolve("mesh.gltf"), "{\"asset\": {}}"))).isTrue();
+        assertThat(PictureKey.mayNameFiles(Files.writeString(folder.resolve("mesh.obj"), "v 0 0 0\n"))).isFalse();
+        assertThat(PictureKey.mayNameFiles(Files.writeString(folder.resolve("empty.obj"), ""))).isFalse();
+        assertThat(PictureKey.mayNameFiles(Path.of("textures", "wood.png"))).isFalse();
     }
 
     @Test
