@@ -25,6 +25,8 @@ record StoredRuns(Map<String, BenchResults> parts) {
     private static final List<String> OPTIONAL_PARTS = List.of("modern", "indirect");
     /** Part with a document of its own, which names its build. It may be of another build than the rest. */
     static final String INDEPENDENT_PART = "indirect";
+    /** Results of {@code benchmarks/peers}, with a document of their own. */
+    static final Path PEERS = FOLDER.resolve("peers.json");
     private static final String EXTENSION = ".json";
     private static final Pattern CLEAN = Pattern.compile("[0-9a-f]{40}");
     private static final int MIN_REPETITIONS = 3;
@@ -126,7 +128,8 @@ record StoredRuns(Map<String, BenchResults> parts) {
     static List<String> otherFiles(Path folder) throws IOException {
         try (Stream<Path> files = Files.list(folder)) {
             return List.copyOf(files.map(file -> file.getFileName().toString())
-                    .filter(name -> Stream.concat(PARTS.stream(), OPTIONAL_PARTS.stream()).noneMatch(part -> name.equals(part + EXTENSION)))
+                    .filter(name -> !name.equals(PEERS.getFileName().toString())
+                            && Stream.concat(PARTS.stream(), OPTIONAL_PARTS.stream()).noneMatch(part -> name.equals(part + EXTENSION)))
                     .collect(Collectors.toCollection(TreeSet::new)));
         }
     }
