@@ -462,14 +462,17 @@ public final class Geometry {
         return false;
     }
 
-    /** Returns the target for shadow rays to a light at a point in render space. Tests every primitive. */
+    /**
+     * Returns the target for shadow rays to a light at a point in render space, on any primitive, also of those that its rays do not meet. Tests
+     * every primitive.
+     */
     public ShadowRayTarget shadowRayTargetBruteForce(Vec3 point) {
-        return ShadowRayTarget.findBruteForce(point, bvh);
+        return ShadowRayTarget.findBruteForce(point, all);
     }
 
-    /** Returns the target for shadow rays to a light at a point in render space, by the BVH. */
+    /** Returns the target for shadow rays to a light at a point in render space, as {@link #shadowRayTargetBruteForce}, by the BVH. */
     public ShadowRayTarget shadowRayTarget(Vec3 point) {
-        return ShadowRayTarget.find(point, bvh);
+        return ShadowRayTarget.find(point, all);
     }
 
     /**

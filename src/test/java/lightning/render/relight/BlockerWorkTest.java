@@ -2,6 +2,7 @@ package lightning.render.relight;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
@@ -9,11 +10,14 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.relight.paper.ReflectionMode;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Camera;
 import lightning.scene.IndirectSettings;
@@ -151,6 +155,30 @@ class BlockerWorkTest {
         try (StudioRenderer studio = new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, lit)) {
             edit(studio, s -> moved(s, -0.5));
             edit(studio, s -> s.withLight(s.light("sun").orElseThrow().withIntensity(2)));
+        }
+    }
+
+    /** Rays end on the sphere by rounding only, so no row is in its own shadow; a far object changes the rounding. */
+    @Test
+    void lightOfABlocker_isNotBlockedByIt() throws JenException {
+        String text = """
+                jen 1
+                picture { size 40 30 }
+                camera { from 0 3 6  to 0 0 0  fov 40 }
+                world { ambience 0 }
+                material card { shadows only }
+                sphere lamp { material card  at 0 1.5 0 }
+                plane floor { scale 8 1 8 }
+                light glow object { shape lamp }
+                """;
+        Scene lit = JenReader.read(text, "lamp", Path.of(".")).scene();
+        Scene far = JenReader.read(text + "sphere star { material card  at 1e7 0 0 }\n", "far", Path.of(".")).scene();
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            for (Scene scene : List.of(lit, far, lit)) {
+                renderer.render(scene, Progress.NONE);
+                FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(), "light-of-a-blocker");
+            }
+            assertThat(renderer.film().red(20, 20)).isPositive();
         }
     }
 }
