@@ -1,5 +1,6 @@
 package lightning.render.warmup;
 
+import lightning.scene.GatherSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
@@ -14,6 +15,13 @@ public final class LongRenderCheck {
     private static final long MIN_RAYS = 25_000_000;
     /** Rays for each ray that would be cast without glass: the image shows glass in part, and its rays split up to the depth. */
     private static final int GLASS_FACTOR = 6;
+    /**
+     * Rays that take as long as one of a gather point, with what follows from it: smaller cells, surfels, and weights of rows. Where points of
+     * the largest cells cast 64 rays, 20 rays a pixel are cast in all on the scenes that come with the program.
+     */
+    private static final int GATHER_FACTOR = 150;
+    /** The same for one of the rays by which a point collects blurred reflections, for each pixel: rough surfaces fill a part of the image. */
+    private static final double REFLECTION_FACTOR = 2;
     /** Share of all finer samples that anti-aliasing at edges traces: 0.05 to 0.35 on the scenes that come with the program. */
     private static final double EDGE_SHARE = 0.2;
 
@@ -25,8 +33,8 @@ public final class LongRenderCheck {
     }
 
     /**
-     * Estimates the number of camera rays and shadow rays, as if a surface in each pixel faced every light; without reflected
-     * rays, and with a rough number of refracted ones.
+     * Estimates the number of camera rays and shadow rays, as if a surface in each pixel faced every light; without mirrored
+     * rays, and with rough numbers of refracted ones and of those that gather light.
      */
     static long estimateRays(Scene scene) {
         PictureSettings picture = scene.picture();
@@ -36,8 +44,14 @@ public final class LongRenderCheck {
             case EDGES -> raysPerCenter(scene) + EDGE_SHARE * sampling.samplesPerPixel() * raysPerFineSample(scene);
             case EVERY -> sampling.samplesPerPixel() * raysPerFineSample(scene);
         };
+        double gathered = GatherSettings.of(scene).map(LongRenderCheck::raysPerPixel).orElse(0.0);
         boolean hasGlass = picture.depth() > 0 && scene.materials().stream().anyMatch(Material::isClear);
-        return (long) (picture.width() * (double) picture.height() * perPixel * (hasGlass ? GLASS_FACTOR : 1));
+        return (long) (picture.width() * (double) picture.height() * (perPixel * (hasGlass ? GLASS_FACTOR : 1) + gathered));
+    }
+
+    private static double raysPerPixel(GatherSettings settings) {
+        double ofPoints = settings.gathers() ? (double) settings.rays() / (settings.spacing() * settings.spacing()) : 0;
+        return GATHER_FACTOR * ofPoints + REFLECTION_FACTOR * settings.reflectionRays();
     }
 
     private static long raysPerCenter(Scene scene) {
