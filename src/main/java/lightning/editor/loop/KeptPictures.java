@@ -113,11 +113,12 @@ public final class KeptPictures {
      */
     Optional<PixelCache> find(Scene scene, Function<Scene, Geometry> geometries, long memory) {
         try {
-            if (!isEnabled() || folder.isEmpty() || program.isEmpty() || files().isEmpty()) {
+            List<Path> kept = !isEnabled() || folder.isEmpty() || program.isEmpty() ? List.of() : files();
+            if (kept.isEmpty()) {
                 return Optional.empty();
             }
-            Optional<ContentHash> text = PictureKey.textOf(scene, program.get());
-            if (text.isEmpty() || files().stream().noneMatch(file -> hasText(file, text.get()))) {
+            Optional<ContentHash> text = PictureKey.textOf(scene, program.orElseThrow());
+            if (text.isEmpty() || kept.stream().noneMatch(file -> hasText(file, text.get()))) {
                 return Optional.empty();
             }
             Optional<Path> found = file(scene, text.get());

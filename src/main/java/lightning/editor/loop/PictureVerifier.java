@@ -39,7 +39,7 @@ final class PictureVerifier implements AutoCloseable {
     /** Edit whose saving is to be measured; null if none. */
     private WarmSaving.@Nullable RepeatableEdit pendingEdit;
     private int runningCount;
-    /** Whether edits of the document's first picture were repeated. */
+    /** True once edits of the document's first picture were repeated. */
     private volatile boolean hasRehearsed;
 
     PictureVerifier(int threads, RenderListener listener) {

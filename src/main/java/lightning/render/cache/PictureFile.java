@@ -27,7 +27,7 @@ public final class PictureFile {
 
     /**
      * Returns whether a picture of accuracy exact can be written: mirrors show the same scene, and rows and paths refer to materials and
-     * objects as they do when the scene is traced anew.
+     * objects as they do after a first pass.
      */
     public static boolean canWrite(PixelCache cache) {
         return cache.hasSameIndirectInMirrors() && cache.geometry().hasFirstMaterialIndices()
