@@ -64,11 +64,14 @@ public final class KeptPictures {
     /**
      * Returns the pictures in a folder.
      *
-     * @param folder created with the first picture
+     * @param folder    created with the first picture
+     * @param isEnabled whether pictures are kept and found at first
      */
-    public static KeptPictures in(Path folder) {
+    public static KeptPictures in(Path folder, boolean isEnabled) {
         try {
-            return in(folder, MAX_BYTES, ProgramFiles.areArchives() ? Optional.of(ProgramFiles.state()) : Optional.empty());
+            // Read at the start: the files may be replaced while the program runs.
+            Optional<String> program = ProgramFiles.areArchives() ? Optional.of(ProgramFiles.state()) : Optional.empty();
+            return new KeptPictures(Optional.of(folder), MAX_BYTES, program, Path.of(""), new AtomicBoolean(isEnabled));
         } catch (IOException e) {
             return none();
         }

@@ -46,6 +46,7 @@ public class LightningApp extends Application {
     private final FileThread thread = new FileThread(Platform::runLater);
     private final RecoveryFolder recovery = recovery();
     private Preferences preferences;
+    private KeptPictures kept;
     /** Files that were read but are not yet open in an editor; otherwise null. */
     private @Nullable StartupFiles startupFiles;
     /** Null before it is created. */
@@ -97,11 +98,12 @@ public class LightningApp extends Application {
         return new RecoveryFolder(EditorPaths.dataFolder().resolve("recovery"));
     }
 
-    /** Reads the preferences before a window exists, so that no window has to wait for the disk. */
+    /** Reads the preferences and the state of the program before a window exists, so that no window has to wait for the disk. */
     @Override
     @Initializer
     public void init() {
         preferences = new Preferences(EditorPaths.dataFolder(), thread);
+        kept = KeptPictures.in(EditorPaths.pictureFolder(), !preferences.hasValue("keep-pictures", "false"));
         UiLanguage.activate(preferences);
     }
 
@@ -195,16 +197,9 @@ public class LightningApp extends Application {
         if (files != null && layout != null) {
             startupFiles = null;
             OpenDocument document = files.isStartScene() ? files.document().fittedTo(layout.picture().area()) : files.document();
-            startupSession = new StartupSession(layout, document, files.preview(), preferences, recovery, thread,
-                    keptPictures());
+            startupSession = new StartupSession(layout, document, files.preview(), preferences, recovery, thread, kept);
             startupSession.whenPainted(() -> runIfOpen(stage, () -> showEditor(stage, files)));
         }
-    }
-
-    private KeptPictures keptPictures() {
-        KeptPictures kept = KeptPictures.in(EditorPaths.pictureFolder());
-        kept.setEnabled(!preferences.hasValue("keep-pictures", "false"));
-        return kept;
     }
 
     private void showEditor(Stage stage, StartupFiles files) {
