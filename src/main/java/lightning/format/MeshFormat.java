@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.format.gltf.GltfFile;
@@ -119,6 +120,16 @@ public enum MeshFormat {
             }
         }
         throw source.problem("", "must be a PLY, OBJ, NFF or glTF file, found an unsupported format");
+    }
+
+    /**
+     * Returns the files that a mesh file names and that are needed to read it, each once: external buffers of glTF, in its folder or below.
+     *
+     * @throws MeshException if the content is invalid, or a file that it names is missing
+     * @throws IOException if it cannot be read
+     */
+    public static Set<Path> furtherFiles(Path file) throws IOException, MeshException {
+        return GltfFile.mayNameFiles(file) ? GltfFile.read(file, Progress.NONE).bufferFiles() : Set.of();
     }
 
     /**

@@ -1,9 +1,6 @@
 package lightning.editor.loop;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,7 +11,6 @@ import java.util.SortedMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.base.file.ContentHash;
-import lightning.base.file.RegularFile;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.ReferencedFiles;
 import lightning.scene.Scene;
@@ -34,11 +30,6 @@ import lightning.scene.material.MaterialAttribute;
 record PictureKey(ContentHash text, ContentHash files) {
     /** Scenes with more objects have long texts. */
     private static final int MAX_SHAPES = 20_000;
-    /** Bytes before the JSON of a binary glTF file, its first four, and the place of the length of the JSON. */
-    private static final int GLB_START = 20;
-    private static final int GLB_MAGIC = 0x46546C67;
-    private static final int GLB_JSON_LENGTH = 12;
-    private static final int MAX_JSON = 1 << 25;
 
     /** Returns the hash of the program and a scene's text; empty if the scene is too large. */
     static Optional<ContentHash> textOf(Scene scene, String program) {
@@ -67,7 +58,7 @@ record PictureKey(ContentHash text, ContentHash files) {
      *
      * @param folder folder of the scene file
      * @param before time before which the files must have changed last, since they were read after it
-     * @return empty if a file is newer, or may name further files
+     * @return empty if a file is newer
      * @throws IOException if one cannot be read
      */
     static Optional<ContentHash> filesOf(Scene scene, Path folder, FileTime before) throws IOException {
@@ -77,24 +68,11 @@ record PictureKey(ContentHash text, ContentHash files) {
             all.append(file.getKey()).append('\0').append(ContentHash.of(file.getValue()).hex()).append('\n');
         }
         for (Path file : files.values()) {
-            if (lastChange(file).compareTo(before) >= 0 || mayNameFiles(file)) {
+            if (lastChange(file).compareTo(before) >= 0) {
                 return Optional.empty();
             }
         }
         return Optional.of(ContentHash.of(all.toString().getBytes(StandardCharsets.UTF_8)));
-    }
-
-    /** Returns whether a file may name further ones: glTF with addresses. */
-    static boolean mayNameFiles(Path file) throws IOException {
-        try (InputStream in = RegularFile.open(file, "a file of a scene")) {
-            ByteBuffer start = ByteBuffer.wrap(in.readNBytes(GLB_START)).order(ByteOrder.LITTLE_ENDIAN);
-            if (start.limit() < GLB_START || start.getInt(0) != GLB_MAGIC) {
-                // JSON, perhaps after a byte order mark.
-                return start.hasRemaining() && (start.get(0) == '{' || start.get(0) == (byte) 0xEF);
-            }
-            int json = start.getInt(GLB_JSON_LENGTH);
-            return json < 0 || json > MAX_JSON || new String(in.readNBytes(json), StandardCharsets.UTF_8).contains("\"uri\"");
-        }
     }
 
     /** Returns when a file's content or its place changed last, as far as the system knows. */

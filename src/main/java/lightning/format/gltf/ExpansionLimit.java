@@ -32,7 +32,7 @@ final class ExpansionLimit {
      */
     ExpansionLimit(GltfFile file) throws IOException, MeshException {
         long sum = Files.size(file.path());
-        for (Path buffer : file.buffers().files()) {
+        for (Path buffer : file.bufferFiles()) {
             sum += Files.size(buffer);
         }
         fileBytes = sum;

@@ -2,12 +2,15 @@ package lightning.format.gltf;
 
 import java.io.EOFException;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
+import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
 import lightning.format.mesh.ByteSource;
@@ -27,6 +30,11 @@ public final class GltfFile {
     static final byte[] MAGIC = "glTF".getBytes(StandardCharsets.US_ASCII);
     static final int JSON_CHUNK = 0x4E4F534A;
     static final int BINARY_CHUNK = 0x004E4942;
+    /** Bytes before the JSON of a binary file, and the place of its length. */
+    private static final int BINARY_START = 20;
+    private static final int BINARY_JSON_LENGTH = 12;
+    /** Bytes of JSON that are searched for addresses. */
+    private static final int MAX_SEARCHED = 1 << 25;
     /** Maximum number of JSON values, names and brackets; an object for each takes some hundred bytes. */
     private static final long MAX_TOKENS = 5_000_000;
     private static final int MAX_NESTING = 200;
@@ -67,6 +75,19 @@ public final class GltfFile {
         }
         int c = source.peek();
         return c == '{' || source.startsWith(new byte[] {(byte) 0xEF, (byte) 0xBB, (byte) 0xBF, '{'});
+    }
+
+    /** Returns whether a file may name further ones: glTF with addresses. Reads only the JSON of binary files. */
+    public static boolean mayNameFiles(Path file) throws IOException {
+        try (InputStream in = RegularFile.open(file, "a mesh file")) {
+            ByteBuffer start = littleEndian(in.readNBytes(BINARY_START));
+            if (!Arrays.equals(MAGIC, 0, MAGIC.length, start.array(), 0, Math.min(MAGIC.length, start.limit()))) {
+                // JSON, perhaps after a byte order mark.
+                return start.hasRemaining() && (start.get(0) == '{' || start.get(0) == (byte) 0xEF);
+            }
+            int json = start.limit() < BINARY_START ? -1 : start.getInt(BINARY_JSON_LENGTH);
+            return json < 0 || json > MAX_SEARCHED || new String(in.readNBytes(json), StandardCharsets.UTF_8).contains("\"uri\"");
+        }
     }
 
     /** Returns the name and version of the program that wrote the file; empty if it does not say. */
@@ -241,6 +262,11 @@ public final class GltfFile {
     }
 
     /** Returns the reader of this file's buffers. */
+    /** Returns the files in the folder of this one, or below it, that contain buffers, each once. */
+    public Set<Path> bufferFiles() throws IOException, MeshException {
+        return buffers().files();
+    }
+
     BufferReader buffers() {
         return new BufferReader(this);
     }

@@ -305,6 +305,6 @@ public final class GltfScene {
 
     /** Returns the external buffer files. */
     public Set<Path> bufferFiles() throws IOException, MeshException {
-        return file.buffers().files();
+        return file.bufferFiles();
     }
 }

@@ -6,14 +6,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.SortedMap;
 import lightning.base.file.AtomicFile;
 import lightning.base.file.RegularFile;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.format.MeshFormat;
 import lightning.format.jen.asset.AssetSearchPath;
-import lightning.format.jen.asset.MeshFolder;
-import lightning.format.jen.asset.TextureFolder;
 import lightning.scene.Scene;
 
 /** Copies the files that a scene references to where a copy of the scene finds them. */
@@ -30,13 +28,14 @@ public final class AssetCopies {
      * @throws IOException if a file is missing or cannot be copied, or if a different file has its name
      */
     public static void copy(Scene scene, Path from, Path to) throws IOException {
-        for (Map.Entry<String, Path> file : ReferencedFiles.of(scene, from).entrySet()) {
-            copy(file.getKey(), file.getValue(), to);
+        for (Map.Entry<String, SortedMap<String, Path>> files : ReferencedFiles.bySubfolder(scene, from).entrySet()) {
+            for (Map.Entry<String, Path> file : files.getValue().entrySet()) {
+                copy(file.getKey(), file.getValue(), to, files.getKey());
+            }
         }
     }
 
-    private static void copy(String name, Path file, Path scene) throws IOException {
-        String subfolder = MeshFormat.isMeshFileName(name) ? MeshFolder.NAME : TextureFolder.NAME;
+    private static void copy(String name, Path file, Path scene, String subfolder) throws IOException {
         List<Path> folders = new AssetSearchPath(scene, "file", subfolder).folders();
         for (Path folder : folders) {
             Path existing = folder.resolve(name);

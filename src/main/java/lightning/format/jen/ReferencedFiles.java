@@ -5,17 +5,23 @@ import java.nio.file.Path;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import java.util.stream.StreamSupport;
+import lightning.base.file.ParentFolder;
 import lightning.base.text.Quote;
+import lightning.format.MeshFormat;
 import lightning.format.jen.asset.AssetSearchPath;
 import lightning.format.jen.asset.FileName;
 import lightning.format.jen.asset.MeshFolder;
 import lightning.format.jen.asset.TextureFolder;
 import lightning.format.jen.asset.UnusableFileException;
+import lightning.format.mesh.MeshException;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.World;
@@ -27,9 +33,10 @@ import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
 
-/** Files that a scene references, for copying them elsewhere. */
+/** Files that a scene references, with the buffers that its meshes name, for copying them elsewhere. */
 public final class ReferencedFiles {
-    private final SortedMap<String, Path> files = new TreeMap<>();
+    private final SortedMap<String, Path> images = new TreeMap<>();
+    private final SortedMap<String, Path> meshFiles = new TreeMap<>();
     private final AssetSearchPath textures;
     private final AssetSearchPath meshes;
 
@@ -39,20 +46,52 @@ public final class ReferencedFiles {
     }
 
     /**
-     * Returns the path of each file, by its name in the scene.
+     * Returns the path of each file, by its name in the scene; a buffer has the name that is beside its mesh.
      *
      * @param folder folder of the scene file
      * @throws IOException if a file is missing, or one name refers to two files
      */
     public static SortedMap<String, Path> of(Scene scene, Path folder) throws IOException {
+        SortedMap<String, Path> all = new TreeMap<>();
+        bySubfolder(scene, folder).values().forEach(all::putAll);
+        return all;
+    }
+
+    /** Returns the same by the subfolder that such files are in, unless they are next to the scene. */
+    static SortedMap<String, SortedMap<String, Path>> bySubfolder(Scene scene, Path folder) throws IOException {
         var referenced = new ReferencedFiles(folder);
         for (String name : texturesAndProfiles(scene).distinct().toList()) {
-            referenced.put(name, referenced.textures);
+            referenced.put(referenced.images, name, find(referenced.textures, name));
         }
         for (String name : meshFiles(scene.nodes()).distinct().toList()) {
-            referenced.put(name, referenced.meshes);
+            Path file = find(referenced.meshes, name);
+            referenced.put(referenced.meshFiles, name, file);
+            for (Path further : furtherFiles(file)) {
+                referenced.put(referenced.meshFiles, nameBeside(name, file, further), further);
+            }
         }
-        return referenced.files;
+        return new TreeMap<>(Map.of(TextureFolder.NAME, referenced.images, MeshFolder.NAME, referenced.meshFiles));
+    }
+
+    private static Set<Path> furtherFiles(Path mesh) throws IOException {
+        try {
+            return MeshFormat.furtherFiles(mesh);
+        } catch (MeshException e) {
+            throw new IOException(e.getMessage(), e);
+        }
+    }
+
+    /** Returns the name of a file in the folder of a mesh, or below it. */
+    private static String nameBeside(String name, Path mesh, Path further) throws IOException {
+        String folder = name.substring(0, name.lastIndexOf('/') + 1);
+        String beside = folder + StreamSupport.stream(ParentFolder.of(mesh).relativize(further).spliterator(), false).map(Path::toString)
+                .collect(Collectors.joining("/"));
+        try {
+            FileName.check("the file that " + Quote.of(name) + " names", beside, MeshFolder.NAME);
+            return beside;
+        } catch (IllegalArgumentException e) {
+            throw new IOException(e.getMessage(), e);
+        }
     }
 
     /** Returns the files that some scenes of a folder reference, as far as they exist. */
@@ -61,13 +100,20 @@ public final class ReferencedFiles {
         var meshes = new AssetSearchPath(folder, "mesh file", MeshFolder.NAME);
         Set<Path> existing = new HashSet<>();
         for (Scene scene : scenes) {
-            texturesAndProfiles(scene).distinct().forEach(name -> find(textures, name).ifPresent(existing::add));
-            meshFiles(scene.nodes()).distinct().forEach(name -> find(meshes, name).ifPresent(existing::add));
+            texturesAndProfiles(scene).distinct().forEach(name -> findExisting(textures, name).ifPresent(existing::add));
+            meshFiles(scene.nodes()).distinct().forEach(name -> findExisting(meshes, name).ifPresent(file -> {
+                existing.add(file);
+                try {
+                    existing.addAll(MeshFormat.furtherFiles(file));
+                } catch (IOException | MeshException _) {
+                    // A mesh that cannot be read needs no buffers.
+                }
+            }));
         }
         return existing;
     }
 
-    private static Optional<Path> find(AssetSearchPath folders, String name) {
+    private static Optional<Path> findExisting(AssetSearchPath folders, String name) {
         try {
             return Optional.of(folders.find(name));
         } catch (IOException | UnusableFileException | IllegalArgumentException e) {
@@ -101,14 +147,18 @@ public final class ReferencedFiles {
         return records.stream().flatMap(record -> attributes.stream().flatMap(attribute -> attribute.file(record).stream()));
     }
 
-    private void put(String name, AssetSearchPath folders) throws IOException {
+    private void put(SortedMap<String, Path> files, String name, Path path) throws IOException {
+        Path other = images.containsKey(name) ? images.get(name) : meshFiles.getOrDefault(name, path);
+        if (!other.equals(path)) {
+            throw new IOException(Quote.of(name) + " is the name of two files of the scene, " + Quote.path(other) + " and "
+                    + Quote.path(path) + "; give each a different name");
+        }
+        files.put(name, path);
+    }
+
+    private static Path find(AssetSearchPath folders, String name) throws IOException {
         try {
-            Path path = folders.find(name);
-            Path other = files.putIfAbsent(name, path);
-            if (other != null && !other.equals(path)) {
-                throw new IOException(Quote.of(name) + " is the name of two files of the scene, " + Quote.path(other) + " and "
-                        + Quote.path(path) + "; give each a different name");
-            }
+            return folders.find(name);
         } catch (UnusableFileException e) {
             throw new IOException(e.getMessage(), e);
         }

@@ -3,9 +3,6 @@ package lightning.editor.loop;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
@@ -116,24 +113,6 @@ class KeptPicturesTest {
         Files.writeString(other.resolve("wood.png"), "other content");
         var there = KeptPictures.in(folder.resolve("pictures"), MANY_BYTES, Optional.of("program")).forScenesIn(other);
         assertThat(there.find(textured(), renderer::prepare, MANY_BYTES)).isEmpty();
-    }
-
-    private Path glb(String json) throws IOException {
-        byte[] text = json.getBytes(StandardCharsets.UTF_8);
-        ByteBuffer bytes = ByteBuffer.allocate(20 + text.length).order(ByteOrder.LITTLE_ENDIAN);
-        bytes.put("glTF".getBytes(StandardCharsets.US_ASCII)).putInt(2).putInt(bytes.limit()).putInt(text.length).putInt(0x4E4F534A)
-                .put(text);
-        return Files.write(folder.resolve("mesh.glb"), bytes.array());
-    }
-
-    @Test
-    void meshFileWithFurtherFiles_isRecognized() throws IOException {
-        assertThat(PictureKey.mayNameFiles(glb("{\"buffers\": [{\"uri\": \"mesh.bin\"}]}"))).isTrue();
-        assertThat(PictureKey.mayNameFiles(glb("{\"buffers\": [{\"byteLength\": 3}]}"))).isFalse();
-        assertThat(PictureKey.mayNameFiles(Files.writeString(folder.resolve("mesh.gltf"), "{\"asset\": {}}"))).isTrue();
-        assertThat(PictureKey.mayNameFiles(Files.writeString(folder.resolve("mesh.obj"), "v 0 0 0\n"))).isFalse();
-        assertThat(PictureKey.mayNameFiles(Files.writeString(folder.resolve("empty.obj"), ""))).isFalse();
-        assertThat(PictureKey.mayNameFiles(Path.of("textures", "wood.png"))).isFalse();
     }
 
     @Test
