@@ -94,21 +94,14 @@ public final class ReferencedFiles {
         }
     }
 
-    /** Returns the files that some scenes of a folder reference, as far as they exist. */
+    /** Returns the files that some scenes of a folder reference, as far as they exist, without the buffers of meshes. */
     static Set<Path> existing(Collection<Scene> scenes, Path folder) {
         var textures = new AssetSearchPath(folder, "file", TextureFolder.NAME);
         var meshes = new AssetSearchPath(folder, "mesh file", MeshFolder.NAME);
         Set<Path> existing = new HashSet<>();
         for (Scene scene : scenes) {
             texturesAndProfiles(scene).distinct().forEach(name -> findExisting(textures, name).ifPresent(existing::add));
-            meshFiles(scene.nodes()).distinct().forEach(name -> findExisting(meshes, name).ifPresent(file -> {
-                existing.add(file);
-                try {
-                    existing.addAll(MeshFormat.furtherFiles(file));
-                } catch (IOException | MeshException _) {
-                    // A mesh that cannot be read needs no buffers.
-                }
-            }));
+            meshFiles(scene.nodes()).distinct().forEach(name -> findExisting(meshes, name).ifPresent(existing::add));
         }
         return existing;
     }

@@ -8,7 +8,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
-import java.util.List;
 import java.util.SortedMap;
 import lightning.format.gltf.GltfFixtures;
 import lightning.scene.Scene;
@@ -57,12 +56,6 @@ class ReferencedFilesTest {
         AssetCopies.copy(read(scenes), scenes, copy);
         assertThat(copy.resolve("meshes/parts/data/floor.bin")).hasSameBinaryContentAs(parts.resolve("data/floor.bin"));
         assertThat(((Solid.TriangleMesh) ((Shape) read(copy).nodes().getFirst()).solid()).mesh().triangleCount()).isEqualTo(2);
-    }
-
-    @Test
-    void bufferOfMesh_isAnInput() throws Exception {
-        assertThat(ReferencedFiles.existing(List.of(read(scenes)), scenes))
-                .containsExactlyInAnyOrder(parts.resolve("floor.gltf").toRealPath(), parts.resolve("data/floor.bin").toRealPath());
     }
 
     @Test
