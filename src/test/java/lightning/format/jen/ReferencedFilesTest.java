@@ -4,10 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Base64;
 import java.util.SortedMap;
 import lightning.format.gltf.GltfFixtures;
 import lightning.scene.Scene;
@@ -31,12 +29,10 @@ class ReferencedFilesTest {
     void makeMesh() throws IOException {
         scenes = Files.createDirectories(root.resolve("scenes"));
         parts = Files.createDirectories(scenes.resolve("meshes/parts"));
-        String[] both = new String(GltfFixtures.text(GltfFixtures.SQUARE_JSON, GltfFixtures.SQUARE), StandardCharsets.UTF_8)
-                .split("data:application/octet-stream;base64,");
-        int end = both[1].indexOf('"');
         Files.createDirectories(parts.resolve("data"));
-        Files.write(parts.resolve("data/floor.bin"), Base64.getDecoder().decode(both[1].substring(0, end)));
-        Files.writeString(parts.resolve("floor.gltf"), both[0] + "data/floor.bin" + both[1].substring(end));
+        Files.write(parts.resolve("data/floor.bin"), GltfFixtures.SQUARE);
+        Files.writeString(parts.resolve("floor.gltf"),
+                GltfFixtures.SQUARE_JSON.replace("'buffers': [{", "'buffers': [{'uri': 'data/floor.bin', ").replace('\'', '"'));
     }
 
     private static Scene read(Path folder) throws JenException {
