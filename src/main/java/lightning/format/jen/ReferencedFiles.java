@@ -141,7 +141,7 @@ public final class ReferencedFiles {
     }
 
     private void put(SortedMap<String, Path> files, String name, Path path) throws IOException {
-        Path other = images.containsKey(name) ? images.get(name) : meshFiles.getOrDefault(name, path);
+        Path other = images.getOrDefault(name, meshFiles.getOrDefault(name, path));
         if (!other.equals(path)) {
             throw new IOException(Quote.of(name) + " is the name of two files of the scene, " + Quote.path(other) + " and "
                     + Quote.path(path) + "; give each a different name");
