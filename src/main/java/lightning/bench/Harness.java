@@ -74,7 +74,7 @@ public final class Harness {
             List<String> arguments,
             Progress progress) {
         this.settings = settings;
-        scenes = originals.stream().map(NamedScene::withoutIndirect).toList();
+        scenes = originals.stream().map(NamedScene::withoutGatheredLight).toList();
         problems.forEach(ledger::addProblem);
         Set<Measurable> measurable = measurableScenes();
         List<TraceThroughput> throughputs = new ArrayList<>();

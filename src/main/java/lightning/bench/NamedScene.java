@@ -8,6 +8,9 @@ import lightning.scene.AntialiasMode;
 import lightning.scene.IndirectSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.effects.RenderEffect;
+import lightning.scene.effects.SceneEffects;
+import lightning.scene.effects.ViewEffects;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,11 +31,15 @@ public record NamedScene(String name, Scene scene, @Nullable Path file, List<Str
     }
 
     /**
-     * Returns the scene without indirect light. All parts except that of indirect light measure it, because POV-Ray's images have none, and
-     * results from before stay comparable.
+     * Returns the scene without indirect light and blurred reflections. All parts except that of indirect light measure it, because
+     * POV-Ray's images have none, and results from before stay comparable.
      */
-    NamedScene withoutIndirect() {
-        return scene.picture().indirect().isEmpty() ? this : with(withIndirect(Optional.empty()), "--no-indirect");
+    NamedScene withoutGatheredLight() {
+        NamedScene direct = scene.picture().indirect().isEmpty() ? this : with(withIndirect(Optional.empty()), "--no-indirect");
+        return SceneEffects.of(scene).has(RenderEffect.BLURRED_REFLECTIONS)
+                ? direct.with(ViewEffects.ALL.with(RenderEffect.BLURRED_REFLECTIONS, false).apply(direct.scene()), "--without",
+                        RenderEffect.BLURRED_REFLECTIONS.id())
+                : direct;
     }
 
     /** Returns the scene with one sample per pixel. */

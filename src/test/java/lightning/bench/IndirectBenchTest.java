@@ -18,6 +18,9 @@ import lightning.bench.result.SoftShadowAccuracy;
 import lightning.bench.result.TimeSamples;
 import lightning.sample.Nightly;
 import lightning.scene.IndirectSettings;
+import lightning.scene.Scene;
+import lightning.scene.material.Material;
+import lightning.scene.material.ShadingModel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -70,9 +73,9 @@ class IndirectBenchTest {
     void otherParts_leaveIndirectLightOut() throws Exception {
         NamedScene plain = new NamedScene("plain", GeneratedScenes.of(1, SMALL, 8, 3, 1), Path.of("plain.jen"));
         NamedScene lit = new NamedScene("lit", plain.withIndirect(Optional.of(IndirectSettings.DEFAULT)), plain.file());
-        assertThat(plain.withoutIndirect()).isSameAs(plain);
-        assertThat(lit.withoutIndirect().scene()).isEqualTo(plain.scene());
-        assertThat(lit.withoutIndirect().options()).containsExactly("--no-indirect");
+        assertThat(plain.withoutGatheredLight()).isSameAs(plain);
+        assertThat(lit.withoutGatheredLight().scene()).isEqualTo(plain.scene());
+        assertThat(lit.withoutGatheredLight().options()).containsExactly("--no-indirect");
 
         BenchSettings settings = new BenchSettings(List.of(SMALL), 0, 1, false, 1, 0, 2, 5, false, false, false, false, false, true, false,
                 0, true);
@@ -84,6 +87,16 @@ class IndirectBenchTest {
         assertThat(results.scenes()).extracting(scene -> scene.firstPass().fullRays()).containsOnly(
                 results.scenes().getFirst().firstPass().fullRays());
         assertThat(results.scenes().getLast().effects()).extracting(EffectResult::effect).doesNotContain("indirect light");
+    }
+
+    @Test
+    void otherParts_leaveBlurredReflectionsOut() {
+        Scene scene = GeneratedScenes.of(1, SMALL, 8, 3, 1);
+        Scene rough = scene.withMaterials(scene.materials().stream()
+                .map(m -> m.withModel(ShadingModel.PRINCIPLED).withRoughness(0.3)).toList());
+        NamedScene direct = new NamedScene("rough", rough, Path.of("rough.jen")).withoutGatheredLight();
+        assertThat(direct.options()).containsExactly("--without", "blurred-reflections");
+        assertThat(direct.scene().materials()).noneMatch(Material::reflectsRoughly);
     }
 
     @Test

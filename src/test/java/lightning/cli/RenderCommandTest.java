@@ -91,6 +91,22 @@ class RenderCommandTest {
     }
 
     @Test
+    void without_leavesEffectsOut() throws Exception {
+        String text = "material m { model %s  base 0.9 0.7 0.3  metalness 1  roughness 0.3 }\nsphere a { material m }\n"
+                + "plane b { material m  at 0 -1 0  scale 9 1 9 }\ncamera { from 0 2 4  to 0 0 0 }\nlight l point { at 0 3 1  attenuation 1 %s 0 }\n";
+        Path full = Files.writeString(folder.resolve("full.jen"),
+                "jen 1\npicture { size 24 16 }\n" + text.replaceFirst("%s", "principled").replace("%s", "0.1"));
+        Path simple = Files.writeString(folder.resolve("simple.jen"),
+                "jen 1\npicture { size 24 16 }\n" + text.replaceFirst("%s", "metallic").replace("%s", "0"));
+        Path expected = folder.resolve("expected.pfm");
+        CliResult.run("render", simple, "-o", expected).assertSuccess();
+        Path without = folder.resolve("without.pfm");
+        CliResult.run("render", full, "-o", without, "--without", "blurred-reflections,attenuation").assertSuccess();
+        assertThat(without).hasSameBinaryContentAs(expected);
+        CliResult.run("render", full, "-o", without, "--without", "fancy").assertRejected("--without", "blurred-reflections", "was fancy");
+    }
+
+    @Test
     void indirect_isSwitchedOnAndOff() throws Exception {
         String text = "material m { diffuse 0.8 0.8 0.8 }\nsphere a { material m }\nplane b { material m  at 0 -1 0  scale 9 1 9 }\n"
                 + "camera { from 0 2 4  to 0 0 0 }\nlight l point { at 0 3 1 }\n";

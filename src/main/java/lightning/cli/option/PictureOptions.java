@@ -1,11 +1,16 @@
 package lightning.cli.option;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import lightning.scene.AntialiasMode;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.effects.RenderEffect;
+import lightning.scene.effects.ViewEffects;
 import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
@@ -65,6 +70,20 @@ public final class PictureOptions {
         }
     }
 
+    private List<RenderEffect> leftOut = List.of();
+
+    @Option(names = "--without", paramLabel = "EFFECT", split = ",",
+            description = "Effects of the scene to leave out, as the command effects names them with --json, such as blurred-reflections.")
+    private void setLeftOut(List<String> effects) {
+        List<RenderEffect> found = new ArrayList<>();
+        for (String id : effects) {
+            found.add(RenderEffect.REMOVABLE.stream().filter(effect -> effect.id().equals(id)).findFirst()
+                    .orElseThrow(() -> new ParameterException(command.commandLine(), "--without must name effects from "
+                            + RenderEffect.REMOVABLE.stream().map(RenderEffect::id).collect(Collectors.joining(", ")) + ", was " + id)));
+        }
+        leftOut = found;
+    }
+
     /** Returns whether the size was chosen. */
     public boolean hasSize() {
         return size != null;
@@ -84,6 +103,7 @@ public final class PictureOptions {
         SamplingSettings sceneSampling = picture.sampling();
         SamplingSettings sampling = new SamplingSettings(antialias == null ? sceneSampling.antialias() : antialias,
                 samples == null ? sceneSampling.grid() : samples);
-        return scene.withPicture((depth == null ? picture : picture.withDepth(depth)).withSampling(sampling));
+        Scene result = scene.withPicture((depth == null ? picture : picture.withDepth(depth)).withSampling(sampling));
+        return ViewEffects.ALL.withHidden(leftOut).apply(result);
     }
 }

@@ -147,6 +147,10 @@ public final class RenderEffect {
             Solid.CANONICAL.stream().map(RenderEffect::shapes),
             Stream.of(shapes("meshes", Solid.TriangleMesh.class))).flatMap(all -> all).toList();
 
+    /** All effects that a document can lose; not shadows and soft shadows, because no setting of a document switches them off. */
+    public static final List<RenderEffect> REMOVABLE =
+            ALL.stream().filter(effect -> effect != SHADOWS && effect != SOFT_SHADOWS).toList();
+
     private final String id;
     private final String title;
     private final Function<EffectUsers, Stream<String>> users;
