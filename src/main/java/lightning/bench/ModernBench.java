@@ -5,7 +5,6 @@ import static java.util.Objects.requireNonNull;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import lightning.base.work.Progress;
 import lightning.bench.result.MeasurementFailure;
 import lightning.bench.result.ModernSampling;
@@ -85,8 +84,8 @@ final class ModernBench {
 
     private void measureCold(ModernSampling sampling, Progress progress) throws IOException, InterruptedException {
         var meter = new ColdStartMeter(settings.threads(), Math.min(settings.processes(), PROCESSES), COLD_MS);
-        collector.setCold(sampling, coldSize(),
-                meter.measure(requireNonNull(scene.file()), sampling.of(scene.scene()), coldSize(),
-                        Stream.concat(scene.options().stream(), sampling.renderOptions().stream()).toList(), sampling.povRay(), progress));
+        NamedScene sampled = scene.withSampling(sampling.settings());
+        collector.setCold(sampling, coldSize(), meter.measure(requireNonNull(scene.file()), sampled.scene(), coldSize(),
+                sampled.renderOptions(), sampling.povRay(), progress));
     }
 }

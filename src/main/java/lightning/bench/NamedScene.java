@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param name    file name without extension; unique in a run
  * @param file    source file for cold-start processes; null if none, which skips them
- * @param options options by which {@code lightning render} shows this scene from its file
+ * @param options options by which {@code lightning render} leaves out what this scene lacks of its file's, except anti-aliasing
  */
 public record NamedScene(String name, Scene scene, @Nullable Path file, List<String> options) {
     public NamedScene {
@@ -44,8 +44,19 @@ public record NamedScene(String name, Scene scene, @Nullable Path file, List<Str
 
     /** Returns the scene with one sample per pixel. */
     public NamedScene withoutAntialiasing() {
-        return scene.picture().sampling().antialias() == AntialiasMode.OFF ? this
-                : with(scene.withPicture(scene.picture().withSampling(SamplingSettings.DEFAULT)), "--antialias", "off");
+        return scene.picture().sampling().antialias() == AntialiasMode.OFF ? this : withSampling(SamplingSettings.DEFAULT);
+    }
+
+    /** Returns the scene with other anti-aliasing. */
+    NamedScene withSampling(SamplingSettings sampling) {
+        return with(scene.withPicture(scene.picture().withSampling(sampling)));
+    }
+
+    /** Returns the options by which {@code lightning render} shows this scene from its file. */
+    public List<String> renderOptions() {
+        SamplingSettings sampling = scene.picture().sampling();
+        return Stream.concat(options.stream(), Stream.of("--antialias", sampling.antialias().word(), "--samples",
+                Integer.toString(sampling.grid()))).toList();
     }
 
     private NamedScene with(Scene changed, String... added) {

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import lightning.bench.NamedScene;
 import lightning.scene.AntialiasMode;
+import lightning.scene.SamplingSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -33,7 +34,8 @@ class BenchScenesTest {
     /** Cold processes read the file again. */
     @Test
     void leftOutAntialiasing_isAnOptionOfItsProcess() throws Exception {
-        assertThat(write("rough", "every").withoutAntialiasing().options()).containsExactly("--antialias", "off");
+        assertThat(write("rough", "every").withoutAntialiasing().renderOptions()).containsExactly("--antialias", "off", "--samples",
+                Integer.toString(SamplingSettings.DEFAULT.grid()));
     }
 
     @Test

@@ -1,7 +1,5 @@
 package lightning.bench.result;
 
-import java.util.List;
-import java.util.Locale;
 import lightning.format.pov.PovSampling;
 import lightning.scene.AntialiasMode;
 import lightning.scene.SamplingSettings;
@@ -44,11 +42,5 @@ public enum ModernSampling {
 
     public Scene of(Scene scene) {
         return scene.withPicture(scene.picture().withSampling(settings));
-    }
-
-    /** Returns the options of {@code lightning render}. */
-    public List<String> renderOptions() {
-        return List.of("--antialias", settings.antialias().name().toLowerCase(Locale.ROOT), "--samples",
-                Integer.toString(settings.grid()));
     }
 }
