@@ -73,7 +73,7 @@ public final class PictureOptions {
     private List<RenderEffect> leftOut = List.of();
 
     @Option(names = "--without", paramLabel = "EFFECT", split = ",",
-            description = "Effects of the scene to leave out, as the command effects names them with --json, such as blurred-reflections.")
+            description = "Effects of the scene to leave out, such as blurred-reflections. An unknown name prints all names.")
     private void setLeftOut(List<String> effects) {
         List<RenderEffect> found = new ArrayList<>();
         for (String id : effects) {
