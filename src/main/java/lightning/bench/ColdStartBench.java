@@ -21,7 +21,8 @@ record ColdStartBench(BenchSettings settings, ResultCollector ledger) {
             try {
                 var meter = new ColdStartMeter(settings.threads(), settings.processes(), Double.POSITIVE_INFINITY);
                 collector.setColdStart(
-                        meter.measure(requireNonNull(scene.file()), scene.scene(), size, scene.renderOptions(), PovSampling.NONE, progress));
+                        meter.measure(requireNonNull(scene.file()), scene.scene(), size, scene.renderOptions(), PovSampling.NONE,
+                                progress));
             } catch (IOException e) {
                 ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, title, e.getMessage()));
             }

@@ -139,7 +139,7 @@ final class IndirectBench {
         List<PaperCase> cases = ModernCases.of(scene);
         EditTurns with = EditTurns.of(scene, cases.stream().map(PaperCase::after).toList(), options, settings.repetitions(), true,
                 progress);
-        EditTurns without = EditTurns.of(withoutIndirect(scene), cases.stream().map(edit -> withoutIndirect(edit.after())).toList(),
+        EditTurns without = EditTurns.of(scene.withoutIndirect(), cases.stream().map(edit -> edit.after().withoutIndirect()).toList(),
                 options, settings.repetitions(), false, progress.cancellationOnly());
         List<IndirectCost.Edit> edits = new ArrayList<>();
         for (int i = 0; i < cases.size(); i++) {
@@ -159,7 +159,7 @@ final class IndirectBench {
     private void measureAbsence(NamedScene named, Progress progress) {
         PictureSize size = settings.quick() ? QUICK_COST_SIZE : ABSENCE_SIZE;
         Scene scene = size.of(named.scene());
-        HiddenEffectCost cost = HiddenEffectCost.of(withoutIndirect(scene), scene, RenderEffect.INDIRECT, options,
+        HiddenEffectCost cost = HiddenEffectCost.of(scene.withoutIndirect(), scene, RenderEffect.INDIRECT, options,
                 settings.isWarm() ? 3 * settings.repetitions() : 1, progress);
         if (!cost.equal()) {
             ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.BROKEN, named.name() + ", without indirect light",
@@ -167,9 +167,5 @@ final class IndirectBench {
         }
         ledger.indirect().add(new IndirectAbsence(named.name(), size.width(), size.height(), cost.bytes() - cost.hiddenBytes(),
                 cost.rays() - cost.hiddenRays(), cost.equal(), TimeSamples.of(cost.absent()), TimeSamples.of(cost.hidden())));
-    }
-
-    static Scene withoutIndirect(Scene scene) {
-        return scene.withPicture(scene.picture().withIndirect(Optional.empty()));
     }
 }

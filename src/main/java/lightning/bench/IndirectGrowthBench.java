@@ -86,7 +86,7 @@ final class IndirectGrowthBench {
         List<PaperCase> cases = ModernCases.of(scene);
         List<Scene> afters = List.of(after(cases, ModernCases.INTENSITY), after(cases, ModernCases.POSITION));
         EditTurns with = EditTurns.of(scene, afters, options, settings.repetitions(), false, progress);
-        EditTurns without = EditTurns.of(IndirectBench.withoutIndirect(scene), List.of(), options, settings.repetitions(), false,
+        EditTurns without = EditTurns.of(scene.withoutIndirect(), List.of(), options, settings.repetitions(), false,
                 progress.cancellationOnly());
         return new IndirectGrowth.Point(at.applyAsLong(with), with.points(), with.surfels(),
                 (with.bytes() - without.bytes()) / (double) size.pixels(), TimeSamples.of(with.first()), TimeSamples.of(without.first()),

@@ -35,7 +35,7 @@ public record NamedScene(String name, Scene scene, @Nullable Path file, List<Str
      * POV-Ray's images have none, and results from before stay comparable.
      */
     NamedScene withoutGatheredLight() {
-        NamedScene direct = scene.picture().indirect().isEmpty() ? this : with(withIndirect(Optional.empty()), "--no-indirect");
+        NamedScene direct = scene.picture().indirect().isEmpty() ? this : with(scene.withoutIndirect(), "--no-indirect");
         return SceneEffects.of(scene).has(RenderEffect.BLURRED_REFLECTIONS)
                 ? direct.with(ViewEffects.ALL.with(RenderEffect.BLURRED_REFLECTIONS, false).apply(direct.scene()), "--without",
                         RenderEffect.BLURRED_REFLECTIONS.id())

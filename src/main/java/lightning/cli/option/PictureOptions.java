@@ -1,6 +1,5 @@
 package lightning.cli.option;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -75,13 +74,13 @@ public final class PictureOptions {
     @Option(names = "--without", paramLabel = "EFFECT", split = ",",
             description = "Effects of the scene to leave out, such as blurred-reflections. An unknown name prints all names.")
     private void setLeftOut(List<String> effects) {
-        List<RenderEffect> found = new ArrayList<>();
-        for (String id : effects) {
-            found.add(RenderEffect.REMOVABLE.stream().filter(effect -> effect.id().equals(id)).findFirst()
-                    .orElseThrow(() -> new ParameterException(command.commandLine(), "--without must name effects from "
-                            + RenderEffect.REMOVABLE.stream().map(RenderEffect::id).collect(Collectors.joining(", ")) + ", was " + id)));
-        }
-        leftOut = found;
+        leftOut = effects.stream().map(this::removable).toList();
+    }
+
+    private RenderEffect removable(String id) {
+        return RenderEffect.REMOVABLE.stream().filter(effect -> effect.id().equals(id)).findFirst()
+                .orElseThrow(() -> new ParameterException(command.commandLine(), "--without must name effects from "
+                        + RenderEffect.REMOVABLE.stream().map(RenderEffect::id).collect(Collectors.joining(", ")) + ", was " + id));
     }
 
     /** Returns whether the size was chosen. */

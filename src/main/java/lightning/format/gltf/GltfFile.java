@@ -261,12 +261,12 @@ public final class GltfFile {
         return binaryChunk;
     }
 
-    /** Returns the reader of this file's buffers. */
     /** Returns the files in the folder of this one, or below it, that contain buffers, each once. */
     public Set<Path> bufferFiles() throws IOException, MeshException {
         return buffers().files();
     }
 
+    /** Returns the reader of this file's buffers. */
     BufferReader buffers() {
         return new BufferReader(this);
     }

@@ -63,7 +63,7 @@ public final class ReferencedFiles {
         for (String name : texturesAndProfiles(scene).distinct().toList()) {
             referenced.put(referenced.images, name, find(referenced.textures, name));
         }
-        for (String name : meshFiles(scene.nodes()).distinct().toList()) {
+        for (String name : meshFileNames(scene.nodes()).distinct().toList()) {
             Path file = find(referenced.meshes, name);
             referenced.put(referenced.meshFiles, name, file);
             for (Path further : furtherFiles(file)) {
@@ -101,7 +101,7 @@ public final class ReferencedFiles {
         Set<Path> existing = new HashSet<>();
         for (Scene scene : scenes) {
             texturesAndProfiles(scene).distinct().forEach(name -> findExisting(textures, name).ifPresent(existing::add));
-            meshFiles(scene.nodes()).distinct().forEach(name -> findExisting(meshes, name).ifPresent(existing::add));
+            meshFileNames(scene.nodes()).distinct().forEach(name -> findExisting(meshes, name).ifPresent(existing::add));
         }
         return existing;
     }
@@ -114,9 +114,9 @@ public final class ReferencedFiles {
         }
     }
 
-    private static Stream<String> meshFiles(List<SceneNode> nodes) {
+    private static Stream<String> meshFileNames(List<SceneNode> nodes) {
         return nodes.stream().flatMap(node -> switch (node) {
-            case NodeGroup g -> meshFiles(g.children());
+            case NodeGroup g -> meshFileNames(g.children());
             case Shape s -> s.solid() instanceof Solid.TriangleMesh t ? Stream.of(t.file()) : Stream.empty();
         });
     }
