@@ -68,6 +68,60 @@ public final class SampleMeshes {
         return new Mesh(p, t, null, c, null);
     }
 
+    /**
+     * Returns the cube from −1 to 1 with beveled edges and corners. The normal of each vertex is the mean of the facets around it, whatever
+     * their areas, so it leans from the large faces.
+     *
+     * @param bevel part of each side that is cut off, below 1
+     */
+    public static Mesh beveledCube(double bevel) {
+        float[] p = new float[72];
+        for (int v = 0; v < 24; v++) {
+            for (int a = 0; a < 3; a++) {
+                p[3 * v + a] = (float) ((v / 3 >> a & 1) * 2 - 1) * (v % 3 == a ? 1 : (float) (1 - bevel));
+            }
+        }
+        int[] t = new int[132];
+        int at = 0;
+        float[] n = new float[72];
+        for (int a = 0; a < 3; a++) {
+            int b = 1 << (a + 1) % 3;
+            int c = 1 << (a + 2) % 3;
+            for (int side = 0; side < 2; side++) {
+                int corner = side << a;
+                at = putFacet(t, at, p, n, 3 * corner + a, 3 * (corner + b) + a, 3 * (corner + b + c) + a, 3 * (corner + c) + a);
+                for (int other = 0; other < 2; other++) {
+                    int edge = corner + other * b;
+                    int next = (a + 1) % 3;
+                    at = putFacet(t, at, p, n, 3 * edge + a, 3 * edge + next, 3 * (edge + c) + next, 3 * (edge + c) + a);
+                }
+            }
+        }
+        for (int corner = 0; corner < 8; corner++) {
+            at = putFacet(t, at, p, n, 3 * corner, 3 * corner + 1, 3 * corner + 2);
+        }
+        return new Mesh(p, t, unit(n), null, null);
+    }
+
+    /** Adds a facet's triangles, and its outward normal to those of its vertices. */
+    private static int putFacet(int[] t, int at, float[] p, float[] n, int... vertices) {
+        float[] sum = new float[3];
+        for (int v : vertices) {
+            for (int a = 0; a < 3; a++) {
+                // Opposite sides of a facet around an axis cancel, and its middle is along its normal.
+                sum[a] += p[3 * v + a];
+            }
+        }
+        float[] normal = unit(sum);
+        for (int v : vertices) {
+            for (int a = 0; a < 3; a++) {
+                n[3 * v + a] += normal[a];
+            }
+        }
+        int end = put(t, at, vertices[0], vertices[1], vertices[2]);
+        return vertices.length == 3 ? end : put(t, end, vertices[0], vertices[2], vertices[3]);
+    }
+
     /** Returns a closed ball of radius 1: every edge has two triangles; vertices at the poles and the seam are shared. */
     public static Mesh ball(int rings, int sectors, boolean smooth) {
         int inner = rings - 1;

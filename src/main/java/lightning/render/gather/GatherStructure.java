@@ -14,7 +14,7 @@ import lightning.render.gather.glow.GlowShapes;
 import lightning.render.gather.point.GatherPoints;
 import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.RaySources;
-import lightning.render.gather.ray.TiltedNormals;
+import lightning.render.gather.ray.TiltedFacets;
 import lightning.render.gather.reflection.ReflectionLinks;
 import lightning.render.gather.reflection.ReflectionPaths;
 import lightning.render.gather.rim.RimLinks;
@@ -39,7 +39,7 @@ public final class GatherStructure {
     private final RayLinks surfelLinks;
     private final SurfelRows surfels;
     /** Normals of the surfaces of surfels that cast rays. */
-    private final TiltedNormals surfelNormals;
+    private final TiltedFacets surfelNormals;
     private final GlowPaths glow;
     private final int @Nullable [] kept;
     private final @Nullable ReflectionPaths reflections;
@@ -53,7 +53,7 @@ public final class GatherStructure {
      * @param isIndirect  whether surfels send light to gather points
      */
     public GatherStructure(GatherPoints points, RayLinks pointLinks, RimLinks rims, RayLinks surfelLinks, SurfelRows surfels,
-            TiltedNormals surfelNormals,
+            TiltedFacets surfelNormals,
             GlowPaths glow, int @Nullable [] kept, @Nullable ReflectionPaths reflections, boolean isIndirect, int bounces, long rays) {
         this.reflections = reflections;
         this.isIndirect = isIndirect;
@@ -124,7 +124,7 @@ public final class GatherStructure {
     public static GatherStructure readFrom(ColumnReader in, Metadata metadata) throws IOException {
         return new GatherStructure(GatherPoints.readFrom(in, metadata.keys), RayLinks.readFrom(in), RimLinks.readFrom(in),
                 RayLinks.readFrom(in),
-                SurfelRows.readFrom(in), TiltedNormals.readFrom(in), GlowPaths.readFrom(in, metadata.shapes), null,
+                SurfelRows.readFrom(in), TiltedFacets.readFrom(in), GlowPaths.readFrom(in, metadata.shapes), null,
                 in.readInt() == 0 ? null : ReflectionPaths.readFrom(in, metadata.keys, metadata.seen, metadata.materials),
                 in.readInt() != 0, in.readInt(),
                 in.readLong());

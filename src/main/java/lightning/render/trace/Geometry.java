@@ -520,7 +520,7 @@ public final class Geometry {
     public SurfacePoint surface(int primitive, Ray ray) {
         RayTraversal traversal = bvh.traversal(ray);
         return traversal.intersectPrimitive(primitive) < 0 ? throwMissed(primitive)
-                : new SurfacePointBuilder(primitives, materials).surfacePoint(primitive, traversal.part(), ray, traversal.distance());
+                : new SurfacePointBuilder(primitives, materials).surfacePoint(primitive, traversal.part(), ray, traversal.distance(), true);
     }
 
     /**
@@ -539,7 +539,13 @@ public final class Geometry {
     /** Computes the surface point where a ray hits a primitive; tests every triangle of a mesh. */
     public SurfacePoint surfaceBruteForce(int primitive, Ray ray) {
         double t = hitDistance(primitive, ray);
-        return new SurfacePointBuilder(primitives, materials).surfacePoint(primitive, hitPart(primitive, ray), ray, t);
+        return new SurfacePointBuilder(primitives, materials).surfacePoint(primitive, hitPart(primitive, ray), ray, t, true);
+    }
+
+    /** Returns the same on the facet of a mesh: vertex normals do not lift it. */
+    public SurfacePoint facetBruteForce(int primitive, Ray ray) {
+        double t = hitDistance(primitive, ray);
+        return new SurfacePointBuilder(primitives, materials).surfacePoint(primitive, hitPart(primitive, ray), ray, t, false);
     }
 
     /** Returns the start of a ray that passes a primitive which it hits, behind the surface; tests every triangle of a mesh. */

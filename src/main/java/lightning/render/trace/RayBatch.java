@@ -18,6 +18,8 @@ import org.jspecify.annotations.Nullable;
  * Up to 1024 rays with any origins and directions, which pass through transparent surfaces and faces of lights. Holds scratch memory:
  * use one per thread.
  *
+ * <p>Rows of its hits are on their facets, not lifted by vertex normals: in narrow gaps a lifted point is behind the other surface.
+ *
  * <p>A ray that hits a transparent surface continues in the same direction. It is tinted as a tinted shadow ray is: by the share of light
  * that the surface does not reflect, by its color, and by the path inside the body. Light that the surface reflects toward the ray is
  * lost. The face of a light does not change the ray, because the light itself is computed by shadow rays; but none passes a frosted body, so
@@ -97,6 +99,7 @@ public final class RayBatch {
         rowBuilder = new HitRowBuilder(geometry, tracer, false);
         rays = new RayColumns(new CameraRays(scene.camera(), scene.picture()));
         sorted = new RayColumns(new CameraRays(scene.camera(), scene.picture()));
+        rays.startsAtFacets = true;
         directionX = rays.dx;
         directionY = rays.dy;
         directionZ = rays.dz;
@@ -328,6 +331,31 @@ public final class RayBatch {
     public @Nullable Vec3 geometricNormal(int ray) {
         computeSurface(ray, rays.primitive[ray]);
         return surface.hasShadingNormal() ? surface.geometricNormal() : null;
+    }
+
+    /** Moves the start of a ray to the surface that it hit, on the side that it came from. Vertex normals do not lift it. */
+    public void moveToSurface(int ray) {
+        computeSurface(ray, rays.primitive[ray]);
+        surface.computeFacetPoint();
+        startX[ray] = surface.facetX;
+        startY[ray] = surface.facetY;
+        startZ[ray] = surface.facetZ;
+    }
+
+    /**
+     * Makes ray {@code to} the rest of a ray behind the surface that it hit.
+     *
+     * @param to at most {@code ray}
+     */
+    public void moveBehind(int ray, int to) {
+        computeSurface(ray, rays.primitive[ray]);
+        surface.computeBackPoint();
+        startX[to] = surface.backX;
+        startY[to] = surface.backY;
+        startZ[to] = surface.backZ;
+        directionX[to] = directionX[ray];
+        directionY[to] = directionY[ray];
+        directionZ[to] = directionZ[ray];
     }
 
     /**

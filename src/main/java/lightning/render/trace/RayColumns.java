@@ -37,6 +37,8 @@ public final class RayColumns {
     /** Part of the primitive that was hit. */
     public final int[] part = new int[MAX_RAYS];
 
+    /** Whether points on meshes with vertex normals stay on their facets; otherwise they are lifted, as those of a picture. */
+    public boolean startsAtFacets;
     /** Number of rays that hit a primitive. */
     public int hitCount;
     /** Rays that hit a primitive, in the order of their rows. */

@@ -24,10 +24,14 @@ import org.jspecify.annotations.Nullable;
  * @param materials materials of the primitives
  */
 record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
-    /** Computes the surface point of a ray on a part of a primitive at a distance. */
-    SurfacePoint surfacePoint(int primitive, int part, Ray ray, double t) {
+    /**
+     * Computes the surface point of a ray on a part of a primitive at a distance.
+     *
+     * @param lifts whether vertex normals lift it
+     */
+    SurfacePoint surfacePoint(int primitive, int part, Ray ray, double t, boolean lifts) {
         Vec3 d = ray.direction();
-        SurfaceHit surface = hit(primitive, part, ray, t);
+        SurfaceHit surface = hit(primitive, part, ray, t, lifts);
         int material = primitives.material[primitive];
         float[] diffuse = {materials.diffuse(material, 0), materials.diffuse(material, 1), materials.diffuse(material, 2)};
         float[] texel = {1, 1, 1};
@@ -135,9 +139,14 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
     }
 
     private SurfaceHit hit(int primitive, int part, Ray ray, double t) {
+        return hit(primitive, part, ray, t, true);
+    }
+
+    private SurfaceHit hit(int primitive, int part, Ray ray, double t, boolean lifts) {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
         SurfaceHit surface = new SurfaceHit();
+        surface.lifts = lifts;
         surface.compute(primitives, primitive, part, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
         return surface;
     }

@@ -4,17 +4,24 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.render.image.Film;
+import lightning.sample.SampleMeshes;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.material.BumpMapping;
+import lightning.scene.node.Mesh;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.value.Placement;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -83,6 +90,26 @@ class IndirectHardCasesTest {
                 """, bounces));
         for (int i = 0; i < 16 * 12; i++) {
             assertThat(film.red(i % 16, i / 16)).isCloseTo(bounces + 1, within((bounces + 1) * FILTER_ROUNDING));
+        }
+    }
+
+    /** Only places below the floor meet light. Vertex normals lift points of a body that touches it, but none below it. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void smoothMeshOnThinFloor_isNotLitFromBelow(boolean isBox) throws JenException {
+        Scene floor = scene("size 48 24", """
+                camera { from 0 0.3 6  to 0 0 0  fov 20 }
+                material white { diffuse 0.9 0.9 0.9 }
+                material lamp { diffuse 0 0 0  glow 100 100 100 }
+                plane floor { material white  at 0 -1 0  scale 400 1 400 }
+                plane below { material lamp  at 0 -3 0  scale 20 1 20 }
+                """, 3);
+        Mesh mesh = isBox ? SampleMeshes.beveledCube(0.04) : SampleMeshes.ball(8, 12, true);
+        List<SceneNode> nodes = new ArrayList<>(floor.nodes());
+        nodes.add(new Shape(SampleMeshes.solid(mesh), "body", "white", Placement.IDENTITY));
+        Film film = trace(floor.withNodes(nodes));
+        for (int i = 0; i < 48 * 24; i++) {
+            assertThat(film.red(i % 48, i / 48)).as("pixel %d, %d", i % 48, i / 48).isZero();
         }
     }
 

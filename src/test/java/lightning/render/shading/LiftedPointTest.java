@@ -5,9 +5,12 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Optional;
+import lightning.base.math.Ray;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.render.shading.reference.ReferenceTracer;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.SurfacePoint;
 import lightning.sample.SampleMeshes;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
@@ -80,5 +83,15 @@ class LiftedPointTest {
         assertThat(centerValue(1, 0, light)).isZero();
         var wide = new Photometry(Photometry.Type.C, new double[] {0, 45.1}, new double[] {0}, new double[] {1, 1});
         assertThat(centerValue(1, 0, light.withProfile(Optional.of(new IesProfile("p.ies", wide))))).isEqualTo(COSINE, within(TOLERANCE));
+    }
+
+    /** The normals of a beveled cube's large faces lean at their corners, but its facets say that they are flat: other bodies lie on them. */
+    @Test
+    void largeFaceBesideBevel_isNotLifted() {
+        Shape cube = new Shape(SampleMeshes.solid(SampleMeshes.beveledCube(0.01)), "s", "m", Placement.IDENTITY);
+        Geometry geometry = Geometry.of(new Scene(new PictureSettings(1, 1, 0), new Camera(new Vec3(0, 0, 3), Vec3.ZERO, Vec3.Y, 1),
+                World.DEFAULT, List.of(Material.of("m")), List.of(cube), List.of()));
+        SurfacePoint middle = geometry.surface(0, new Ray(Vec3.ZERO, new Vec3(0.1, 0.2, -2)));
+        assertThat((double) middle.pz()).isCloseTo(1 - 3, within(0.01));
     }
 }

@@ -148,6 +148,7 @@ class LaneTracer implements Tracer {
 
     private void computeSurfaces(RayColumns rays, int row, int laneCount) {
         loadHits(rays, row, laneCount);
+        packet.startsAtFacets = rays.startsAtFacets;
         packetTracer.writeSurfaces(packet, laneCount, surface);
     }
 

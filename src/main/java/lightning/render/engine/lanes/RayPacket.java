@@ -16,6 +16,8 @@ public final class RayPacket extends LaneRays {
     public final int[] primitive = new int[WIDTH];
     /** Part of the primitive that was hit. */
     public final int[] part = new int[WIDTH];
+    /** As {@link lightning.render.trace.RayColumns#startsAtFacets}. */
+    boolean startsAtFacets;
     /** {@link #primitive} during the search, as doubles, to be compared and blended like the distances. */
     final double[] nearestPrimitive = new double[WIDTH];
 }

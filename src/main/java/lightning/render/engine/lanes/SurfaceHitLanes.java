@@ -90,6 +90,7 @@ final class SurfaceHitLanes {
 
     /** Computes the surfaces of a mesh, or of a primitive with bump mapping, lane by lane. */
     private void computeScalar(RayPacket p, int s, int h, int lanes, SurfacePacket out) {
+        surface.lifts = !p.startsAtFacets;
         for (int left = lanes; left != 0; left &= left - 1) {
             int i = h + Integer.numberOfTrailingZeros(left);
             surface.compute(primitives, s, p.part[i], p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i], p.t[i]);

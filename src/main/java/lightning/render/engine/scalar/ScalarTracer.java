@@ -107,6 +107,7 @@ final class ScalarTracer implements Tracer {
 
     private void computeSurface(RayColumns rays, int row) {
         int ray = rays.order[row];
+        surface.lifts = !rays.startsAtFacets;
         surface.compute(primitives, rays.primitive[ray], rays.part[ray], rays.originX(ray), rays.originY(ray), rays.originZ(ray),
                 rays.dx[ray],
                 rays.dy[ray],

@@ -88,14 +88,8 @@ final class GatherCaster {
     private void aim(RaySources points, int p, int at) {
         points.writeDirections(p, directions, batch.directionX, batch.directionY, batch.directionZ, at);
         for (int ray = at; ray < at + directions.rays(); ray++) {
-            setStart(ray, points.surface, p);
+            points.setStart(p, batch, ray);
         }
-    }
-
-    private void setStart(int ray, SurfaceColumns points, int p) {
-        batch.startX[ray] = points.px[p];
-        batch.startY[ray] = points.py[p];
-        batch.startZ[ray] = points.pz[p];
     }
 
     private long inverseLengths(int first, int rays, double side) {
@@ -126,7 +120,7 @@ final class GatherCaster {
             batch.directionX[i - from] = x[k];
             batch.directionY[i - from] = y[k];
             batch.directionZ[i - from] = z[k];
-            setStart(i - from, points.surface, p);
+            points.setStart(p, batch, i - from);
         }
         batch.trace(to - from);
         HitRows rows = batch.rows((hits, texels, transparent) -> new HitRows(hits, texels, transparent, false, true));

@@ -75,7 +75,7 @@ final class MemoCaster {
             }
             points.writeDirections(p, directions, x, y, z, 0);
             for (int k = 0; k < directions.rays(); k++) {
-                if (old >= 0 && !mayChange(points.surface, p, k)) {
+                if (old >= 0 && !mayChange(points, p, k)) {
                     int surfel = known.surfel(old * directions.rays() + k);
                     if (surfel != RayLinks.MISS) {
                         links.setKey(p * directions.rays() + k, memo.key(surfel),
@@ -84,7 +84,7 @@ final class MemoCaster {
                         links.setMiss(p * directions.rays() + k, x[k], y[k], z[k]);
                     }
                 } else {
-                    add(points.surface, p, k, old >= 0 && inverseLengths != null);
+                    add(points, p, k, old >= 0 && inverseLengths != null);
                     if (count == RayBatch.MAX_RAYS) {
                         flush(points.surface, links, inverseLengths);
                     }
@@ -94,12 +94,12 @@ final class MemoCaster {
         flush(points.surface, links, inverseLengths);
     }
 
-    private boolean mayChange(SurfaceColumns points, int p, int k) {
-        boxRay.setRay(points.px[p], points.py[p], points.pz[p], x[k], y[k], z[k]);
+    private boolean mayChange(RaySources points, int p, int k) {
+        boxRay.setRay(points.start(p, 0), points.start(p, 1), points.start(p, 2), x[k], y[k], z[k]);
         return memo.mayChange(boxRay);
     }
 
-    private void add(SurfaceColumns points, int p, int k, boolean known) {
+    private void add(RaySources points, int p, int k, boolean known) {
         rayOf[count] = p * directions.rays() + k;
         pointOf[count] = p;
         set(now, count++, points, p, k);
@@ -109,10 +109,8 @@ final class MemoCaster {
         }
     }
 
-    private void set(RayBatch batch, int ray, SurfaceColumns points, int p, int k) {
-        batch.startX[ray] = points.px[p];
-        batch.startY[ray] = points.py[p];
-        batch.startZ[ray] = points.pz[p];
+    private void set(RayBatch batch, int ray, RaySources points, int p, int k) {
+        points.setStart(p, batch, ray);
         batch.directionX[ray] = x[k];
         batch.directionY[ray] = y[k];
         batch.directionZ[ray] = z[k];
@@ -175,6 +173,6 @@ final class MemoCaster {
             return RayLinks.MISS;
         }
         points.writeDirections(p, directions, x, y, z, 0);
-        return mayChange(points.surface, p, k) ? RayLinks.MISS : surfel;
+        return mayChange(points, p, k) ? RayLinks.MISS : surfel;
     }
 }

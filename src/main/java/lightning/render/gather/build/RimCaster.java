@@ -170,7 +170,7 @@ final class RimCaster {
         private boolean repeat(int ray, int p, char k, int old, int turn) {
             assert memo != null;
             int known = memo.rims().find(old, k, turn);
-            boxRay.setRay(points.surface.px[p], points.surface.py[p], points.surface.pz[p], x[k], y[k], z[k]);
+            boxRay.setRay(points.start(p, 0), points.start(p, 1), points.start(p, 2), x[k], y[k], z[k]);
             if (known < 0 || memo.mayChange(boxRay)) {
                 return false;
             }
@@ -190,9 +190,7 @@ final class RimCaster {
             rayOf[count] = ray;
             pointOf[count] = p;
             cellOf[count] = k;
-            batch.startX[count] = points.surface.px[p];
-            batch.startY[count] = points.surface.py[p];
-            batch.startZ[count] = points.surface.pz[p];
+            points.setStart(p, batch, count);
             batch.directionX[count] = x[k];
             batch.directionY[count] = y[k];
             batch.directionZ[count++] = z[k];

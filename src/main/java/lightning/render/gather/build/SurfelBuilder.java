@@ -13,7 +13,7 @@ import lightning.render.gather.ray.PathMemory;
 import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.RaySources;
 import lightning.render.gather.ray.SurfelRays;
-import lightning.render.gather.ray.TiltedNormals;
+import lightning.render.gather.ray.TiltedFacets;
 import lightning.render.gather.reflection.ReflectionLinks;
 import lightning.render.gather.reflection.ReflectionPlacer;
 import lightning.render.trace.HitRows;
@@ -97,7 +97,7 @@ final class SurfelBuilder {
     }
 
     /** Returns the normals of the surfaces of those surfels that cast rays and are shaded by another normal. */
-    TiltedNormals packNormals() {
+    TiltedFacets packNormals() {
         return sources.packNormals();
     }
 

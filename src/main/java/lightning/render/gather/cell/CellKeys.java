@@ -1,6 +1,7 @@
 package lightning.render.gather.cell;
 
 import lightning.base.math.Vec3;
+import lightning.render.trace.CameraRays;
 import lightning.render.trace.HitRows;
 import lightning.scene.Camera;
 import lightning.scene.GatherSettings;
@@ -9,7 +10,7 @@ import lightning.scene.Scene;
 
 /**
  * Keys of the cells into which surfaces are divided. A cell contains points of one primitive with similar normals. Its side grows with
- * the distance from the eye in steps of 2, so that it covers about the same number of pixels everywhere. Cells with equal keys are one
+ * the distance from the eye in steps of 2, so that it covers about the same number of pixels everywhere. Cells of surfels far outside a narrow view are wider. Cells with equal keys are one
  * cell; that happens once in 2⁶⁰ pairs. The lowest four bits of a key are the place of the cell among its neighbors.
  */
 public final class CellKeys {
@@ -17,6 +18,11 @@ public final class CellKeys {
     public static final int LEVELS = 3;
     /** Cells of surfels along the height of the picture. */
     private static final double SURFELS_PER_HEIGHT = 30;
+    /**
+     * Height of the picture at distance 1 to which surfels outside a narrower view are adapted: that of a view of 40°. Cells as small as those in the
+     * view would divide the whole scene around it into so many surfels that a close-up never ends.
+     */
+    private static final double USUAL_HEIGHT = 2 * StrictMath.tan(StrictMath.toRadians(20));
     /** A surfel nearer to the ray's start than this many sides gets a smaller cell. */
     private static final double NEAR = 4;
     private static final long MASK = (1L << 21) - 1;
@@ -42,6 +48,12 @@ public final class CellKeys {
     /** Side of the largest gather cell, at distance 1. */
     private final double pointSide;
     private final double surfelSide;
+    /** Direction through the middle of the picture, of length 1. */
+    private final Vec3 axis;
+    /** Tangent of the largest angle between it and a corner of the picture. */
+    private final double cornerTangent;
+    /** Most doublings of the cells of surfels outside the view. */
+    private final int maxWidening;
     private final int misses;
 
     public CellKeys(Scene scene, GatherSettings settings) {
@@ -57,6 +69,15 @@ public final class CellKeys {
         double height = 2 * StrictMath.tan(StrictMath.toRadians(camera.fov() / 2));
         pointSide = settings.pixelSpacing(picture) * height / picture.height();
         surfelSide = height / SURFELS_PER_HEIGHT;
+        CameraRays rays = new CameraRays(camera, picture);
+        axis = rays.imageRay(picture.width() / 2.0, picture.height() / 2.0).direction();
+        double tangent = 0;
+        for (int end = 0; end < 4; end++) {
+            Vec3 toCorner = rays.imageRay((end & 1) * picture.width(), (end >> 1) * picture.height()).direction();
+            tangent = Math.max(tangent, tangentToAxis(toCorner.x(), toCorner.y(), toCorner.z()));
+        }
+        cornerTangent = tangent;
+        maxWidening = Math.max(0, Math.getExponent(USUAL_HEIGHT / height));
         misses = settings.environment() ? DirectionCells.COUNT : 1;
     }
 
@@ -71,6 +92,19 @@ public final class CellKeys {
         double dy = y - eyeY;
         double dz = z - eyeZ;
         return Math.getExponent(Math.max(Math.sqrt(dx * dx + dy * dy + dz * dz), MIN_DISTANCE));
+    }
+
+    /** Returns the tangent of the angle between a direction of any length and the axis of the view; +∞ from 90° on. */
+    private double tangentToAxis(double x, double y, double z) {
+        double depth = x * axis.x() + y * axis.y() + z * axis.z();
+        double across = Math.sqrt(Math.max(0, x * x + y * y + z * z - depth * depth));
+        return depth > 0 ? across / depth : Double.POSITIVE_INFINITY;
+    }
+
+    /** Returns how often the cell of a surfel is doubled because the view is narrow and far from it. */
+    private int widening(float x, float y, float z) {
+        return maxWidening == 0 ? 0
+                : Math.clamp(Math.getExponent(2 * tangentToAxis(x - eyeX, y - eyeY, z - eyeZ) / cornerTangent), 0, maxWidening);
     }
 
     /**
@@ -118,7 +152,7 @@ public final class CellKeys {
 
     /** Returns the seed of the directions of a surfel's rays. */
     public long surfelSeed(float x, float y, float z, float nx, float ny, float nz) {
-        int octave = octave(x, y, z);
+        int octave = surfelOctave(x, y, z, false);
         return key(x, y, z, Math.scalb(surfelSide, octave), octave, 8 * ANY_SURFACE + axis(nx, ny, nz));
     }
 
@@ -203,7 +237,7 @@ public final class CellKeys {
     }
 
     private int surfelOctave(float x, float y, float z, boolean isNear) {
-        return octave(x, y, z) - (isNear ? 1 : 0);
+        return octave(x, y, z) + widening(x, y, z) - (isNear ? 1 : 0);
     }
 
     /**
@@ -216,7 +250,7 @@ public final class CellKeys {
     }
 
     private boolean isNear(float x, float y, float z, double distance) {
-        return distance < NEAR * Math.scalb(surfelSide, octave(x, y, z));
+        return distance < NEAR * Math.scalb(surfelSide, surfelOctave(x, y, z, false));
     }
 
     private static int side(float component) {

@@ -51,7 +51,7 @@ public final class GlowCaster {
                     double angle = aim.aim(s, k, seed, at.px[p], at.py[p], at.pz[p], direction);
                     double cosine = angle > 0 ? points.cosine(p, direction[0], direction[1], direction[2]) : 0;
                     if (cosine > 0) {
-                        add(at, p, s, angle * cosine);
+                        add(points, p, s, angle * cosine);
                     }
                     if (count == RayBatch.MAX_RAYS) {
                         flush(from, counts);
@@ -64,10 +64,8 @@ public final class GlowCaster {
             Arrays.copyOf(foundWeights[1], found), Arrays.copyOf(foundWeights[2], found)});
     }
 
-    private void add(SurfaceColumns points, int p, int s, double itsWeight) {
-        batch.startX[count] = points.px[p];
-        batch.startY[count] = points.py[p];
-        batch.startZ[count] = points.pz[p];
+    private void add(RaySources points, int p, int s, double itsWeight) {
+        points.setStart(p, batch, count);
         batch.directionX[count] = direction[0];
         batch.directionY[count] = direction[1];
         batch.directionZ[count] = direction[2];

@@ -6,9 +6,11 @@ import java.io.IOException;
 import java.util.Arrays;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
+import lightning.base.math.Vec3;
 import lightning.render.gather.cell.CellKeys;
 import lightning.render.gather.cell.DirectionTable;
 import lightning.render.gather.cell.SurfaceColumns;
+import lightning.render.trace.RayBatch;
 import org.jspecify.annotations.Nullable;
 
 /** Points that cast rays: gather points or surfels. */
@@ -22,8 +24,10 @@ public final class RaySources {
     float[] geometricX = {};
     float[] geometricY = {};
     float[] geometricZ = {};
+    /** Places at which rays of these points start: on their surfaces, where points may be lifted above them, even into other objects. */
+    private float[][] start = new float[3][0];
     /** Null while the points cast rays for the first time. */
-    private @Nullable TiltedNormals tilted;
+    private @Nullable TiltedFacets tilted;
 
     public RaySources(CellKeys keys, SurfaceColumns surface, boolean areSurfels) {
         this.keys = keys;
@@ -46,22 +50,23 @@ public final class RaySources {
     public static RaySources readFrom(ColumnReader in, CellKeys keys) throws IOException {
         var sources = new RaySources(keys, SurfaceColumns.readFrom(in), false);
         System.arraycopy(in.readInts(), 0, sources.levelStart, 0, CellKeys.LEVELS);
-        sources.setNormals(TiltedNormals.readFrom(in));
+        sources.setNormals(TiltedFacets.readFrom(in));
         return sources;
     }
 
     /** Keeps only the normals of points that are shaded by another normal, and returns them. */
-    public TiltedNormals packNormals() {
-        TiltedNormals normals = TiltedNormals.of(geometricX, geometricY, geometricZ);
+    public TiltedFacets packNormals() {
+        TiltedFacets normals = TiltedFacets.of(new float[][] {geometricX, geometricY, geometricZ}, start);
         setNormals(normals);
         return normals;
     }
 
-    public void setNormals(TiltedNormals normals) {
+    public void setNormals(TiltedFacets normals) {
         tilted = normals;
-        geometricX = normals.x();
-        geometricY = normals.y();
-        geometricZ = normals.z();
+        geometricX = normals.normal()[0];
+        geometricY = normals.normal()[1];
+        geometricZ = normals.normal()[2];
+        start = normals.start();
     }
 
     public long normalBytes() {
@@ -78,6 +83,42 @@ public final class RaySources {
         geometricX = Arrays.copyOf(geometricX, count);
         geometricY = Arrays.copyOf(geometricY, count);
         geometricZ = Arrays.copyOf(geometricZ, count);
+        start = new float[][] {Arrays.copyOf(start[0], count), Arrays.copyOf(start[1], count), Arrays.copyOf(start[2], count)};
+    }
+
+    /** Sets that a point is shaded by the normal of its surface. */
+    void setUntilted(int p) {
+        geometricX[p] = Float.NaN;
+        geometricY[p] = Float.NaN;
+        geometricZ[p] = Float.NaN;
+    }
+
+    /**
+     * Sets the surface under a point that is shaded by another normal.
+     *
+     * @param normal of the surface, of length 1
+     * @param x      place at which rays start, render space, with {@code y} and {@code z}
+     */
+    void setFacet(int p, Vec3 normal, float x, float y, float z) {
+        geometricX[p] = (float) normal.x();
+        geometricY[p] = (float) normal.y();
+        geometricZ[p] = (float) normal.z();
+        start[0][p] = x;
+        start[1][p] = y;
+        start[2][p] = z;
+    }
+
+    /** Returns coordinate {@code axis} of the place at which rays of a point start, render space. */
+    public float start(int p, int axis) {
+        int normal = normal(p);
+        return normal >= 0 ? start[axis][normal] : axis == 0 ? surface.px[p] : axis == 1 ? surface.py[p] : surface.pz[p];
+    }
+
+    /** Sets the start of a ray to that of a point's rays. */
+    public void setStart(int p, RayBatch batch, int ray) {
+        batch.startX[ray] = start(p, 0);
+        batch.startY[ray] = start(p, 1);
+        batch.startZ[ray] = start(p, 2);
     }
 
     /** Returns the seed of a point's directions. */
@@ -204,7 +245,8 @@ public final class RaySources {
     private static boolean haveSameNormals(RaySources a, int p, RaySources b, int q) {
         return p < 0 || q < 0 ? p < 0 && q < 0
                 : haveSameBits(a.geometricX[p], b.geometricX[q]) && haveSameBits(a.geometricY[p], b.geometricY[q])
-                        && haveSameBits(a.geometricZ[p], b.geometricZ[q]);
+                        && haveSameBits(a.geometricZ[p], b.geometricZ[q]) && haveSameBits(a.start[0][p], b.start[0][q])
+                        && haveSameBits(a.start[1][p], b.start[1][q]) && haveSameBits(a.start[2][p], b.start[2][q]);
     }
 
     private static boolean haveSameBits(float a, float b) {

@@ -4,8 +4,14 @@ import lightning.base.math.Vec3;
 import lightning.render.gather.cell.SurfaceColumns;
 import lightning.render.trace.RayBatch;
 
-/** Finds the normals of the surfaces on which points lie. Holds scratch memory: use one instance per thread. */
+/**
+ * Finds the surfaces under points that are shaded by other normals. Vertex normals lift such points above their surfaces, where two objects
+ * touch even into the other one, so that rays from there would see what is behind it. Holds scratch memory: use one instance per thread.
+ */
 public final class SurfaceNormals {
+    /** Surfaces that may be between a lifted point and its own. */
+    private static final int MAX_SURFACES = 3;
+
     private final RayBatch batch;
     /** Point of each probe. */
     private final int[] probed = new int[RayBatch.MAX_RAYS];
@@ -16,13 +22,11 @@ public final class SurfaceNormals {
         this.batch = batch;
     }
 
-    /** Writes the normals of points {@code from … to − 1}: those of the first surfaces under them, if these are the points' own. */
+    /** Writes the surfaces of points {@code from … to − 1}: the first ones of their own primitives under them. */
     public void find(RaySources points, int from, int to) {
         SurfaceColumns surface = points.surface;
         for (int p = from; p < to; p++) {
-            points.geometricX[p] = Float.NaN;
-            points.geometricY[p] = Float.NaN;
-            points.geometricZ[p] = Float.NaN;
+            points.setUntilted(p);
             if (batch.hasShadingNormals(surface.primitive[p])) {
                 batch.startX[count] = surface.px[p];
                 batch.startY[count] = surface.py[p];
@@ -40,17 +44,23 @@ public final class SurfaceNormals {
     }
 
     private void flush(RaySources points) {
-        if (count > 0) {
+        for (int passed = 0; passed <= MAX_SURFACES && count > 0; passed++) {
             batch.traceToFirst(count);
-        }
-        for (int probe = 0; probe < count; probe++) {
-            int p = probed[probe];
-            Vec3 normal = batch.primitive(probe) == points.surface.primitive[p] ? batch.geometricNormal(probe) : null;
-            if (normal != null) {
-                points.geometricX[p] = (float) normal.x();
-                points.geometricY[p] = (float) normal.y();
-                points.geometricZ[p] = (float) normal.z();
+            int left = 0;
+            for (int probe = 0; probe < count; probe++) {
+                int p = probed[probe];
+                if (batch.primitive(probe) == points.surface.primitive[p]) {
+                    Vec3 normal = batch.geometricNormal(probe);
+                    if (normal != null) {
+                        batch.moveToSurface(probe);
+                        points.setFacet(p, normal, batch.startX[probe], batch.startY[probe], batch.startZ[probe]);
+                    }
+                } else if (batch.primitive(probe) >= 0) {
+                    batch.moveBehind(probe, left);
+                    probed[left++] = p;
+                }
             }
+            count = left;
         }
         count = 0;
     }

@@ -9,6 +9,8 @@ public final class MeshSolid {
     final MeshTree tree;
     /** Computed on first use: only anisotropic materials need them. */
     private volatile float @Nullable [] vertexTangents;
+    /** Computed on first use: only hits of smooth meshes need them. */
+    private volatile float @Nullable [] facetNormals;
 
     public MeshSolid(Mesh mesh) {
         this.mesh = mesh;
@@ -41,6 +43,17 @@ public final class MeshSolid {
             // Threads that come at the same time compute the same.
             known = VertexTangents.of(mesh, size());
             vertexTangents = known;
+        }
+        return known;
+    }
+
+    /** Returns x, y and z of the mean normal of the facets around each vertex, of about length 1. The mesh must have normals. */
+    public float[] facetNormals() {
+        float[] known = facetNormals;
+        if (known == null) {
+            // Threads that come at the same time compute the same.
+            known = FacetNormals.of(mesh);
+            facetNormals = known;
         }
         return known;
     }

@@ -122,9 +122,16 @@ public final class TrianglePoint {
      * there.
      */
     public double tangentPlaneDistance(int v) {
+        float[] n = mesh.normals();
+        assert n != null;
+        return planeDistance(v, n);
+    }
+
+    /** Returns the same for the plane perpendicular to another direction at the vertex, {@code float[3 * vertices]}. */
+    public double planeDistance(int v, float[] n) {
         float[] p = mesh.positions();
         int i = 3 * vertex[v];
-        return (px - p[i]) * normal(v, 0) + (py - p[i + 1]) * normal(v, 1) + (pz - p[i + 2]) * normal(v, 2);
+        return (px - p[i]) * n[i] + (py - p[i + 1]) * n[i + 1] + (pz - p[i + 2]) * n[i + 2];
     }
 
     /**

@@ -12,7 +12,8 @@ import lightning.render.trace.mesh.TrianglePoint;
  * <p><b>Point:</b> start of shadow rays, lifted by the same weights to the planes through the vertices perpendicular to their
  * normals; planes below the point are skipped (Hanika 2021, Hacking the Shadow Terminator, Ray Tracing Gems II, chapter 4).
  * Otherwise a round body would show the shadows of its own facets near the terminator. Concave surfaces are not lifted, nor are
- * vertices whose normal points into the triangle.
+ * vertices whose normal points into the triangle. The lift of a vertex is at most the one that the mean normal of the facets around it
+ * gives: a large facet beside a bevel stays flat, so that its points are not lifted into other objects.
  */
 final class SmoothNormal {
     private final double[] x = new double[3];
@@ -53,14 +54,18 @@ final class SmoothNormal {
         }
     }
 
-    /** Computes the lift at the point whose normal was computed last. */
-    void computeLift(TrianglePoint facet, double gx, double gy, double gz) {
+    /**
+     * Computes the lift at the point whose normal was computed last.
+     *
+     * @param facetNormals those of {@link lightning.render.trace.mesh.MeshSolid#facetNormals}
+     */
+    void computeLift(TrianglePoint facet, float[] facetNormals, double gx, double gy, double gz) {
         liftX = 0;
         liftY = 0;
         liftZ = 0;
         for (int v = 0; v < 3; v++) {
             double square = x[v] * x[v] + y[v] * y[v] + z[v] * z[v];
-            double below = -side * facet.tangentPlaneDistance(v);
+            double below = Math.min(-side * facet.tangentPlaneDistance(v), -side * facet.planeDistance(v, facetNormals));
             if (below > 0 && side * (x[v] * gx + y[v] * gy + z[v] * gz) > 0) {
                 // The side applies twice: to measure the plane's distance in the scene, and to move by it.
                 double scale = side * facet.weight(v) * below / square;

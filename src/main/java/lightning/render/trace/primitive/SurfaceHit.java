@@ -39,6 +39,12 @@ public final class SurfaceHit {
     public float backX;
     public float backY;
     public float backZ;
+    /** Point on the facet, offset by the same bound and not lifted; valid after {@link #computeFacetPoint}. */
+    public float facetX;
+    public float facetY;
+    public float facetZ;
+    /** Whether vertex normals lift points. */
+    public boolean lifts = true;
     public float nx;
     public float ny;
     public float nz;
@@ -62,8 +68,9 @@ public final class SurfaceHit {
         double x = hitX;
         double y = hitY;
         double z = hitZ;
-        if (isSmooth(primitives, s)) {
-            smoothNormal.computeLift(facet, geometricX, geometricY, geometricZ);
+        MeshSolid mesh = primitives.mesh(s);
+        if (lifts && mesh != null && facet.isSmooth()) {
+            smoothNormal.computeLift(facet, mesh.facetNormals(), geometricX, geometricY, geometricZ);
             x += smoothNormal.liftX;
             y += smoothNormal.liftY;
             z += smoothNormal.liftZ;
@@ -151,9 +158,21 @@ public final class SurfaceHit {
         applyShadingNormal(primitives, s, map, isSmooth, dx, dy, dz);
     }
 
+    /** Computes the point on the latest facet, at which rays start that gather light. Vertex normals do not lift it. */
+    public void computeFacetPoint() {
+        double offset = facetOffset();
+        facetX = (float) (hitX + geometricX * offset);
+        facetY = (float) (hitY + geometricY * offset);
+        facetZ = (float) (hitZ + geometricZ * offset);
+    }
+
+    private double facetOffset() {
+        return (Math.abs(hitX * geometricX) + Math.abs(hitY * geometricY) + Math.abs(hitZ * geometricZ)) * OFFSET + hitError;
+    }
+
     /** Computes the point behind the latest surface, at which a refracted ray starts. Vertex normals do not lift it. */
     public void computeBackPoint() {
-        double offset = (Math.abs(hitX * geometricX) + Math.abs(hitY * geometricY) + Math.abs(hitZ * geometricZ)) * OFFSET + hitError;
+        double offset = facetOffset();
         backX = (float) (hitX - geometricX * offset);
         backY = (float) (hitY - geometricY * offset);
         backZ = (float) (hitZ - geometricZ * offset);

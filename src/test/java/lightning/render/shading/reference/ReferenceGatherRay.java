@@ -43,12 +43,11 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
         double[] y = new double[directions.rays()];
         double[] z = new double[directions.rays()];
         directions.write(seed, turn, from.nx(), from.ny(), from.nz(), x, y, z, 0);
-        Vec3 start = new Vec3(from.px(), from.py(), from.pz());
-        Vec3 surface = surfaceNormal(geometry, start, from);
+        Facet facet = Facet.under(geometry, from);
         List<ReferenceGatherRay> rays = new ArrayList<>();
         for (int k = 0; k < directions.rays(); k++) {
             ReferenceGatherRay ray = cast(geometry, keys, CellKeys.rank(seed, from.px(), from.py(), from.pz(), k),
-                    new Ray(start, aboveSurface(surface, new Vec3(x[k], y[k], z[k]))));
+                    new Ray(facet.start, aboveSurface(facet.normal, new Vec3(x[k], y[k], z[k]))));
             rays.add(ray.hit != null && glows.isAimed(ray.hit.primitive(), from.px(), from.py(), from.pz()) ? ray.darkened() : ray);
         }
         return rays;
@@ -80,18 +79,38 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
         return new ReferenceGatherRay(hit, direction, length, cell, rank, tint, texel, maps, true);
     }
 
-    /** Returns the normal of the surface on which a point lies; null if the point is shaded by this normal. */
-    static Vec3 surfaceNormal(Geometry geometry, Vec3 start, SurfacePoint from) {
-        Ray down = new Ray(start, new Vec3(-from.nx(), -from.ny(), -from.nz()));
-        if (geometry.nearestBruteForce(down) != from.primitive()) {
-            return null;
+    /**
+     * Surface under a point, at which its rays start.
+     *
+     * @param normal of the surface; null if the point is shaded by this normal
+     */
+    record Facet(Vec3 normal, Vec3 start) {
+        /** Finds the surface, of the point's own primitive, behind at most three others. */
+        static Facet under(Geometry geometry, SurfacePoint from) {
+            Vec3 at = new Vec3(from.px(), from.py(), from.pz());
+            Ray down = new Ray(at, new Vec3(-from.nx(), -from.ny(), -from.nz()));
+            for (int passed = 0; passed <= 3; passed++) {
+                int primitive = geometry.nearestBruteForce(down);
+                if (primitive == from.primitive()) {
+                    NormalSteps steps = geometry.normalSteps(primitive, down);
+                    return steps == null ? new Facet(null, at)
+                            : new Facet(rounded(steps.geometric()), start(geometry.facetBruteForce(primitive, down)));
+                }
+                if (primitive < 0) {
+                    break;
+                }
+                down = new Ray(geometry.pointBehindBruteForce(primitive, down), down.direction());
+            }
+            return new Facet(null, at);
         }
-        NormalSteps steps = geometry.normalSteps(from.primitive(), down);
-        if (steps == null) {
-            return null;
+
+        private static Vec3 rounded(Vec3 v) {
+            return new Vec3((float) v.x(), (float) v.y(), (float) v.z());
         }
-        Vec3 normal = steps.geometric();
-        return new Vec3((float) normal.x(), (float) normal.y(), (float) normal.z());
+
+        private static Vec3 start(SurfacePoint at) {
+            return new Vec3(at.px(), at.py(), at.pz());
+        }
     }
 
     /** Returns a direction, or its mirror image above the plane of a surface. */
@@ -112,7 +131,7 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
             if (primitive < 0) {
                 return miss(ray, rank, tint);
             }
-            SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
+            SurfacePoint hit = geometry.facetBruteForce(primitive, ray);
             double distance = geometry.distance(primitive, ray);
             boolean isFace = geometry.isLightFace(primitive);
             if (hit.backSide() == null && !isFace) {

@@ -33,8 +33,7 @@ final class ReferenceGlow {
      * @param seed of the point's directions
      */
     List<float[]> at(SurfacePoint point, long seed) {
-        Vec3 start = new Vec3(point.px(), point.py(), point.pz());
-        Vec3 surface = ReferenceGatherRay.surfaceNormal(geometry, start, point);
+        ReferenceGatherRay.Facet facet = ReferenceGatherRay.Facet.under(geometry, point);
         List<float[]> light = new ArrayList<>();
         for (int shape = 0; shape < glows.count(); shape++) {
             float[] share = new float[3];
@@ -42,7 +41,7 @@ final class ReferenceGlow {
                 double[] d = new double[3];
                 double angle = aim.aim(shape, k, seed, point.px(), point.py(), point.pz(), d);
                 Vec3 direction = new Vec3(d[0], d[1], d[2]);
-                addTo(share, shape, new Ray(start, direction), (float) (angle * density(point, surface, direction)));
+                addTo(share, shape, new Ray(facet.start(), direction), (float) (angle * density(point, facet.normal(), direction)));
             }
             light.add(new float[] {share[0] * colors[0][shape], share[1] * colors[1][shape], share[2] * colors[2][shape]});
         }

@@ -88,6 +88,7 @@ final class ReferenceRays implements Tracer {
 
     private void computeSurface(RayColumns rays, int row) {
         int ray = rays.order[row];
+        surface.lifts = !rays.startsAtFacets;
         surface.compute(geometry.primitives(), rays.primitive[ray], rays.part[ray], rays.originX(ray), rays.originY(ray), rays.originZ(ray),
                 rays.dx[ray], rays.dy[ray], rays.dz[ray], rays.t[ray]);
     }
