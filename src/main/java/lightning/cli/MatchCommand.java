@@ -24,16 +24,15 @@ import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
 import lightning.format.json.MatchReport;
 import lightning.format.reference.ReferenceFile;
-import lightning.render.match.LightFactor;
 import lightning.render.match.LightMatch;
 import lightning.render.match.MatchChange;
 import lightning.render.match.MatchResult;
 import lightning.render.match.MatchSettings;
 import lightning.render.match.MatchedScene;
 import lightning.render.match.ReferenceImage;
-import lightning.render.relight.LightContributions;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import org.jspecify.annotations.Nullable;
@@ -120,7 +119,7 @@ final class MatchCommand implements Callable<Integer> {
         Scene matched = MatchedScene.of(document.scene(), result);
         MatchReport report = MatchReport.of(output == null ? null : output.toString(), result, document.scene(), matched);
         print(result, report);
-        KeyedLightNotes.print(document.shot(), result.factors().stream().map(LightFactor::light).toList(), console);
+        KeyedLightNotes.print(document.shot(), report.lights().stream().map(MatchReport.Matched::light).toList(), console);
         if (output != null) {
             document.withScene(matched).save(output);
         }
@@ -129,21 +128,20 @@ final class MatchCommand implements Callable<Integer> {
     }
 
     /** Returns the lights that may change; empty for all. */
-    private Optional<Set<String>> chosen(Scene scene) throws BadInputException {
+    private Optional<Set<Contribution>> chosen(Scene scene) throws BadInputException {
         if (lights == null) {
             return Optional.empty();
         }
+        Set<Contribution> chosen = new HashSet<>();
         for (String name : lights) {
             Optional<Light> light = scene.light(name);
-            boolean isEnvironment = name.equals(LightContributions.ENVIRONMENT) && scene.world().hasEnvironment();
-            if (light.isEmpty() && !isEnvironment) {
-                throw new BadInputException("--lights: there is no light " + Quote.of(name));
-            }
+            chosen.add(Contribution.named(scene, name)
+                    .orElseThrow(() -> new BadInputException("--lights: there is no light " + Quote.of(name))));
             if (light.isPresent() && !scene.isActive(light.get())) {
                 console.warn("%s is off, and stays off", name);
             }
         }
-        return Optional.of(new HashSet<>(lights));
+        return Optional.of(chosen);
     }
 
     private void print(MatchResult result, MatchReport report) {
@@ -163,9 +161,9 @@ final class MatchCommand implements Callable<Integer> {
         if (exposure == MatchSettings.Reference.FREE || white == MatchSettings.Reference.FREE) {
             console.print("the reference was scaled by %.4g %.4g %.4g", scale.get(0), scale.get(1), scale.get(2));
         }
-        result.alike().forEach(pair -> console.warn("%s and %s look alike in this picture: only their sum is known", pair.first(),
-                pair.second()));
-        result.unseen().forEach(light -> console.warn("%s does not light anything in this picture, and is unchanged", light));
+        report.alike().forEach(pair -> console.warn("%s and %s look alike in this picture: only their sum is known", pair.getFirst(),
+                pair.getLast()));
+        report.unseen().forEach(light -> console.warn("%s does not light anything in this picture, and is unchanged", light));
     }
 
     private static String digits(double value) {

@@ -94,7 +94,7 @@ public record World(double ambience, Rgb background, Optional<Environment> image
             FogAttributes.ALL, SkyAttributes.ALL).flatMap(List::stream).toList();
 
     /** Name of its own environment's lights. */
-    private static final String NAME = "environment";
+    static final String NAME = "environment";
 
     public static final World DEFAULT = new World(AMBIENCE.initial(), BACKGROUND.initial());
 
@@ -254,6 +254,17 @@ public record World(double ambience, Rgb background, Optional<Environment> image
     public World mapIntensities(DoubleUnaryOperator change) {
         return withIntensity(change.applyAsDouble(intensity))
                 .withDomes(domes.stream().map(d -> d.withIntensity(change.applyAsDouble(d.intensity()))).toList());
+    }
+
+    /** Returns the intensity of the first of its {@link #environments}, on or off; its own if there is none. */
+    public double firstIntensity() {
+        return environment().isPresent() ? intensity
+                : domes.stream().filter(d -> d.image().isPresent()).map(Dome::intensity).findFirst().orElse(intensity);
+    }
+
+    /** Returns this world with all of its environments solo or not. */
+    public World withAllSolo(boolean v) {
+        return withSolo(v && environment().isPresent()).withDomes(domes.stream().map(d -> d.withSolo(v && d.image().isPresent())).toList());
     }
 
     /** Returns this world with one of its {@link #environments} dark. */

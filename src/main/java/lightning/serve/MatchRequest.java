@@ -17,8 +17,8 @@ import lightning.render.match.MatchResult;
 import lightning.render.match.MatchSettings;
 import lightning.render.match.MatchedScene;
 import lightning.render.match.ReferenceImage;
-import lightning.render.relight.LightFilms;
 import lightning.render.relight.SceneView;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -42,18 +42,21 @@ final class MatchRequest {
                 fields.has("region") ? fields.integers("region", 4, 0, Integer.MAX_VALUE) : null);
     }
 
-    private Optional<Set<String>> lights(Fields fields) {
+    private Optional<Set<Contribution>> lights(Fields fields) {
         if (!fields.has("lights")) {
             return Optional.empty();
         }
         List<String> names = fields.strings("lights");
-        List<String> shining = LightFilms.names(scene);
+        List<Contribution> shining = Contribution.shining(scene);
+        Set<Contribution> lights = new HashSet<>();
         for (int i = 0; i < names.size(); i++) {
-            if (!shining.contains(names.get(i))) {
+            Optional<Contribution> light = Contribution.named(scene, names.get(i)).filter(shining::contains);
+            if (light.isEmpty()) {
                 throw Fields.bad("lights[" + i + "]", "no light " + Quote.of(names.get(i)) + " shines");
             }
+            lights.add(light.get());
         }
-        return Optional.of(new HashSet<>(names));
+        return Optional.of(lights);
     }
 
     private static Set<MatchChange> changes(Fields fields) {

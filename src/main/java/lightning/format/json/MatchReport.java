@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.render.match.LightFactor;
 import lightning.render.match.MatchResult;
-import lightning.render.relight.LightContributions;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.attribute.SceneAttribute;
@@ -47,15 +47,16 @@ public record MatchReport(@Nullable String output, double errorBefore, double er
     public static MatchReport of(@Nullable String output, MatchResult result, Scene before, Scene after) {
         List<Matched> matched = new ArrayList<>();
         for (LightFactor f : result.factors()) {
-            matched.add(new Matched(f.light(), List.of(f.red(), f.green(), f.blue()), intensity(before, f.light()),
+            matched.add(new Matched(f.light().name(before), List.of(f.red(), f.green(), f.blue()), intensity(before, f.light()),
                     intensity(after, f.light())));
         }
         return new MatchReport(output, result.errorBefore(), result.errorAfter(), result.exposure(), matched, moved(before, after),
-                result.alike().stream().map(pair -> List.of(pair.first(), pair.second())).toList(), result.unseen());
+                result.alike().stream().map(pair -> List.of(pair.first().name(before), pair.second().name(before))).toList(),
+                result.unseen().stream().map(light -> light.name(before)).toList());
     }
 
-    private static double intensity(Scene scene, String light) {
-        return scene.light(light).map(Light::intensity).orElse(scene.world().intensity());
+    private static double intensity(Scene scene, Contribution light) {
+        return light.light(scene).map(Light::intensity).orElseGet(() -> scene.world().firstIntensity());
     }
 
     private static List<Moved> moved(Scene before, Scene after) {
@@ -65,7 +66,7 @@ public record MatchReport(@Nullable String output, double errorBefore, double er
             LightAttribute.ALL.stream().filter(a -> a != LightAttribute.INTENSITY && a != LightAttribute.COLOR).forEach(
                     attribute -> addChange(attribute, old.name(), old, light, moved));
         }
-        addChange(World.ROTATION, LightContributions.ENVIRONMENT, before.world(), after.world(), moved);
+        addChange(World.ROTATION, Contribution.ENVIRONMENT.name(before), before.world(), after.world(), moved);
         return moved;
     }
 

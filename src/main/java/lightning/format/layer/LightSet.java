@@ -6,20 +6,20 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import lightning.render.shading.WeightedLight;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 
 /**
  * Lights that share layers: one light, a light group, or an environment.
  *
- * @param name          name of the light or group; {@link #ENVIRONMENT} for all environments together
+ * @param name          name of the light or group, or one that no other set has for all environments together
  * @param lights        names of its lights; empty for an environment
  * @param isEnvironment whether it is the environment: its small bright parts, which are lights, and the rest of it
  */
 record LightSet(String name, Set<String> lights, boolean isEnvironment) {
-    static final String ENVIRONMENT = "environment";
-
     /**
      * Returns the sets of a scene, in its order; that of the environment comes last.
      *
@@ -43,7 +43,8 @@ record LightSet(String name, Set<String> lights, boolean isEnvironment) {
         }
         members.forEach((group, lights) -> sets.add(new LightSet(group, Set.copyOf(lights), false)));
         if (scene.world().hasEnvironment()) {
-            sets.add(new LightSet(ENVIRONMENT, Set.of(), true));
+            sets.add(new LightSet(Contribution.environmentName(Stream.concat(
+                    scene.lights().stream().map(Light::name), sets.stream().map(LightSet::name)).toList()), Set.of(), true));
         }
         return sets;
     }

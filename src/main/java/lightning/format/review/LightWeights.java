@@ -3,7 +3,10 @@ package lightning.format.review;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import lightning.base.math.Rgb;
+import lightning.scene.Contribution;
+import lightning.scene.EnvironmentLayer;
 import lightning.scene.Scene;
+import lightning.scene.World;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
 
@@ -12,8 +15,8 @@ public final class LightWeights {
     private LightWeights() {}
 
     /** Returns the factors of red, green and blue of a light's layer in the picture of a scene, {@code float[3]}. */
-    public static float[] of(Scene scene, Scene base, String name) {
-        Light light = scene.light(name).orElse(null);
+    public static float[] of(Scene scene, Scene base, Contribution part) {
+        Light light = part.light(scene).orElse(null);
         if (light == null) {
             double ratio = scene.rig().isEnvironmentActive() ? base.world().intensityRatio(scene.world()) : 0;
             double share = Double.isFinite(ratio) ? ratio : 0;
@@ -22,7 +25,7 @@ public final class LightWeights {
         if (!scene.isActive(light)) {
             return new float[3];
         }
-        Light from = base.light(name).orElseThrow();
+        Light from = part.light(base).orElseThrow();
         double share = light.intensity() / from.intensity() * groupIntensity(scene, light) / groupIntensity(base, light);
         Rgb color = light.color();
         return new float[] {(float) (share * color.r() / from.color().r()), (float) (share * color.g() / from.color().g()),
@@ -57,6 +60,11 @@ public final class LightWeights {
             changed = changed.withRig(changed.rig()
                     .with(group.withOn(true).withSolo(false).withIntensity(intensity.applyAsDouble(group.intensity()))));
         }
-        return changed.withWorld(changed.world().withSolo(false).mapIntensities(intensity));
+        World all = changed.world().mapIntensities(intensity);
+        // No weight shows a part of the environments alone.
+        boolean isPartlySolo = all.environments().stream().map(EnvironmentLayer::solo).distinct().count() > 1;
+        World world = isWhite && isPartlySolo ? all : all.withAllSolo(false);
+        boolean isOff = world.environments().stream().noneMatch(EnvironmentLayer::on);
+        return changed.withWorld(!isOff ? world : world.withDomes(world.domes().stream().map(dome -> dome.withOn(true)).toList()));
     }
 }

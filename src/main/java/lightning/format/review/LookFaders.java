@@ -5,8 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import lightning.base.math.Rgb;
-import lightning.render.relight.LightContributions;
-import lightning.render.relight.LightFilms;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.light.Emission;
 import lightning.scene.light.Light;
@@ -39,11 +38,11 @@ final class LookFaders {
      * @param look the same scene with the lights of the look
      */
     static Optional<ObjectNode> of(Scene page, Scene look) {
-        Set<String> shining = Set.copyOf(LightFilms.names(look));
-        Set<String> shown = Set.copyOf(LightFilms.names(page));
+        Set<Contribution> shining = Set.copyOf(Contribution.shining(look));
+        Set<Contribution> shown = Set.copyOf(Contribution.shining(page));
         // The layer of the environment has its background, which stays where another light is solo.
-        boolean hasEnvironment = shining.contains(LightContributions.ENVIRONMENT);
-        if (!shown.containsAll(shining) || shown.contains(LightContributions.ENVIRONMENT) != hasEnvironment
+        boolean hasEnvironment = shining.contains(Contribution.ENVIRONMENT);
+        if (!shown.containsAll(shining) || shown.contains(Contribution.ENVIRONMENT) != hasEnvironment
                 || !neutral(page, shining).equals(neutral(look, shining))) {
             return Optional.empty();
         }
@@ -53,19 +52,19 @@ final class LookFaders {
     }
 
     /** Returns a scene with the shining lights only, without what faders change. */
-    private static Scene neutral(Scene scene, Set<String> shining) {
-        List<Light> lights = scene.lights().stream().filter(light -> shining.contains(light.name()))
+    private static Scene neutral(Scene scene, Set<Contribution> shining) {
+        List<Light> lights = scene.lights().stream().filter(light -> shining.contains(Contribution.of(light)))
                 .map(light -> light.withEmission(Emission.DEFAULT)).toList();
         List<LightGroup> groups = scene.rig().lightGroups().stream()
                 .filter(group -> lights.stream().anyMatch(light -> light.lightGroup().equals(group.name())))
                 .map(group -> group.withColor(Rgb.WHITE)).toList();
         Scene neutral = LightWeights.neutral(scene.withRig(LightRig.of(lights, groups)));
         // Without light of the environment its background shows, whose brightness is the intensity.
-        return shining.contains(LightContributions.ENVIRONMENT) ? neutral
+        return shining.contains(Contribution.ENVIRONMENT) ? neutral
                 : neutral.withWorld(neutral.world().withIntensitiesOf(scene.world()));
     }
 
-    private ObjectNode json(Set<String> shining) {
+    private ObjectNode json(Set<Contribution> shining) {
         ObjectNode json = JsonNodeFactory.instance.objectNode();
         ArrayNode groups = json.putArray("groups");
         for (LightGroup group : page.rig().lightGroups()) {
@@ -74,12 +73,12 @@ final class LookFaders {
                     .put("solo", false);
         }
         ArrayNode lights = json.putArray("lights");
-        for (String name : LightFilms.names(page)) {
+        for (Contribution part : Contribution.shining(page)) {
             boolean couldFit = fits;
-            double[] ratios = look.light(name).isPresent() || shining.contains(name) ? ratios(name) : ONE;
+            double[] ratios = part.light(look).isPresent() || shining.contains(part) ? ratios(part) : ONE;
             double max = Math.max(ratios[0], Math.max(ratios[1], ratios[2]));
             double stops = stops(max, 1);
-            if (!shining.contains(name) && !fits) {
+            if (!shining.contains(part) && !fits) {
                 // The fader of a light that is off may stand anywhere.
                 fits = couldFit;
                 ratios = ONE;
@@ -87,7 +86,7 @@ final class LookFaders {
                 stops = 0;
             }
             ObjectNode light =
-                    lights.addObject().put("name", name).put("mute", isMuted(name, shining)).put("solo", false).put("stops", stops);
+                    lights.addObject().put("name", part.name(page)).put("mute", isMuted(part, shining)).put("solo", false).put("stops", stops);
             ArrayNode tint = light.putArray("tint");
             for (double ratio : ratios) {
                 tint.add(max > 0 ? ratio / max : 1);
@@ -97,21 +96,21 @@ final class LookFaders {
     }
 
     /** Returns whether a light itself is off, or dark since others are solo; a group that is off says so itself. */
-    private boolean isMuted(String name, Set<String> shining) {
-        Optional<Light> light = look.light(name);
+    private boolean isMuted(Contribution part, Set<Contribution> shining) {
+        Optional<Light> light = part.light(look);
         boolean isGroupOff = light.flatMap(l -> look.rig().lightGroup(l.lightGroup())).filter(group -> !group.on()).isPresent();
-        return isGroupOff ? !light.orElseThrow().on() : !shining.contains(name);
+        return isGroupOff ? !light.orElseThrow().on() : !shining.contains(part);
     }
 
     /** Returns the factors of red, green and blue of a light without its group's intensity. */
-    private double[] ratios(String name) {
-        Optional<Light> light = look.light(name);
+    private double[] ratios(Contribution part) {
+        Optional<Light> light = part.light(look);
         if (light.isEmpty()) {
             double ratio = page.world().intensityRatio(look.world());
             fits &= Double.isFinite(ratio);
             return new double[] {ratio, ratio, ratio};
         }
-        Light ofPage = page.light(name).orElseThrow();
+        Light ofPage = part.light(page).orElseThrow();
         Light to = look.rig().effectiveLight(light.get());
         Light from = page.rig().effectiveLight(ofPage);
         double group = LightWeights.groupIntensity(look, light.get());

@@ -58,12 +58,12 @@ final class PagePictures {
         ArrayNode lights = node.putArray("lights");
         float[] rest = film.toScanlines();
         try {
-            LightFilms.forEach(cache, options, _ -> true, dividing, (name, layer) -> {
+            LightFilms.forEach(cache, options, _ -> true, dividing, (light, layer) -> {
                 float[] part = layer.toScanlines();
                 for (int i = 0; i < part.length; i++) {
                     rest[i] -= part[i];
                 }
-                lights.add(name);
+                lights.add(light.name(picture.scene()));
                 add(layer, full, small);
             });
             add(Film.ofScanlines(film.width(), film.height(), rest), full, small);

@@ -17,12 +17,13 @@ public record Review(String scene, String reviewer, double exposure, List<LightC
     /**
      * Changed light, or the environment.
      *
+     * @param isEnvironment true for the environment, whatever its name; earlier pages gave it the name {@code environment} only
      * @param stops     change from the light of the page; empty if its fader is off
      * @param tint      factors of red, green and blue, ≥ 0; {@code List} of three
      * @param intensity intensity when the page was written, ≥ 0
      * @param color     color when the page was written; empty for the environment
      */
-    public record LightChange(String name, Optional<Double> stops, List<Double> tint, double intensity, List<Double> color, boolean mute,
+    public record LightChange(String name, boolean isEnvironment, Optional<Double> stops, List<Double> tint, double intensity, List<Double> color, boolean mute,
             boolean solo) {}
 
     /**

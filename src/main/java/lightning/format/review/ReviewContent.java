@@ -1,18 +1,16 @@
 package lightning.format.review;
 
 import java.io.IOException;
-import java.util.ArrayList;
-import java.util.LinkedHashSet;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import lightning.base.text.Language;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.LightContributions;
-import lightning.render.relight.LightFilms;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
-import lightning.scene.light.Light;
 
 /**
  * What a review page shows.
@@ -50,7 +48,7 @@ public record ReviewContent(String title, Scene base, List<ReviewPicture> pictur
     }
 
     private static int layers(ReviewPicture picture) {
-        return LightFilms.names(picture.scene()).size() + 1 + picture.fixedLooks().size();
+        return Contribution.shining(picture.scene()).size() + 1 + picture.fixedLooks().size();
     }
 
     /**
@@ -72,14 +70,16 @@ public record ReviewContent(String title, Scene base, List<ReviewPicture> pictur
         }
     }
 
-    /** Returns the names of all lights that shine in a picture, in the order of the scene; the environment comes last. */
-    public List<String> lights() {
-        Set<String> shining = new LinkedHashSet<>();
-        pictures.forEach(picture -> shining.addAll(LightFilms.names(picture.scene())));
-        List<String> names = new ArrayList<>(base.lights().stream().map(Light::name).filter(shining::contains).toList());
-        if (shining.contains(LightContributions.ENVIRONMENT) && !names.contains(LightContributions.ENVIRONMENT)) {
-            names.add(LightContributions.ENVIRONMENT);
-        }
-        return names;
+    /** Returns all lights that shine in a picture, in the order of the scene; the environment comes last. */
+    public List<Contribution> lights() {
+        Set<Contribution> shining = new HashSet<>();
+        pictures.forEach(picture -> shining.addAll(Contribution.shining(picture.scene())));
+        return Stream.concat(base.lights().stream().map(Contribution::of),
+                Stream.of(Contribution.ENVIRONMENT)).filter(shining::contains).toList();
+    }
+
+    /** Returns the names of these lights. */
+    public List<String> lightNames() {
+        return lights().stream().map(light -> light.name(base)).toList();
     }
 }

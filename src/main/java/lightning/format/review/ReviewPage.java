@@ -14,6 +14,7 @@ import lightning.base.text.Language;
 import lightning.base.work.Progress;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import tools.jackson.databind.json.JsonMapper;
@@ -63,9 +64,10 @@ public final class ReviewPage {
         data.set("view", ReviewView.json(content.view()));
         ArrayNode lights = data.putArray("lights");
         Scene base = content.base();
-        for (String name : content.lights()) {
-            ObjectNode light = lights.addObject().put("name", name);
-            base.light(name).ifPresentOrElse(l -> describe(l, light), () -> light.put("intensity", base.world().intensity()));
+        for (Contribution part : content.lights()) {
+            ObjectNode light = lights.addObject().put("name", part.name(base));
+            part.light(base).ifPresentOrElse(l -> describe(l, light),
+                    () -> light.put("environment", true).put("intensity", base.world().firstIntensity()));
         }
         ArrayNode looks = data.putArray("looks");
         content.pictures().getFirst().looks().forEach(look -> looks.add(look.name()));

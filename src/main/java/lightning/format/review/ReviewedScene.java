@@ -8,7 +8,7 @@ import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.render.match.LightFactor;
 import lightning.render.match.MatchedScene;
-import lightning.render.relight.LightContributions;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.ViewSettings;
 import lightning.scene.World;
@@ -29,13 +29,14 @@ public record ReviewedScene(Scene scene, List<String> notes) {
         List<String> notes = new ArrayList<>();
         Scene changed = scene;
         for (Review.LightChange change : review.lights()) {
-            Optional<Light> light = changed.light(change.name());
-            if (light.isPresent()) {
-                changed = changed.withLight(changed(light.get(), change));
-            } else if (change.name().equals(LightContributions.ENVIRONMENT) && scene.world().hasEnvironment()) {
-                changed = changed.withWorld(changed(changed.world(), change));
-            } else {
+            Optional<Contribution> found = changedPart(changed, change);
+            if (found.isEmpty()) {
                 notes.add(Messages.tr("there is no light {0} any more; its change was left out", Quote.of(change.name())));
+            } else {
+                changed = switch (found.get()) {
+                    case Contribution.OfLight(String name) -> changed.withLight(changed(changed.light(name).orElseThrow(), change));
+                    case Contribution.OfEnvironment _ -> changed.withWorld(changed(changed.world(), change));
+                };
             }
         }
         for (Review.GroupChange change : review.groups()) {
@@ -51,6 +52,11 @@ public record ReviewedScene(Scene scene, List<String> notes) {
         return new ReviewedScene(changed.withPicture(changed.picture().withView(view.withExposure(exposure))), List.copyOf(notes));
     }
 
+    private static Optional<Contribution> changedPart(Scene scene, Review.LightChange change) {
+        return !change.isEnvironment() ? Contribution.named(scene, change.name())
+                : scene.world().hasEnvironment() ? Optional.of(Contribution.ENVIRONMENT) : Optional.empty();
+    }
+
     private static Light changed(Light light, Review.LightChange change) {
         Light shown = light.withColor(change.color().isEmpty() ? light.color() : limited(color(change.color())))
                 .withIntensity(Math.min(change.intensity(), SceneLimits.MAX_INTENSITY / light.maxFactor()));
@@ -58,7 +64,7 @@ public record ReviewedScene(Scene scene, List<String> notes) {
         List<Double> tint = change.tint();
         boolean isOn = !change.mute() && change.stops().isPresent();
         return MatchedScene
-                .multiplied(shown, new LightFactor(light.name(), factor * tint.get(0), factor * tint.get(1), factor * tint.get(2)))
+                .multiplied(shown, new LightFactor(Contribution.of(light), factor * tint.get(0), factor * tint.get(1), factor * tint.get(2)))
                 .withOn(isOn).withSolo(change.solo());
     }
 
@@ -73,7 +79,8 @@ public record ReviewedScene(Scene scene, List<String> notes) {
     private static World changed(World world, Review.LightChange change) {
         boolean isOn = !change.mute() && change.stops().isPresent();
         double factor = isOn ? Math.pow(2, change.stops().orElseThrow()) : 0;
-        return world.mapIntensities(intensity -> Math.min(intensity * factor, SceneLimits.MAX_GROUP_INTENSITY)).withSolo(change.solo());
+        World scaled = world.mapIntensities(intensity -> Math.min(intensity * factor, SceneLimits.MAX_GROUP_INTENSITY));
+        return change.solo() ? scaled.withAllSolo(true) : scaled.withSolo(false);
     }
 
     private static LightGroup changed(LightGroup group, Review.GroupChange change) {

@@ -9,6 +9,7 @@ import lightning.base.work.Progress;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 
 /**
@@ -78,7 +79,7 @@ public final class LightMatch {
                 alike(images.names(), match.products()), images.unseen());
     }
 
-    private static List<MatchResult.LightPair> alike(List<String> names, ImageProducts products) {
+    private static List<MatchResult.LightPair> alike(List<Contribution> names, ImageProducts products) {
         List<MatchResult.LightPair> pairs = new ArrayList<>();
         for (int i = 0; i < names.size(); i++) {
             for (int j = i + 1; j < names.size(); j++) {

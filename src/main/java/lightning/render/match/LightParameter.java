@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.function.DoubleFunction;
 import java.util.function.ToDoubleFunction;
 import lightning.base.math.Vec3;
-import lightning.render.relight.LightContributions;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.light.Beam;
 import lightning.scene.light.Light;
@@ -17,14 +17,14 @@ import lightning.scene.value.SceneLimits;
 /**
  * A number of a light, or of the environment, that a search changes. Its value is the difference from the scene where the search starts.
  *
- * @param light name of the light, or {@code environment}
+ * @param light the light, or the environment
  * @param scale change that makes a visible difference
  * @param min   least value, ≤ 0
  * @param max   largest value, ≥ 0
  * @param isTurn whether the smallest and the largest value mean the same, and the best may be anywhere between
  * @param edit  changes a scene by a value
  */
-record LightParameter(String light, double scale, double min, double max, boolean isTurn, Edit edit) {
+record LightParameter(Contribution light, double scale, double min, double max, boolean isTurn, Edit edit) {
     /** Part of the distance between a light and what the camera looks at. */
     private static final double POSITION_SCALE = 0.2;
     /** Tangent of a turn. */
@@ -47,16 +47,16 @@ record LightParameter(String light, double scale, double min, double max, boolea
     /**
      * Returns what a match may change of the lights that shine.
      *
-     * @param lights names of these lights
+     * @param lights these lights, and the environment
      */
-    static List<LightParameter> of(Scene scene, List<String> lights, MatchSettings settings) {
+    static List<LightParameter> of(Scene scene, List<Contribution> lights, MatchSettings settings) {
         List<LightParameter> parameters = new ArrayList<>();
-        for (String name : lights) {
-            if (scene.light(name).isPresent()) {
-                addLight(scene, scene.light(name).get(), settings, parameters);
+        for (Contribution part : lights) {
+            if (part.light(scene).isPresent()) {
+                addLight(scene, part.light(scene).get(), settings, parameters);
             } else if (settings.changes().contains(MatchChange.ROTATION)) {
                 double rotation = scene.world().rotation();
-                parameters.add(new LightParameter(LightContributions.ENVIRONMENT, ROTATION_SCALE, -HALF_TURN, HALF_TURN, true,
+                parameters.add(new LightParameter(part, ROTATION_SCALE, -HALF_TURN, HALF_TURN, true,
                         (s, v) -> s.withWorld(s.world().withRotation(withinLimits(rotation + v)))));
             }
         }
@@ -71,7 +71,7 @@ record LightParameter(String light, double scale, double min, double max, boolea
     private static void addLight(Scene scene, Light light, MatchSettings settings, List<LightParameter> parameters) {
         if (settings.changes().contains(MatchChange.TEMPERATURES) && !settings.changes().contains(MatchChange.COLORS)) {
             double mired = MIRED / light.emission().temperature();
-            parameters.add(new LightParameter(light.name(), MIRED_SCALE, MIRED / ColorTemperature.MAX - mired,
+            parameters.add(new LightParameter(Contribution.of(light), MIRED_SCALE, MIRED / ColorTemperature.MAX - mired,
                     MIRED / ColorTemperature.MIN - mired, false,
                     ofLight(light.name(), (l, v) -> l.withEmission(l.emission().withTemperature(
                             Math.clamp(MIRED / (mired + v), ColorTemperature.MIN, ColorTemperature.MAX))))));
@@ -79,7 +79,7 @@ record LightParameter(String light, double scale, double min, double max, boolea
         if (settings.changes().contains(MatchChange.POSITIONS) && LightAttribute.POSITION.appliesTo(light.type())) {
             double distance = light.position().minus(scene.camera().to()).length();
             for (Vec3 axis : List.of(new Vec3(1, 0, 0), Vec3.Y, new Vec3(0, 0, 1))) {
-                parameters.add(new LightParameter(light.name(), POSITION_SCALE * (distance > 0 ? distance : 1), Double.NEGATIVE_INFINITY,
+                parameters.add(new LightParameter(Contribution.of(light), POSITION_SCALE * (distance > 0 ? distance : 1), Double.NEGATIVE_INFINITY,
                         Double.POSITIVE_INFINITY, false,
                         ofLight(light.name(), (l, v) -> l.withPosition(l.position().plus(axis.times(v))))));
             }
@@ -89,7 +89,7 @@ record LightParameter(String light, double scale, double min, double max, boolea
             Vec3 right = axis.cross(Math.abs(axis.y()) < 0.9 ? Vec3.Y : new Vec3(1, 0, 0)).normalized();
             for (Vec3 side : List.of(right, right.cross(axis))) {
                 Vec3 turn = side.times(light.direction().length());
-                parameters.add(new LightParameter(light.name(), DIRECTION_SCALE, -MAX_TURN, MAX_TURN, false,
+                parameters.add(new LightParameter(Contribution.of(light), DIRECTION_SCALE, -MAX_TURN, MAX_TURN, false,
                         ofLight(light.name(), (l, v) -> l.withDirection(l.direction().plus(turn.times(v))))));
             }
         }
@@ -108,7 +108,7 @@ record LightParameter(String light, double scale, double min, double max, boolea
 
     private static LightParameter cone(Light light, double largest, ToDoubleFunction<Light> get, DoubleFunction<Light> changed) {
         double angle = get.applyAsDouble(light);
-        return new LightParameter(light.name(), CONE_SCALE, Math.min(0, MIN_CONE - angle), largest - angle, false,
+        return new LightParameter(Contribution.of(light), CONE_SCALE, Math.min(0, MIN_CONE - angle), largest - angle, false,
                 ofLight(light.name(), (l, v) -> l.withCone(changed.apply(Math.clamp(angle + v, 0, largest)).cone())));
     }
 

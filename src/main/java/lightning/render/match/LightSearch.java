@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
-import lightning.render.relight.LightFilms;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.Contribution;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 
@@ -68,7 +68,7 @@ final class LightSearch implements AutoCloseable {
         this.reference = reference;
         this.settings = settings;
         this.progress = progress;
-        parameters = LightParameter.of(start, LightFilms.names(start).stream().filter(settings::mayChange).toList(), settings);
+        parameters = LightParameter.of(start, Contribution.shining(start).stream().filter(settings::mayChange).toList(), settings);
         renderer = new Renderer(options);
     }
 

@@ -3,7 +3,7 @@ package lightning.render.match;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
-import lightning.render.relight.LightContributions;
+import lightning.scene.Contribution;
 
 /**
  * Finds factors of images with which their sum comes closest to a reference:
@@ -61,7 +61,7 @@ final class LinearMatch {
         FactorProblem problem = problem();
         int lights = images.names().size();
         for (int l = 0; l < lights; l++) {
-            boolean isEnvironment = images.names().get(l).equals(LightContributions.ENVIRONMENT);
+            boolean isEnvironment = images.names().get(l).equals(Contribution.ENVIRONMENT);
             problem.addLight(l, TargetCells.means(images.lights().get(l)),
                     settings.changes().contains(MatchChange.COLORS) && !isEnvironment);
         }

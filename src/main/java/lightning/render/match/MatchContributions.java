@@ -15,6 +15,7 @@ import lightning.render.image.Film;
 import lightning.render.relight.LightFilms;
 import lightning.render.relight.LightValues;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.light.Light;
@@ -31,11 +32,11 @@ public final class MatchContributions {
 
     private final Scene scene;
     private final PixelMeans grid;
-    private final Map<String, float[][]> images;
+    private final Map<Contribution, float[][]> images;
     /** True if they are of pixel centers alone. */
     private final boolean omitsFinerSamples;
 
-    private MatchContributions(Scene scene, PixelMeans grid, Map<String, float[][]> images, boolean omitsFinerSamples) {
+    private MatchContributions(Scene scene, PixelMeans grid, Map<Contribution, float[][]> images, boolean omitsFinerSamples) {
         this.scene = scene;
         this.grid = grid;
         this.images = images;
@@ -43,7 +44,7 @@ public final class MatchContributions {
     }
 
     /**
-     * Composes the contributions from the cache of a picture. Casts no ray, except for finer samples where the environment has an edge.
+     * Composes the contributions from the cache of a picture. Casts no ray.
      *
      * @param cache    cache of a finished picture; not modified
      * @param options  options of its render
@@ -54,13 +55,13 @@ public final class MatchContributions {
     public static MatchContributions of(PixelCache cache, RenderOptions options, Optional<MatchContributions> earlier, Progress progress) {
         Scene scene = cache.scene();
         Film whole = cache.film();
-        PixelMeans grid = grid(whole, LightFilms.names(scene).size() + 2);
+        PixelMeans grid = grid(whole, Contribution.shining(scene).size() + 2);
         boolean omitsFinerSamples = grid.columns() == whole.width() && cache.tileCount() > 0
                 && 2L * finerPixels(cache).cardinality() <= (long) whole.width() * whole.height();
-        Map<String, float[][]> images = earlier.filter(e -> e.grid.equals(grid) && e.omitsFinerSamples == omitsFinerSamples)
+        Map<Contribution, float[][]> images = earlier.filter(e -> e.grid.equals(grid) && e.omitsFinerSamples == omitsFinerSamples)
                 .map(e -> e.scaledTo(scene)).orElseGet(HashMap::new);
-        LightFilms.forEach(omitsFinerSamples ? withoutFinerSamples(cache) : cache, options, name -> !images.containsKey(name), progress,
-                (name, film) -> images.put(name, grid.of(film)));
+        LightFilms.forEach(omitsFinerSamples ? withoutFinerSamples(cache) : cache, options, part -> !images.containsKey(part), progress,
+                (part, film) -> images.put(part, grid.of(film)));
         return new MatchContributions(scene, grid, Map.copyOf(images), omitsFinerSamples);
     }
 
@@ -78,14 +79,14 @@ public final class MatchContributions {
     }
 
     /** Returns the contributions to the picture of an edited scene, of lights of which nothing but values differ. */
-    private Map<String, float[][]> scaledTo(Scene edited) {
-        Map<String, float[][]> scaled = new HashMap<>();
-        if (edited.camera().equals(scene.camera()) && edited.picture().equals(scene.picture()) && edited.stage().equals(scene.stage())
+    private Map<Contribution, float[][]> scaledTo(Scene edited) {
+        Map<Contribution, float[][]> scaled = new HashMap<>();
+        if (edited.camera().equals(scene.camera()) && edited.picture().equals(scene.picture()) && edited.stage().equals(scene.stage()) && edited.hasSameShapes(scene)
                 && withoutDome(edited.world()).equals(withoutDome(scene.world()))) {
-            for (String name : LightFilms.names(edited)) {
-                double[] factors = images.containsKey(name) ? factors(edited, name) : UNKNOWN;
+            for (Contribution part : Contribution.shining(edited)) {
+                double[] factors = images.containsKey(part) ? factors(edited, part) : UNKNOWN;
                 if (Double.isFinite(factors[0] + factors[1] + factors[2])) {
-                    scaled.put(name, scaled(image(name), factors));
+                    scaled.put(part, scaled(image(part), factors));
                 }
             }
         }
@@ -97,14 +98,14 @@ public final class MatchContributions {
     }
 
     /** Returns the factors of red, green and blue of a light or the environment; not finite if they are unknown. */
-    private double[] factors(Scene edited, String name) {
-        Optional<Light> light = scene.light(name);
+    private double[] factors(Scene edited, Contribution part) {
+        Optional<Light> light = part.light(scene);
         if (light.isEmpty()) {
             double factor = scene.world().intensityRatio(edited.world());
             return edited.world().dome().equals(scene.world().dome()) ? new double[] {factor, factor, factor} : UNKNOWN;
         }
         Light before = scene.rig().effectiveLight(light.get());
-        Light after = edited.rig().effectiveLight(edited.light(name).orElseThrow());
+        Light after = edited.rig().effectiveLight(part.light(edited).orElseThrow());
         Rgb old = before.weight();
         Rgb weight = after.weight();
         return LightValues.areOnlyDifference(before, after)
@@ -134,9 +135,9 @@ public final class MatchContributions {
         return scene;
     }
 
-    /** Returns the contribution of a light, {@code float[channel][cell]}; not to be modified. */
-    float[][] image(String name) {
-        return requireNonNull(images.get(name));
+    /** Returns a contribution that shines, {@code float[channel][cell]}; not to be modified. */
+    float[][] image(Contribution part) {
+        return requireNonNull(images.get(part));
     }
 
     /** Returns the picture whose contributions they are, {@code float[channel][cell]}. */

@@ -5,31 +5,31 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import lightning.render.relight.LightFilms;
+import lightning.scene.Contribution;
 
 /**
  * Images of a match: contributions of the lights that it may change, and all other light, as means over cells.
  *
  * @param grid    cells
- * @param names   lights that contribute anything, {@code environment} for the environment
+ * @param names   contributions that are seen
  * @param lights  {@code float[channel][cell]} of each
  * @param rest    the picture without them, {@code float[channel][cell]}
- * @param unseen  lights that contribute nothing to the picture
+ * @param unseen  contributions that are black
  * @param skipped cells that do not count
  */
-record MatchImages(PixelMeans grid, List<String> names, List<float[][]> lights, float[][] rest, List<String> unseen, BitSet skipped) {
+record MatchImages(PixelMeans grid, List<Contribution> names, List<float[][]> lights, float[][] rest, List<Contribution> unseen, BitSet skipped) {
     // Arrays in a record: written once by their creator, never after.
 
     /**
      * @param picture the picture of the contributions, {@code float[channel][cell]}; not modified
-     * @param chosen  names of lights; empty for all that shine
+     * @param chosen  contributions; empty for all that shine
      */
-    static MatchImages of(MatchContributions contributions, float[][] picture, BitSet skipped, Optional<Set<String>> chosen) {
+    static MatchImages of(MatchContributions contributions, float[][] picture, BitSet skipped, Optional<Set<Contribution>> chosen) {
         float[][] rest = {picture[0].clone(), picture[1].clone(), picture[2].clone()};
-        List<String> names = new ArrayList<>();
+        List<Contribution> names = new ArrayList<>();
         List<float[][]> lights = new ArrayList<>();
-        List<String> unseen = new ArrayList<>();
-        for (String name : LightFilms.names(contributions.scene())) {
+        List<Contribution> unseen = new ArrayList<>();
+        for (Contribution name : Contribution.shining(contributions.scene())) {
             if (chosen.isEmpty() || chosen.get().contains(name)) {
                 float[][] image = contributions.image(name);
                 if (subtract(image, rest)) {

@@ -2,6 +2,7 @@ package lightning.render.match;
 
 import java.util.List;
 import java.util.Optional;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 
 /**
@@ -17,7 +18,7 @@ import lightning.scene.Scene;
  * @param unseen      lights that contribute nothing to the picture
  */
 public record MatchResult(Optional<Scene> moved, List<LightFactor> factors, double errorBefore, double errorAfter, List<Double> exposure,
-        List<LightPair> alike, List<String> unseen) {
-    /** Two lights. */
-    public record LightPair(String first, String second) {}
+        List<LightPair> alike, List<Contribution> unseen) {
+    /** Two lights, or a light and the environment. */
+    public record LightPair(Contribution first, Contribution second) {}
 }

@@ -2,17 +2,18 @@ package lightning.render.match;
 
 import java.util.Optional;
 import java.util.Set;
+import lightning.scene.Contribution;
 
 /**
  * What a match may change, and how it compares.
  *
- * @param lights   names of the lights that it may change, {@code environment} for the environment; empty for all that shine
+ * @param lights   what it may change; empty for all that shines
  * @param changes  what it changes besides intensities; the environment keeps its color
  * @param exposure whether the brightness of the reference counts
  * @param white    whether the tint of the reference counts; where it does not, neither does the brightness
  * @param steadiness pull of each light toward its present intensity, relative to the light that lights most of what counts; ≥ 0
  */
-public record MatchSettings(Optional<Set<String>> lights, Set<MatchChange> changes, Reference exposure, Reference white,
+public record MatchSettings(Optional<Set<Contribution>> lights, Set<MatchChange> changes, Reference exposure, Reference white,
         double steadiness) {
     /** Steadiness for paint: a light that no brush needs keeps its intensity, even if others change pixels without paint. */
     public static final double PAINTED = 0.02;
@@ -32,8 +33,8 @@ public record MatchSettings(Optional<Set<String>> lights, Set<MatchChange> chang
         return white == Reference.FREE ? 3 : exposure == Reference.FREE ? 1 : 0;
     }
 
-    /** Returns whether a light may change. */
-    boolean mayChange(String light) {
+    /** Returns whether a light, or the environment, may change. */
+    boolean mayChange(Contribution light) {
         return lights.isEmpty() || lights.get().contains(light);
     }
 

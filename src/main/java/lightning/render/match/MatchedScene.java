@@ -1,7 +1,7 @@
 package lightning.render.match;
 
 import lightning.base.math.Rgb;
-import lightning.render.relight.LightContributions;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.value.SceneLimits;
@@ -19,13 +19,11 @@ public final class MatchedScene {
         Scene matched = result.moved().map(moved -> scene.withLights(moved.lights())
                 .withWorld(scene.world().withRotation(moved.world().rotation()))).orElse(scene);
         for (LightFactor factor : result.factors()) {
-            if (factor.light().equals(LightContributions.ENVIRONMENT) && scene.light(factor.light()).isEmpty()) {
-                matched = matched.withWorld(matched.world()
+            matched = switch (factor.light()) {
+                case Contribution.OfLight(String light) -> matched.withLight(multiplied(matched.light(light).orElseThrow(), factor));
+                case Contribution.OfEnvironment _ -> matched.withWorld(matched.world()
                         .mapIntensities(intensity -> Math.min(SceneLimits.MAX_GROUP_INTENSITY, intensity * factor.red())));
-            } else {
-                Light light = matched.light(factor.light()).orElseThrow();
-                matched = matched.withLight(multiplied(light, factor));
-            }
+            };
         }
         return matched;
     }

@@ -123,7 +123,7 @@ public record LightContributions(List<LightContribution> lights, Optional<LightC
     private static LightContribution.FilmChange without(Renderer renderer, Set<String> switchedOff, Scene scene, Film picture,
             ViewTransform view,
             Progress progress) {
-        renderer.render(switchOff(scene, switchedOff), progress);
+        renderer.renderWithSameSamples(switchOff(scene, switchedOff), progress);
         return LightContribution.FilmChange.between(picture, renderer.film(), view);
     }
 

@@ -3,17 +3,15 @@ package lightning.render.relight;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.Predicate;
-import java.util.stream.Stream;
 import lightning.base.work.Progress;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.scene.Scene;
-import lightning.scene.light.Light;
+import lightning.scene.Contribution;
 
 /**
- * Contributions of the lights to a picture, one after the other: of each light that shines, and of the environment with its visible
- * background. With what remains of the picture they add up to it, apart from rounding.
+ * Contributions to a picture, one after the other: of each light that shines with its visible face and its bulbs, and of the environment with
+ * its visible background. With what remains of the picture they add up to it, apart from rounding, and each follows the weight of its light.
  */
 public final class LightFilms {
     private LightFilms() {}
@@ -21,45 +19,28 @@ public final class LightFilms {
     /** Receiver of contributions. */
     @FunctionalInterface
     public interface Receiver {
-        /** @param light name of the light, {@link LightContributions#ENVIRONMENT} for the environment */
-        void receive(String light, Film contribution);
-    }
-
-    /** Returns the names of all lights that shine, in the scene's order; the environment comes last. */
-    public static List<String> names(Scene scene) {
-        boolean hasEnvironment = scene.rig().isEnvironmentActive() && scene.world().hasEnvironmentLight();
-        return Stream.concat(scene.lights().stream().filter(scene::isActive).map(Light::name),
-                hasEnvironment ? Stream.of(LightContributions.ENVIRONMENT) : Stream.empty()).toList();
+        void receive(Contribution contribution, Film film);
     }
 
     /**
-     * Composes contributions from the cache of a picture. Casts no ray, except for finer samples where the environment has an edge.
+     * Composes contributions from the cache of a picture, over its samples. Casts no ray.
      *
-     * @param chosen   selects lights by their names
-     * @param progress counts lights
+     * @param cache    of a picture, with or without its finer samples
+     * @param chosen   selects contributions
+     * @param progress counts contributions
+     * @throws IllegalStateException if mirror levels are stored as hit shapes
      * @throws CancellationException if {@code progress} requested cancellation
      */
-    public static void forEach(PixelCache cache, RenderOptions options, Predicate<String> chosen, Progress progress, Receiver receiver) {
-        Scene scene = cache.scene();
-        List<String> names = names(scene).stream().filter(chosen).toList();
+    public static void forEach(PixelCache cache, RenderOptions options, Predicate<Contribution> chosen, Progress progress,
+            Receiver receiver) {
+        List<Contribution> contributions = Contribution.shining(cache.scene()).stream().filter(chosen).toList();
         try (Renderer renderer = new Renderer(options)) {
-            for (int l = 0; l < names.size(); l++) {
-                progress.report(l, names.size());
-                renderer.restore(cache);
-                boolean isLight = scene.light(names.get(l)).isPresent();
-                receiver.receive(names.get(l), isLight ? renderer.lightImage(names.get(l), progress.cancellationOnly())
-                        : loss(cache.film(), LightShares.withoutEnvironment(renderer, cache, progress.cancellationOnly())));
+            renderer.restore(cache);
+            for (int l = 0; l < contributions.size(); l++) {
+                progress.report(l, contributions.size());
+                receiver.receive(contributions.get(l), renderer.contribution(contributions.get(l), progress.cancellationOnly()));
             }
         }
-        progress.report(names.size(), names.size());
-    }
-
-    private static Film loss(Film whole, Film without) {
-        float[] rgb = whole.toScanlines();
-        float[] rest = without.toScanlines();
-        for (int i = 0; i < rgb.length; i++) {
-            rgb[i] = Math.max(0, rgb[i] - rest[i]);
-        }
-        return Film.ofScanlines(whole.width(), whole.height(), rgb);
+        progress.report(contributions.size(), contributions.size());
     }
 }

@@ -123,7 +123,7 @@ public record LightShares(Scene scene, double[] lights, double[] environments) {
     static Film withoutEnvironment(Renderer renderer, PixelCache cache, Progress progress) {
         Scene scene = cache.scene();
         renderer.restore(cache);
-        renderer.render(withActiveLights(scene).withWorld(scene.world().mapIntensities(_ -> 0)), progress);
+        renderer.renderWithSameSamples(withActiveLights(scene).withWorld(scene.world().mapIntensities(_ -> 0)), progress);
         return renderer.film();
     }
 
@@ -131,7 +131,7 @@ public record LightShares(Scene scene, double[] lights, double[] environments) {
     private static Film withoutEnvironment(Renderer renderer, PixelCache cache, int index, Progress progress) {
         Scene scene = cache.scene();
         renderer.restore(cache);
-        renderer.render(withActiveLights(scene).withWorld(scene.world().withDarkEnvironment(index)), progress);
+        renderer.renderWithSameSamples(withActiveLights(scene).withWorld(scene.world().withDarkEnvironment(index)), progress);
         return renderer.film();
     }
 

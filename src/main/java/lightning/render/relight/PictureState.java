@@ -4,6 +4,8 @@ import static java.util.Objects.requireNonNull;
 
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.plan.UpdateMethod;
+import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.relight.tile.RenderJob;
 import org.jspecify.annotations.Nullable;
 
 /** State of a renderer's picture. Immutable: an update makes the next state, and the renderer replaces its state in one assignment. */
@@ -36,9 +38,14 @@ public sealed interface PictureState {
         return !(this instanceof Empty);
     }
 
-    /** Returns the state that shows a cache, or no picture if it is null. */
-    static PictureState of(@Nullable PixelCache finished, UpdateMethod method) {
-        return finished == null ? new Empty() : new Finished(finished, method);
+    /** Returns the state that shows a cache, with or without its finer samples, or no picture if it is null. */
+    static PictureState of(@Nullable PixelCache saved, UpdateMethod method) {
+        if (saved == null) {
+            return new Empty();
+        }
+        boolean hasSamples = saved.fineCount() > 0 || !RenderJob.needsEdges(saved.scene());
+        return hasSamples ? new Finished(saved, method)
+                : new CentersOnly(saved, new PendingSamples(null, new UpdatePlan.Nothing()));
     }
 
     /** Returns the cache of the newest picture; null if there is none. */

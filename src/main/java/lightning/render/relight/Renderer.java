@@ -14,6 +14,7 @@ import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.relight.tile.RepeatedEditDetector;
 import lightning.render.trace.Geometry;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 
@@ -174,6 +175,16 @@ public final class Renderer implements AutoCloseable {
     }
 
     /**
+     * Updates the film to the target scene, with finer samples if the picture has those that its scene requires.
+     *
+     * @throws PictureTooLargeException as {@link #render(Scene, Progress)}
+     * @throws CancellationException if {@code progress} requested cancellation
+     */
+    public UpdateResult renderWithSameSamples(Scene target, Progress progress) {
+        return state.isFinished() ? render(target, progress) : renderCenters(plan(target), progress);
+    }
+
+    /**
      * Renders the finer samples that {@link #renderCenters} left out.
      *
      * @return all work since the last picture with samples, or since the newest edit if there was none
@@ -223,6 +234,16 @@ public final class Renderer implements AutoCloseable {
         return LightImage.film(cache(), options, light, workers, progress);
     }
 
+    /**
+     * Composes the contribution of a light with its visible face and its bulbs, or of the environment with its background, over the samples of
+     * this picture. Casts no ray and changes nothing.
+     *
+     * @throws IllegalStateException as {@link #lightImage}
+     */
+    Film contribution(Contribution contribution, Progress progress) {
+        return LightImage.film(cache(), options, contribution, workers, progress);
+    }
+
     /** Returns what it holds of its picture; later updates make new states. */
     public PictureState state() {
         return state;
@@ -260,7 +281,8 @@ public final class Renderer implements AutoCloseable {
     /**
      * Restores an earlier cache, as if no update had run since, so that an edit can be repeated and measured.
      *
-     * @param saved result of {@link #cache}, from this renderer or one that differs only in its reflection mode or threads
+     * @param saved result of {@link #cache}, from this renderer or one that differs only in its reflection mode or threads; may lack the finer
+     *         samples of its scene
      */
     public void restore(@Nullable PixelCache saved) {
         state = PictureState.of(saved, options.method());

@@ -33,6 +33,7 @@ import lightning.render.trace.PixelRays;
 import lightning.render.trace.SurfacePoint;
 import lightning.sample.EditSession;
 import lightning.sample.IndirectScenes;
+import lightning.sample.JenScenes;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.sample.TryFolder;
@@ -368,6 +369,16 @@ class LayeredExrWriterTest {
                     "Key_2_specular", "Key_2_reflections", "reflections");
             assertThat(file.map("lightning/lights")).containsEntry("_2nd_rim_light_diffuse", "2nd rim.light");
             assertThat(List.copyOf(file.values.keySet())).contains("R", "key_diffuse.R", "N.X", "P.Z", "Z").isSorted();
+        }
+    }
+
+    @Test
+    void lightNamedEnvironment_isNotTheSky() throws IOException {
+        Scene scene = JenScenes.withSky(StudioScene.of(LightType.SPOT)).renameLight(StudioScene.KEY, "environment");
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(scene, Progress.NONE);
+            assertThat(writeFile(renderer, ExrType.HALF).map("lightning/lights")).containsEntry("environment_diffuse", "environment")
+                    .containsEntry("environment_2_gathered", "environment 2");
         }
     }
 

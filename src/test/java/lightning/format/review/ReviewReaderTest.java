@@ -34,7 +34,7 @@ class ReviewReaderTest {
     @Test
     void validReview_isRead() throws IOException {
         Review review = read(VALID);
-        assertThat(review.lights()).containsExactly(new Review.LightChange("sun", Optional.of(-1.0), List.of(1.0, 0.5, 1.0), 3,
+        assertThat(review.lights()).containsExactly(new Review.LightChange("sun", false, Optional.of(-1.0), List.of(1.0, 0.5, 1.0), 3,
                 List.of(1.0, 1.0, 1.0), false, true));
         assertThat(review.groups()).containsExactly(new Review.GroupChange("soft", Optional.empty(), true, false));
         assertThat(review.notes()).containsExactly(new Review.Note(0.25, 1, "darker"));

@@ -18,6 +18,12 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.sample.IndirectScenes;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
+import lightning.scene.Contribution;
+import lightning.sample.JenScenes;
+import lightning.scene.AntialiasMode;
+import lightning.scene.SamplingSettings;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
@@ -73,9 +79,9 @@ class LightMatchTest {
         Scene matched = MatchedScene.of(scene, result);
         for (LightFactor found : result.factors()) {
             if (!isAmbiguous(result, found.light())) {
-                Light wanted = changed.light(found.light()).orElseThrow();
-                Rgb light = matched.light(found.light()).orElseThrow().color()
-                        .times(matched.light(found.light()).orElseThrow().intensity());
+                Light wanted = found.light().light(changed).orElseThrow();
+                Rgb light = found.light().light(matched).orElseThrow().color()
+                        .times(found.light().light(matched).orElseThrow().intensity());
                 Rgb expected = wanted.color().times(wanted.intensity());
                 assertThat(light.r()).isCloseTo(expected.r(), within(1e-3 * expected.r()));
                 assertThat(light.g()).isCloseTo(expected.g(), within(1e-3 * expected.g()));
@@ -90,7 +96,7 @@ class LightMatchTest {
         Scene scene = IndirectScenes.with(StudioScene.withFourLights(40, 32));
         Light fill = scene.light("fill").orElseThrow();
         MatchResult result = match(scene, film(scene.withLight(fill.withIntensity(3 * fill.intensity()))), MatchSettings.DEFAULT);
-        assertThat(result.factors()).allSatisfy(f -> assertThat(f.red()).isCloseTo(f.light().equals("fill") ? 3 : 1, within(1e-3)));
+        assertThat(result.factors()).allSatisfy(f -> assertThat(f.red()).isCloseTo(f.light().equals(light("fill")) ? 3 : 1, within(1e-3)));
     }
 
     @Test
@@ -115,7 +121,7 @@ class LightMatchTest {
         Scene scene = StudioScene.withFourLights(40, 32);
         MatchResult result = match(scene, film(scene.withLight(scene.light("sun").orElseThrow().withOn(false))), MatchSettings.DEFAULT);
         assertThat(result.factors()).anySatisfy(f -> {
-            assertThat(f.light()).isEqualTo("sun");
+            assertThat(f.light()).isEqualTo(light("sun"));
             assertThat(f.red()).isBetween(0.0, 1e-5);
         });
     }
@@ -134,9 +140,9 @@ class LightMatchTest {
         Scene scene = StudioScene.withFourLights(40, 32);
         Light fill = scene.light("fill").orElseThrow();
         Film reference = film(scene.withLight(fill.withIntensity(2)));
-        MatchResult result = match(scene, reference, new MatchSettings(Optional.of(Set.of("sun")), Set.of(), MatchSettings.Reference.FIXED,
+        MatchResult result = match(scene, reference, new MatchSettings(Optional.of(Set.of(light("sun"))), Set.of(), MatchSettings.Reference.FIXED,
                 MatchSettings.Reference.FIXED, 0));
-        assertThat(result.factors()).extracting(LightFactor::light).containsExactly("sun");
+        assertThat(result.factors()).extracting(LightFactor::light).containsExactly(light("sun"));
     }
 
     /** Two lights at the same place differ in nothing that a picture shows. */
@@ -148,8 +154,8 @@ class LightMatchTest {
         lights.add(fill.withName("twin"));
         Scene twins = scene.withLights(lights);
         MatchResult result = match(twins, film(twins.withLight(fill.withIntensity(3 * fill.intensity()))), MatchSettings.DEFAULT);
-        assertThat(result.alike()).containsExactly(new MatchResult.LightPair("fill", "twin"));
-        double sum = result.factors().stream().filter(f -> Set.of("fill", "twin").contains(f.light())).mapToDouble(LightFactor::red).sum();
+        assertThat(result.alike()).containsExactly(new MatchResult.LightPair(light("fill"), light("twin")));
+        double sum = result.factors().stream().filter(f -> Set.of(light("fill"), light("twin")).contains(f.light())).mapToDouble(LightFactor::red).sum();
         assertThat(sum).isCloseTo(4, within(1e-3));
     }
 
@@ -159,7 +165,7 @@ class LightMatchTest {
         List<Light> lights = new ArrayList<>(scene.lights());
         lights.add(StudioScene.key(LightType.SPOT).withName("away").withPosition(new Vec3(0, 50, 0)).withDirection(Vec3.Y));
         MatchResult result = match(scene.withLights(lights), film(scene), MatchSettings.DEFAULT);
-        assertThat(result.unseen()).containsExactly("away");
+        assertThat(result.unseen()).containsExactly(light("away"));
     }
 
     /** Only the left half of the reference counts; in the right half it is another picture. */
@@ -173,7 +179,7 @@ class LightMatchTest {
         }
         ReferenceImage reference = ReferenceImage.of(Film.ofScanlines(40, 32, rgb)).within(0, 0, 0.5, 1);
         MatchResult result = match(scene, reference, MatchSettings.DEFAULT);
-        assertThat(result.factors()).allSatisfy(f -> assertThat(f.red()).isCloseTo(f.light().equals("fill") ? 2 : 1, within(1e-3)));
+        assertThat(result.factors()).allSatisfy(f -> assertThat(f.red()).isCloseTo(f.light().equals(light("fill")) ? 2 : 1, within(1e-3)));
     }
 
     /** A display shows no value above 1. */
@@ -187,7 +193,7 @@ class LightMatchTest {
         }
         Film clipped = Film.ofScanlines(40, 32, rgb);
         assertThat(match(scene, ReferenceImage.of(clipped).withoutClipped(), MatchSettings.DEFAULT).factors())
-                .allSatisfy(f -> assertThat(f.red()).isCloseTo(f.light().equals("fill") ? 4 : 1, within(1e-3)));
+                .allSatisfy(f -> assertThat(f.red()).isCloseTo(f.light().equals(light("fill")) ? 4 : 1, within(1e-3)));
     }
 
     @Test
@@ -230,6 +236,42 @@ class LightMatchTest {
         assertThat(result.factors().get(1).red()).isCloseTo(1, within(0.1));
     }
 
+    /** Where a light is seen, in its bulb or its face, the picture follows its factor, too. */
+    @ParameterizedTest
+    @ValueSource(strings = {"material lamp { diffuse 0.2 0.2 0.2  bulb key  shadows none }  sphere s { material lamp  at 0 1 0 }"
+            + "  light key point { at 0 3 1  intensity 0.2 }",
+        "light key rect { at 0 2 0  direction 0 -0.3 1  width 2  height 2  intensity 0.2  visible yes }",
+        "light key point { at 0 1 0  radius 0.5  intensity 0.2  visible yes }"})
+    void lightThatIsSeen_isMatched(String key) {
+        Scene scene = JenScenes.of("picture { size 24 16 }  camera { from 0 1 6  to 0 1 0 }  world { ambience 0 }"
+                + "  plane floor { scale 20 1 20 }  light fill point { at 3 3 3  intensity 0.3 }  " + key);
+        Light light = scene.light("key").orElseThrow();
+        MatchResult result = match(scene, film(scene.withLight(light.withIntensity(0.4))), MatchSettings.DEFAULT);
+        assertThat(result.factors()).allSatisfy(f -> assertThat(f.red()).isCloseTo(f.light().equals(light("key")) ? 2 : 1, within(1e-4)));
+        assertThat(result.errorAfter()).isLessThan(1e-5);
+    }
+
+    /** The reference has no edges, so the pixels that count are the same. */
+    @Test
+    void environmentOfAntialiasedPicture_isMatched() {
+        Scene studio = JenScenes.withSky(StudioScene.withFourLights(40, 32));
+        Scene scene = studio.withPicture(studio.picture().withSampling(new SamplingSettings(AntialiasMode.EDGES, 4)));
+        MatchResult result = match(scene, film(studio.withWorld(studio.world().withIntensity(3))), MatchSettings.DEFAULT);
+        assertThat(result.factors()).allSatisfy(
+                f -> assertThat(f.red()).isCloseTo(f.light().equals(Contribution.ENVIRONMENT) ? 3 : 1, within(1e-3)));
+    }
+
+    @Test
+    void lightNamedEnvironment_isNotTheSky() {
+        Scene studio = JenScenes.withSky(StudioScene.withFourLights(40, 32));
+        Scene scene = studio.renameLight("fill", "environment");
+        Light lamp = scene.light("environment").orElseThrow();
+        Scene changed = scene.withLight(lamp.withIntensity(2 * lamp.intensity())).withWorld(scene.world().withIntensity(3));
+        Scene matched = MatchedScene.of(scene, match(scene, film(changed), MatchSettings.DEFAULT));
+        assertThat(matched.light("environment").orElseThrow().intensity()).isCloseTo(2 * lamp.intensity(), within(1e-3));
+        assertThat(matched.world().intensity()).isCloseTo(3, within(1e-3));
+    }
+
     @Test
     void referenceWithoutPixels_isRejected() {
         Scene scene = StudioScene.of(LightType.SPOT);
@@ -238,12 +280,16 @@ class LightMatchTest {
                 .hasMessage("no pixel of the reference counts");
     }
 
-    private static boolean isAmbiguous(MatchResult result, String light) {
+    private static Contribution light(String name) {
+        return new Contribution.OfLight(name);
+    }
+
+    private static boolean isAmbiguous(MatchResult result, Contribution light) {
         return result.alike().stream().anyMatch(pair -> pair.first().equals(light) || pair.second().equals(light));
     }
 
-    private static int index(Scene scene, String light) {
-        return scene.lights().stream().map(Light::name).toList().indexOf(light);
+    private static int index(Scene scene, Contribution light) {
+        return scene.lights().stream().map(Contribution::of).toList().indexOf(light);
     }
 
     /** Returns one to eight lights on a sphere around the studio, at least the ninth part of it apart. */

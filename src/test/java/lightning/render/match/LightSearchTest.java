@@ -16,6 +16,7 @@ import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
@@ -115,7 +116,7 @@ class LightSearchTest {
             }
         };
         assertThatThrownBy(() -> match(scene.withLight(key.withPosition(new Vec3(1, 4, 2))), scene, MatchChange.POSITIONS,
-                Optional.of(Set.of(KEY)), canceled)).isInstanceOf(CancellationException.class);
+                Optional.of(Set.of(new Contribution.OfLight(KEY))), canceled)).isInstanceOf(CancellationException.class);
     }
 
     /** Returns the studio below a sky that is bright and red on one side. */
@@ -149,10 +150,10 @@ class LightSearchTest {
     }
 
     private static MatchResult match(Scene start, Scene reference, MatchChange change, String light) {
-        return match(start, reference, change, Optional.of(Set.of(light)), Progress.NONE);
+        return match(start, reference, change, Optional.of(Set.of(new Contribution.OfLight(light))), Progress.NONE);
     }
 
-    private static MatchResult match(Scene start, Scene reference, MatchChange change, Optional<Set<String>> lights, Progress progress) {
+    private static MatchResult match(Scene start, Scene reference, MatchChange change, Optional<Set<Contribution>> lights, Progress progress) {
         MatchSettings settings =
                 new MatchSettings(lights, Set.of(change), MatchSettings.Reference.FIXED, MatchSettings.Reference.FIXED, 0);
         try (Renderer renderer = new Renderer(OPTIONS)) {

@@ -9,11 +9,11 @@ import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
-import lightning.render.relight.LightFilms;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.sample.IndirectScenes;
 import lightning.sample.StudioScene;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import org.junit.jupiter.api.Test;
@@ -74,11 +74,11 @@ class MatchContributionsTest {
             MatchContributions reused = MatchContributions.of(renderer.cache(), OPTIONS, Optional.of(known), counting);
             assertThat(totals.getLast()).isEqualTo(composed);
             MatchContributions fresh = MatchContributions.of(renderer.cache(), OPTIONS, Optional.empty(), Progress.NONE);
-            for (String name : LightFilms.names(edited)) {
+            for (Contribution part : Contribution.shining(edited)) {
                 for (int c = 0; c < 3; c++) {
                     for (int i = 0; i < 30 * 24; i++) {
-                        float expected = fresh.image(name)[c][i];
-                        assertThat(reused.image(name)[c][i]).isCloseTo(expected, within(1e-5f * expected + 1e-9f));
+                        float expected = fresh.image(part)[c][i];
+                        assertThat(reused.image(part)[c][i]).isCloseTo(expected, within(1e-5f * expected + 1e-9f));
                     }
                 }
             }

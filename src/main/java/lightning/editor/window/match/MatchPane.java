@@ -58,8 +58,8 @@ import lightning.render.match.MatchSettings;
 import lightning.render.match.MatchedScene;
 import lightning.render.match.PaintedReference;
 import lightning.render.match.ReferenceImage;
-import lightning.render.relight.LightFilms;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 
@@ -83,7 +83,7 @@ public final class MatchPane extends VBox {
     private final CheckBox anyWhite = new CheckBox(Messages.tr("Any White Balance"));
     private final MenuButton lights = new MenuButton();
     /** Lights that shall stay as they are. */
-    private final Set<String> kept = new HashSet<>();
+    private final Set<Contribution> kept = new HashSet<>();
     private final ComboBox<MatchView.Arrangement> arrangement = new ComboBox<>();
     private final ToggleButton region = new ToggleButton(Messages.tr("Region"));
     private final Button close = new Button(Messages.tr("Remove Reference"));
@@ -292,18 +292,17 @@ public final class MatchPane extends VBox {
         matchReason.set(reason);
     }
 
-    /** Returns the names of all lights that shine, {@code environment} for the environment. */
-    private Stream<String> candidates() {
-        return LightFilms.names(editor.scene()).stream();
+    private Stream<Contribution> candidates() {
+        return Contribution.shining(editor.scene()).stream();
     }
 
     private List<MenuItem> lightItems() {
         CommandMenuItems items = CommandMenuItems.forMenu(model.commands());
-        return candidates().map(name -> items.checkBoxValue(Command.MATCH_REFERENCE, name, !kept.contains(name), 0, on -> {
+        return candidates().map(part -> items.checkBoxValue(Command.MATCH_REFERENCE, part.name(editor.scene()), !kept.contains(part), 0, on -> {
             if (on) {
-                kept.remove(name);
+                kept.remove(part);
             } else {
-                kept.add(name);
+                kept.add(part);
             }
             showLightCount();
         })).toList();
@@ -333,8 +332,8 @@ public final class MatchPane extends VBox {
     }
 
     private MatchSettings settings() {
-        Optional<Set<String>> chosen = kept.isEmpty() ? Optional.empty()
-                : Optional.of(candidates().filter(name -> !kept.contains(name)).collect(Collectors.toSet()));
+        Optional<Set<Contribution>> chosen = kept.isEmpty() ? Optional.empty()
+                : Optional.of(candidates().filter(part -> !kept.contains(part)).collect(Collectors.toSet()));
         boolean isOpen = reference.isPresent();
         return new MatchSettings(chosen, Set.copyOf(changed), referenceOf(isOpen && anyExposure.isSelected()),
                 referenceOf(isOpen && anyWhite.isSelected()), isOpen ? 0 : MatchSettings.PAINTED);
@@ -407,24 +406,29 @@ public final class MatchPane extends VBox {
         MatchResult matched = found.result();
         Optional<String> refusal = editor.editOrReport(scene -> EditOutcome.of(() -> MatchedScene.of(scene, matched))
                 .named(Messages.tr("Match Reference")));
-        result.setText(refusal.orElseGet(() -> text(matched)));
+        result.setText(refusal.orElseGet(() -> text(matched, found.scene())));
         if (refusal.isEmpty()) {
             view.erase();
             ForcedLiveUpdate.render(editor);
         }
     }
 
-    /** Returns the result in words. */
-    static String text(MatchResult matched) {
+    /**
+     * Returns the result in words.
+     *
+     * @param scene scene that was matched
+     */
+    static String text(MatchResult matched, Scene scene) {
         List<String> sentences = new ArrayList<>();
         sentences.add(Messages.tr("Difference: {0} before, {1} after.", PercentText.format(matched.errorBefore()),
                 PercentText.format(matched.errorAfter())));
         matched.alike().forEach(pair -> sentences
-                .add(Messages.tr("{0} and {1} look alike in this picture: only their sum is known.", Quote.of(pair.first()),
-                        Quote.of(pair.second()))));
+                .add(Messages.tr("{0} and {1} look alike in this picture: only their sum is known.", Quote.of(pair.first().name(scene)),
+                        Quote.of(pair.second().name(scene)))));
         if (!matched.unseen().isEmpty()) {
             sentences
-                    .add(Messages.tr("Lights that reach nothing in this picture are unchanged: {0}.", String.join(", ", matched.unseen())));
+                    .add(Messages.tr("Lights that reach nothing in this picture are unchanged: {0}.",
+                            matched.unseen().stream().map(light -> light.name(scene)).collect(Collectors.joining(", "))));
         }
         return String.join(" ", sentences);
     }

@@ -15,6 +15,7 @@ import lightning.render.image.Film;
 import lightning.render.relight.LightFilms;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 
 /**
@@ -48,7 +49,7 @@ record LiveLayers(Scene base, List<Part> parts, Layer rest, Scene shown) {
      *
      * @param halves {@code short[3 * width * height]}: the image as it is after its transfer
      */
-    record Part(String light, short[] halves, Layer layer) {}
+    record Part(Contribution light, short[] halves, Layer layer) {}
 
     /**
      * Returns the layers of a picture.
@@ -66,9 +67,9 @@ record LiveLayers(Scene base, List<Part> parts, Layer rest, Scene shown) {
         Scene base = LightWeights.allOn(scene);
         PixelCache lit = base.equals(scene) ? cache : render(cache, base, options, progress);
         List<Part> parts = new ArrayList<>();
-        LightFilms.forEach(lit, options, _ -> true, progress, (name, film) -> {
+        LightFilms.forEach(lit, options, _ -> true, progress, (light, film) -> {
             short[] halves = HalfPlanes.halves(film.toScanlines());
-            parts.add(new Part(name, halves, Layer.of(halves)));
+            parts.add(new Part(light, halves, Layer.of(halves)));
         });
         return new LiveLayers(base, List.copyOf(parts), rest(cache.film(), scene, base, parts), scene);
     }
@@ -76,7 +77,7 @@ record LiveLayers(Scene base, List<Part> parts, Layer rest, Scene shown) {
     private static PixelCache render(PixelCache cache, Scene base, RenderOptions options, Progress progress) {
         try (Renderer renderer = new Renderer(options)) {
             renderer.restore(cache);
-            renderer.render(base, progress.cancellationOnly());
+            renderer.renderWithSameSamples(base, progress.cancellationOnly());
             return renderer.cache();
         }
     }

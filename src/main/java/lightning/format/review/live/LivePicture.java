@@ -39,11 +39,11 @@ record LivePicture(byte[] data, Map<String, byte[]> layers) {
         ArrayNode lights = data.putArray("lights");
         for (LiveLayers.Part part : layers.parts()) {
             texts.put(part.layer().id(), part.layer().text());
-            ObjectNode node = lights.addObject().put("name", part.light()).put("layer", part.layer().id());
-            Light light = base.light(part.light()).orElse(null);
+            ObjectNode node = lights.addObject().put("name", part.light().name(base)).put("layer", part.layer().id());
+            Light light = part.light().light(base).orElse(null);
             Rgb color = light == null ? Rgb.WHITE : light.color();
             node.put("group", light == null ? "" : light.lightGroup()).put("environment", light == null);
-            node.put("intensity", light == null ? base.world().intensity() : light.intensity() * LightWeights.groupIntensity(base, light));
+            node.put("intensity", light == null ? base.world().firstIntensity() : light.intensity() * LightWeights.groupIntensity(base, light));
             node.putArray("color").add(color.r()).add(color.g()).add(color.b());
         }
         data.put("rest", layers.rest().id());

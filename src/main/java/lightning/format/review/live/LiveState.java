@@ -4,9 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Rgb;
-import lightning.render.relight.LightContributions;
+import lightning.scene.Contribution;
+import lightning.scene.Dome;
+import lightning.scene.EnvironmentLayer;
 import lightning.scene.Scene;
 import lightning.scene.ViewSettings;
+import lightning.scene.World;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
 import lightning.scene.value.SceneLimits;
@@ -38,32 +41,63 @@ public record LiveState(List<LightValue> lights, List<GroupValue> groups, Option
         for (Light light : scene.lights()) {
             lights.add(new LightValue(light.name(), light.intensity(), light.color(), !light.on(), light.solo()));
         }
-        if (hasEnvironment(scene)) {
-            lights.add(new LightValue(LightContributions.ENVIRONMENT, scene.world().intensity(), Rgb.WHITE, false,
-                    scene.world().solo()));
+        if (scene.world().hasEnvironment()) {
+            lights.add(environment(scene));
         }
         return new LiveState(List.copyOf(lights), scene.rig().lightGroups().stream()
                 .map(group -> new GroupValue(group.name(), group.intensity(), !group.on(), group.solo())).toList(),
                 Optional.of(scene.picture().view().exposure()));
     }
 
-    private static boolean hasEnvironment(Scene scene) {
-        return scene.world().environment().isPresent() && scene.light(LightContributions.ENVIRONMENT).isEmpty();
+    /** Returns the values of all environments together: the intensity of the first, which the others follow. */
+    private static LightValue environment(Scene scene) {
+        World world = scene.world();
+        boolean isOff = world.environments().stream().noneMatch(EnvironmentLayer::on);
+        return new LightValue(Contribution.ENVIRONMENT.name(scene), world.firstIntensity(), Rgb.WHITE, isOff,
+                world.environments().stream().anyMatch(EnvironmentLayer::solo));
+    }
+
+    private static Light changed(Light light, LightValue value) {
+        return light.withIntensity(Math.min(value.intensity(), SceneLimits.MAX_INTENSITY / light.maxFactor()))
+                .withColor(value.color()).withOn(!value.mute()).withSolo(value.solo());
+    }
+
+    /**
+     * Returns the world of a scene with these values of its environments. If they are mute or their fader is down, the domes are off, and keep
+     * their intensities.
+     */
+    private static World changed(Scene scene, LightValue value) {
+        World world = scene.world();
+        LightValue before = environment(scene);
+        double first = Math.min(value.intensity(), SceneLimits.MAX_GROUP_INTENSITY);
+        boolean isOff = isOff(value);
+        World lit = !isOff ? world.mapIntensities(intensity -> scaled(intensity, before.intensity(), first))
+                : world.environment().isPresent() ? world.withIntensity(0) : world;
+        boolean isSwitched = isOff || isOff(before) && world.domes().stream().noneMatch(Dome::on);
+        World switched = isSwitched ? lit.withDomes(lit.domes().stream().map(dome -> dome.withOn(!isOff)).toList()) : lit;
+        return value.solo() == before.solo() ? switched : switched.withAllSolo(value.solo());
+    }
+
+    private static boolean isOff(LightValue value) {
+        return value.mute() || value.intensity() == 0;
+    }
+
+    /** Returns an environment's intensity after a change of the first one's; from 0 only those that are 0 rise, since their share is unknown. */
+    private static double scaled(double intensity, double firstBefore, double first) {
+        return firstBefore > 0 ? Math.min(intensity * (first / firstBefore), SceneLimits.MAX_GROUP_INTENSITY)
+                : intensity == 0 ? first : intensity;
     }
 
     /** Returns a scene with these values, within the limits of scenes. Lights and groups that it does not have are left out. */
     public Scene applyTo(Scene scene) {
         Scene changed = scene;
         for (LightValue value : lights) {
-            Optional<Light> light = changed.light(value.name());
-            if (light.isPresent()) {
-                Light old = light.get();
-                changed = changed.withLight(old.withIntensity(Math.min(value.intensity(), SceneLimits.MAX_INTENSITY / old.maxFactor()))
-                        .withColor(value.color()).withOn(!value.mute()).withSolo(value.solo()));
-            } else if (value.name().equals(LightContributions.ENVIRONMENT) && hasEnvironment(changed)) {
-                double intensity = value.mute() ? 0 : value.intensity();
-                changed = changed.withWorld(changed.world().withIntensity(Math.min(intensity, SceneLimits.MAX_GROUP_INTENSITY))
-                        .withSolo(value.solo()));
+            Optional<Contribution> part = Contribution.named(changed, value.name());
+            if (part.isPresent()) {
+                changed = switch (part.get()) {
+                    case Contribution.OfLight(String name) -> changed.withLight(changed(changed.light(name).orElseThrow(), value));
+                    case Contribution.OfEnvironment _ -> changed.withWorld(changed(changed, value));
+                };
             }
         }
         for (GroupValue value : groups) {

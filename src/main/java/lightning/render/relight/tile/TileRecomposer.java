@@ -49,7 +49,7 @@ public final class TileRecomposer {
      * @param mirrored  materials of the other levels
      * @param depth     maximum recursion depth
      */
-    TileRecomposer(Scene scene, MaterialTable materials, MaterialTable mirrored, int depth, Engine engine, ViewEffects view) {
+    public TileRecomposer(Scene scene, MaterialTable materials, MaterialTable mirrored, int depth, Engine engine, ViewEffects view) {
         this.depth = depth;
         eye = new TileComposer(scene, materials, engine.sums(), view);
         mirror = new TileComposer(scene, mirrored, engine.sums(), view);

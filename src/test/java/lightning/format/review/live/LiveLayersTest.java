@@ -14,6 +14,7 @@ import lightning.render.relight.LightFilms;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.sample.StudioScene;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
@@ -42,7 +43,7 @@ class LiveLayersTest {
 
     /** Asserts that the layers with their weights are the lights of the picture, apart from their rounding to halves. */
     private static void assertShow(LiveLayers layers, PixelCache cache) {
-        Map<String, float[]> films = new HashMap<>();
+        Map<Contribution, float[]> films = new HashMap<>();
         LightFilms.forEach(cache, OPTIONS, _ -> true, Progress.NONE, (name, film) -> films.put(name, film.toScanlines()));
         for (LiveLayers.Part part : layers.parts()) {
             float[] weight = LightWeights.of(cache.scene(), layers.base(), part.light());
@@ -77,7 +78,7 @@ class LiveLayersTest {
         Scene moved = scene.withLight(key.withPosition(key.position().times(0.5)));
         LiveLayers second = LiveLayers.of(cache(moved), OPTIONS, List.of(first), Progress.NONE);
         for (int i = 0; i < first.parts().size(); i++) {
-            boolean isKey = first.parts().get(i).light().equals("key");
+            boolean isKey = first.parts().get(i).light().equals(Contribution.of(key));
             assertThat(second.parts().get(i).layer().id().equals(first.parts().get(i).layer().id())).isEqualTo(!isKey);
         }
     }
