@@ -117,7 +117,7 @@ final class MatchCommand implements Callable<Integer> {
             throw new BadInputException(Console.text("%s: %s", reference, e.getMessage()));
         }
         Scene matched = MatchedScene.of(document.scene(), result);
-        MatchReport report = MatchReport.of(output == null ? null : output.toString(), result, document.scene(), matched);
+        MatchReport report = MatchReport.of(output == null ? null : output.toString(), result, image, document.scene(), matched);
         print(result, report);
         KeyedLightNotes.print(document.shot(), report.lights().stream().map(MatchReport.Matched::light).toList(), console);
         if (output != null) {
@@ -160,6 +160,10 @@ final class MatchCommand implements Callable<Integer> {
         List<Double> scale = result.exposure();
         if (exposure == MatchSettings.Reference.FREE || white == MatchSettings.Reference.FREE) {
             console.print("the reference was scaled by %.4g %.4g %.4g", scale.get(0), scale.get(1), scale.get(2));
+        }
+        if (report.invalidPixels() > 0) {
+            console.warn("%s: %s infinite or not a number, and did not count", reference,
+                    report.invalidPixels() == 1 ? "1 pixel is" : report.invalidPixels() + " pixels are");
         }
         report.alike().forEach(pair -> console.warn("%s and %s look alike in this picture: only their sum is known", pair.getFirst(),
                 pair.getLast()));

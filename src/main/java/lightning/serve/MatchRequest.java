@@ -76,7 +76,7 @@ final class MatchRequest {
         });
         Scene matched = MatchedScene.of(scene, result);
         ObjectNode answer = session.edit(matched);
-        answer.setAll((ObjectNode) ReportMapper.MAPPER.valueToTree(MatchReport.of(null, result, scene, matched)));
+        answer.setAll((ObjectNode) ReportMapper.MAPPER.valueToTree(MatchReport.of(null, result, reference, scene, matched)));
         return answer;
     }
 }

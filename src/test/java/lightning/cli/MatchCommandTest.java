@@ -6,7 +6,11 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import lightning.format.image.ImageFile;
 import lightning.format.jen.JenReader;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -142,5 +146,32 @@ class MatchCommandTest {
         String before = Files.readString(scene);
         CliResult.run("match", scene, "--reference", reference, "-o", reference).assertRejected("look.pfm");
         assertThat(Files.readString(scene)).isEqualTo(before);
+    }
+
+    /** Returns the reference with one value replaced, or all. */
+    private Path damaged(float value, boolean all) throws IOException {
+        float[] rgb = ImageFile.read(reference).toScanlines();
+        Arrays.fill(rgb, 0, all ? rgb.length : 1, value);
+        Film film = ImageFile.read(reference);
+        Path file = folder.resolve("damaged.pfm");
+        ImageFile.write(file, Film.ofScanlines(film.width(), film.height(), rgb), ViewTransform.DEFAULT);
+        return file;
+    }
+
+    @Test
+    void pixelThatIsNoNumber_doesNotCount() throws Exception {
+        CliResult result = CliResult.run("match", scene, "--reference", damaged(Float.NaN, false), "--json").assertSuccess();
+        JsonNode report = new JsonMapper().readTree(result.out()).get("result");
+        assertThat(report.get("invalid_pixels").asInt()).isEqualTo(1);
+        assertThat(report.at("/lights/0/factors/1").asDouble()).isCloseTo(3, within(3e-3));
+        assertThat(result.out()).contains("damaged.pfm: 1 pixel is infinite or not a number, and did not count");
+    }
+
+    @ParameterizedTest
+    @ValueSource(floats = {Float.NaN, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY})
+    void referenceWithoutNumbers_isRefused(float value) throws Exception {
+        CliResult result = CliResult.run("match", scene, "--reference", damaged(value, true));
+        assertThat(result.exit()).isEqualTo(2);
+        assertThat(result.err()).contains("damaged.pfm: expected an image of numbers");
     }
 }

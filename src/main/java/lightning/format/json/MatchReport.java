@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.render.match.LightFactor;
 import lightning.render.match.MatchResult;
+import lightning.render.match.ReferenceImage;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.World;
@@ -21,9 +22,10 @@ import org.jspecify.annotations.Nullable;
  * @param moved          other attributes that changed
  * @param alike          pairs of lights of which only the sum is known
  * @param unseen         lights that contribute nothing to the picture
+ * @param invalidPixels  pixels of the reference that are infinite or not a number, and did not count
  */
 public record MatchReport(@Nullable String output, double errorBefore, double errorAfter, List<Double> referenceScale, List<Matched> lights,
-        List<Moved> moved, List<List<String>> alike, List<String> unseen) {
+        List<Moved> moved, List<List<String>> alike, List<String> unseen, int invalidPixels) {
     /**
      * One light, or the environment.
      *
@@ -44,7 +46,7 @@ public record MatchReport(@Nullable String output, double errorBefore, double er
      * @param before scene that was matched
      * @param after  scene with the matched lights
      */
-    public static MatchReport of(@Nullable String output, MatchResult result, Scene before, Scene after) {
+    public static MatchReport of(@Nullable String output, MatchResult result, ReferenceImage reference, Scene before, Scene after) {
         List<Matched> matched = new ArrayList<>();
         for (LightFactor f : result.factors()) {
             matched.add(new Matched(f.light().name(before), List.of(f.red(), f.green(), f.blue()), intensity(before, f.light()),
@@ -52,7 +54,7 @@ public record MatchReport(@Nullable String output, double errorBefore, double er
         }
         return new MatchReport(output, result.errorBefore(), result.errorAfter(), result.exposure(), matched, moved(before, after),
                 result.alike().stream().map(pair -> List.of(pair.first().name(before), pair.second().name(before))).toList(),
-                result.unseen().stream().map(light -> light.name(before)).toList());
+                result.unseen().stream().map(light -> light.name(before)).toList(), reference.invalidPixels());
     }
 
     private static double intensity(Scene scene, Contribution light) {

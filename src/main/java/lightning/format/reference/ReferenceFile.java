@@ -28,12 +28,15 @@ public final class ReferenceFile {
     private ReferenceFile() {}
 
     /**
-     * Reads an image to match. Pixels that an image of codes clips at white do not count.
+     * Reads an image to match. Pixels that an image of codes clips at white, or that are infinite or not a number, do not count.
      *
-     * @throws IOException as {@link #readFilm}
+     * @throws IOException as {@link #readFilm}, or if no pixel is finite
      */
     public static ReferenceImage read(Path file) throws IOException {
         ReferenceImage image = ReferenceImage.of(readFilm(file));
+        if (image.invalidPixels() == image.weights().length) {
+            throw new IOException(Quote.path(file) + ": expected an image of numbers, found that all pixels are infinite or not a number");
+        }
         return isDisplayReferred(file) ? image.withoutClipped() : image;
     }
 

@@ -41,7 +41,7 @@ record PixelMeans(int columns, int rows) {
     }
 
     /**
-     * Returns the means of the pixels that count.
+     * Returns the means of the pixels that count; the others may be infinite or not a number.
      *
      * @param weights by pixel
      */
@@ -76,10 +76,12 @@ record PixelMeans(int columns, int rows) {
                 double part = high * (Math.min(x + 1, right) - Math.max(x, left));
                 int i = y * from.columns + x;
                 double weight = weights == null ? part : part * weights[i];
-                red += weight * image[0][i];
-                green += weight * image[1][i];
-                blue += weight * image[2][i];
-                total += weight;
+                if (weight != 0) {
+                    red += weight * image[0][i];
+                    green += weight * image[1][i];
+                    blue += weight * image[2][i];
+                    total += weight;
+                }
             }
         }
         if (total > 0) {

@@ -1,6 +1,6 @@
 package lightning.render.match;
 
-import java.util.Arrays;
+import java.util.stream.IntStream;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
@@ -17,11 +17,24 @@ public record ReferenceImage(Film film, float[] weights) {
     /** Largest relative difference of the ratios of width to height. */
     private static final double MAX_SHAPE_DIFFERENCE = 0.01;
 
-    /** Returns an image all of whose pixels count. */
+    /** Returns an image all of whose pixels count that are numbers, and finite. */
     public static ReferenceImage of(Film film) {
         float[] weights = new float[film.width() * film.height()];
-        Arrays.fill(weights, 1);
+        for (int i = 0; i < weights.length; i++) {
+            weights[i] = isFinite(film, i) ? 1 : 0;
+        }
         return new ReferenceImage(film, weights);
+    }
+
+    private static boolean isFinite(Film film, int pixel) {
+        int x = pixel % film.width();
+        int y = pixel / film.width();
+        return Float.isFinite(film.red(x, y)) && Float.isFinite(film.green(x, y)) && Float.isFinite(film.blue(x, y));
+    }
+
+    /** Returns the number of pixels that are infinite or not a number, and do not count. */
+    public int invalidPixels() {
+        return (int) IntStream.range(0, weights.length).filter(i -> !isFinite(film, i)).count();
     }
 
     /** Returns the image without the pixels that a display clips at white, whose brightness is unknown. */

@@ -6,7 +6,7 @@ import java.util.BitSet;
  * A reference over the cells of a grid.
  *
  * @param values  {@code float[channel][cell]}
- * @param weights weight of each cell's squared difference: its own, divided by the square of the reference's luminance plus a twentieth of
+ * @param weights weight of each cell's squared difference: its own, divided by the square of the reference's luminance, at least 0, plus a twentieth of
  *                its mean, so that relative differences count, as eyes see them
  * @param total   sum of the cells' own weights, of all channels
  */
@@ -41,7 +41,7 @@ record TargetCells(float[][] values, double[] weights, double total) {
     }
 
     private static double luminance(float[][] image, int i) {
-        return luminance(image[0][i], image[1][i], image[2][i]);
+        return Math.max(0, luminance(image[0][i], image[1][i], image[2][i]));
     }
 
     static double luminance(double red, double green, double blue) {

@@ -7,7 +7,7 @@ import lightning.render.image.ViewTransform;
 /**
  * Contribution of one light to a picture.
  *
- * @param light         name of the light
+ * @param light         name of the light, or of the environment
  * @param shines        true if it contributes at all: it is on and not muted by a solo light
  * @param imageShare    its part of the picture's mean luminance; 0 for a black picture
  * @param regionShare   its part of a region's mean luminance

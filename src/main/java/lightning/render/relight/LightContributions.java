@@ -13,6 +13,7 @@ import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 
@@ -28,9 +29,6 @@ import lightning.scene.light.Light;
  */
 public record LightContributions(List<LightContribution> lights, Optional<LightContribution> environment, List<String> idleLights,
         LightContribution.FilmChange changeWhenIdleOff) {
-
-    /** Name of the environment among lights. */
-    public static final String ENVIRONMENT = "environment";
 
     /**
      * Region of a picture.
@@ -115,7 +113,7 @@ public record LightContributions(List<LightContribution> lights, Optional<LightC
         }
         Film filmOff = LightShares.withoutEnvironment(renderer, cache, progress);
         return Optional
-                .of(new LightContribution(ENVIRONMENT, scene.world().environments().stream().anyMatch(e -> e.on() && e.intensity() > 0),
+                .of(new LightContribution(Contribution.ENVIRONMENT.name(scene), scene.world().environments().stream().anyMatch(e -> e.on() && e.intensity() > 0),
                         LightShares.ofLoss(filmOff, picture, Region.ofFilm(picture)),
                         LightShares.ofLoss(filmOff, picture, region), LightContribution.FilmChange.between(picture, filmOff, view)));
     }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
@@ -182,6 +183,37 @@ class LightMatchTest {
         assertThat(result.factors()).allSatisfy(f -> assertThat(f.red()).isCloseTo(f.light().equals(light("fill")) ? 2 : 1, within(1e-3)));
     }
 
+    @Property(tries = 20)
+    void pixelsThatAreNoNumbers_doNotCount(@ForAll long seed) {
+        Random random = new Random(seed);
+        Scene scene = StudioScene.withFourLights(40, 32);
+        Light fill = scene.light("fill").orElseThrow();
+        float[] rgb = film(scene.withLight(fill.withIntensity(2 * fill.intensity()))).toScanlines();
+        float[] invalid = {Float.NaN, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY};
+        BitSet damaged = new BitSet();
+        for (int i = 0; i < 100; i++) {
+            int value = random.nextInt(rgb.length);
+            rgb[value] = invalid[random.nextInt(3)];
+            damaged.set(value / 3);
+        }
+        int larger = 1 + random.nextInt(2);
+        ReferenceImage reference = ReferenceImage.of(enlarged(rgb, 40, 32, larger));
+        assertThat(reference.invalidPixels()).isEqualTo(larger * larger * damaged.cardinality());
+        MatchResult result = match(scene, reference, MatchSettings.DEFAULT);
+        assertThat(result.factors()).allSatisfy(f -> assertThat(f.red()).isCloseTo(f.light().equals(light("fill")) ? 2 : 1, within(1e-3)));
+        assertThat(result.errorAfter()).isLessThan(1e-5);
+    }
+
+    private static Film enlarged(float[] rgb, int width, int height, int factor) {
+        float[] large = new float[factor * factor * rgb.length];
+        for (int i = 0; i < large.length; i++) {
+            int x = i / 3 % (factor * width) / factor;
+            int y = i / 3 / (factor * width) / factor;
+            large[i] = rgb[3 * (y * width + x) + i % 3];
+        }
+        return Film.ofScanlines(factor * width, factor * height, large);
+    }
+
     /** A display shows no value above 1. */
     @Test
     void clippedPixels_doNotCount() {
@@ -200,13 +232,7 @@ class LightMatchTest {
     void largerReference_isReduced() {
         Scene scene = StudioScene.withFourLights(40, 32);
         float[] rgb = film(scene).toScanlines();
-        float[] doubled = new float[4 * rgb.length];
-        for (int i = 0; i < doubled.length; i++) {
-            int x = i / 3 % 80;
-            int y = i / 3 / 80;
-            doubled[i] = rgb[3 * (y / 2 * 40 + x / 2) + i % 3];
-        }
-        MatchResult result = match(scene, Film.ofScanlines(80, 64, doubled), MatchSettings.DEFAULT);
+        MatchResult result = match(scene, enlarged(rgb, 40, 32, 2), MatchSettings.DEFAULT);
         assertThat(result.errorBefore()).isLessThan(1e-6);
     }
 

@@ -42,6 +42,7 @@ import lightning.render.relight.LightContribution;
 import lightning.render.relight.LightContributions;
 import lightning.render.relight.LightThumbnails;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 
@@ -298,7 +299,7 @@ public final class ContributionPane extends VBox {
         for (int l = 0; l < shares.scene().lights().size(); l++) {
             fractions.put(shares.scene().lights().get(l).name(), total > 0 ? LightThumbnails.brightness(shares.lightImage(l)) / total : 0);
         }
-        fractions.put(LightContributions.ENVIRONMENT, total > 0 ? LightThumbnails.brightness(shares.environmentImage()) / total : 0);
+        fractions.put(Contribution.ENVIRONMENT.name(shares.scene()), total > 0 ? LightThumbnails.brightness(shares.environmentImage()) / total : 0);
         return fractions;
     }
 

@@ -111,7 +111,7 @@ public final class MatchPane extends VBox {
     }
 
     /** What the panel found, and the scene that it is for. */
-    private record Found(Scene scene, MatchContributions contributions, MatchResult result) {}
+    private record Found(Scene scene, MatchContributions contributions, MatchResult result, int invalidPixels) {}
 
     public MatchPane(EditorModel model) {
         this.model = model;
@@ -361,7 +361,7 @@ public final class MatchPane extends VBox {
             var known = MatchContributions.of(cache, options, earlier,
                     new CountingProgress(canceled, Messages.key("Matching: {0} of {1} lights")));
             return new Found(cache.scene(), known, LightMatch.of(known, cache, options, target, settings,
-                    new CountingProgress(canceled, Messages.key("Searching: step {0} of at most {1}"))));
+                    new CountingProgress(canceled, Messages.key("Searching: step {0} of at most {1}"))), target.invalidPixels());
         }), this::apply, failure -> {
             isBusy = false;
             updateReason();
@@ -406,7 +406,7 @@ public final class MatchPane extends VBox {
         MatchResult matched = found.result();
         Optional<String> refusal = editor.editOrReport(scene -> EditOutcome.of(() -> MatchedScene.of(scene, matched))
                 .named(Messages.tr("Match Reference")));
-        result.setText(refusal.orElseGet(() -> text(matched, found.scene())));
+        result.setText(refusal.orElseGet(() -> text(matched, found.scene(), found.invalidPixels())));
         if (refusal.isEmpty()) {
             view.erase();
             ForcedLiveUpdate.render(editor);
@@ -416,9 +416,10 @@ public final class MatchPane extends VBox {
     /**
      * Returns the result in words.
      *
-     * @param scene scene that was matched
+     * @param scene         scene that was matched
+     * @param invalidPixels pixels of the reference that did not count, since they are infinite or not a number
      */
-    static String text(MatchResult matched, Scene scene) {
+    static String text(MatchResult matched, Scene scene, int invalidPixels) {
         List<String> sentences = new ArrayList<>();
         sentences.add(Messages.tr("Difference: {0} before, {1} after.", PercentText.format(matched.errorBefore()),
                 PercentText.format(matched.errorAfter())));
@@ -429,6 +430,9 @@ public final class MatchPane extends VBox {
             sentences
                     .add(Messages.tr("Lights that reach nothing in this picture are unchanged: {0}.",
                             matched.unseen().stream().map(light -> light.name(scene)).collect(Collectors.joining(", "))));
+        }
+        if (invalidPixels > 0) {
+            sentences.add(Messages.tr("Pixels of the reference that are infinite or not a number did not count: {0}.", invalidPixels));
         }
         return String.join(" ", sentences);
     }
