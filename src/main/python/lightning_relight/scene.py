@@ -374,17 +374,18 @@ class Scene:
             fields["region"] = list(region)
         return self._change("match", **fields)
 
-    def review(self, allow_edits: bool = False) -> Dict[str, Any]:
+    def review(self, allow_edits: Optional[bool] = None) -> Dict[str, Any]:
         """Opens a live review page for a browser of this computer, and renders. The page follows the scene until it is closed.
 
         Returns its ``url``, the number of open ``pages``, the number of ``changes`` that pages made, and their ``notes``. Call it again for
         the newest ones.
 
         Args:
-            allow_edits: lets pages change lights and the exposure, and send notes
+            allow_edits: lets pages change lights and the exposure, and send notes; by default as the open page does, and a first page does
+                not. Another value than that of the open page ends it and opens one at another address, which keeps the notes.
         """
         self._content = None
-        return self._request("review", allow_edits=allow_edits)
+        return self._request("review", **({} if allow_edits is None else {"allow_edits": allow_edits}))
 
     def end_review(self) -> None:
         """Ends the review page."""

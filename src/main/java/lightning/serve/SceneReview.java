@@ -2,6 +2,7 @@ package lightning.serve;
 
 import java.io.IOException;
 import java.util.LinkedHashMap;
+import java.util.Optional;
 import java.util.SequencedMap;
 import java.util.concurrent.CancellationException;
 import lightning.format.review.Review;
@@ -37,10 +38,13 @@ final class SceneReview implements AutoCloseable {
     /** Render that is waiting or running for the pages. */
     private volatile @Nullable Request update;
 
-    SceneReview(SceneSession session, Client client, boolean allowsEdits) throws IOException {
+    /** @param last review that this one replaces; its notes stay */
+    SceneReview(SceneSession session, Client client, boolean allowsEdits, Optional<SceneReview> last) throws IOException {
         this.session = session;
         this.client = client;
         this.allowsEdits = allowsEdits;
+        last.ifPresent(review -> newest.putAll(review.newest));
+        changes = last.map(review -> review.changes).orElse(0);
         live = LiveReview.start(String.valueOf(session.document().file().getFileName()), LiveAddress.LOCAL, allowsEdits,
                 change -> session.runLater(() -> change(change)));
     }

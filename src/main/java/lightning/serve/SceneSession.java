@@ -106,23 +106,30 @@ final class SceneSession {
         }
     }
 
-    /** Opens the scene's live page, or returns what is known of the open one, or ends it. */
+    /** Opens the scene's live page, or returns what is known of the open one, or ends it. Another page keeps notes and changes of the last one. */
     private ObjectNode review(Request request) throws IOException {
-        boolean allowsEdits = request.fields().flag("allow_edits");
-        boolean ends = request.fields().flag("end");
-        if (review != null && (ends || review.allowsEdits() != allowsEdits)) {
-            review.close();
-            review = null;
-        }
-        if (ends) {
+        Fields fields = request.fields();
+        boolean isChosen = fields.has("allow_edits");
+        boolean allowsEdits = fields.flag("allow_edits");
+        SceneReview last = review;
+        if (fields.flag("end")) {
+            if (last != null) {
+                last.close();
+                review = null;
+            }
             return JsonLines.JSON.createObjectNode();
         }
         update(request, 0);
-        if (review == null) {
-            review = new SceneReview(this, request.client(), allowsEdits);
+        SceneReview open = last;
+        if (last == null || isChosen && last.allowsEdits() != allowsEdits) {
+            open = new SceneReview(this, request.client(), allowsEdits, Optional.ofNullable(last));
+            review = open;
+            if (last != null) {
+                last.close();
+            }
         }
-        review.showPicture();
-        return review.describe();
+        open.showPicture();
+        return open.describe();
     }
 
     /** Runs a task on the scene's thread, after the requests that wait; drops it if the scene is closed. */

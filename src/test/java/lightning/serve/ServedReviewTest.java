@@ -115,6 +115,29 @@ class ServedReviewTest {
     }
 
     @Test
+    void askingAgain_keepsThePageAndItsNotes() throws Exception {
+        String url = review(",'allow_edits':true").get("url").asString();
+        assertThat(post(url, CHANGE)).isEqualTo(204);
+        picture(url, data -> intensity(data) == 3);
+        JsonNode again = review("");
+        assertThat(again.get("url").asString()).isEqualTo(url);
+        assertThat(again.get("allow_edits").asBoolean()).isTrue();
+        assertThat(again.get("notes").size()).isEqualTo(1);
+        assertThat(post(url, CHANGE)).isEqualTo(204);
+    }
+
+    @Test
+    void pageWithOtherRights_keepsTheNotes() throws Exception {
+        String url = review(",'allow_edits':true").get("url").asString();
+        assertThat(post(url, CHANGE)).isEqualTo(204);
+        picture(url, data -> intensity(data) == 3);
+        JsonNode other = review(",'allow_edits':false");
+        assertThat(other.get("url").asString()).isNotEqualTo(url);
+        assertThat(other.get("changes").asInt()).isEqualTo(1);
+        assertThat(other.get("notes").size()).isEqualTo(1);
+    }
+
+    @Test
     void editOfAClient_reachesThePageWithoutARender() throws Exception {
         String url = review("").get("url").asString();
         client.request("set", "'scene':" + scene + ",'edits':'key.intensity=2'");
