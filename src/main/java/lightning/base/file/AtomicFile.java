@@ -79,7 +79,10 @@ public final class AtomicFile {
         return new AtomicFile(target, ownerOnly, true, expected);
     }
 
-    /** Replaces only a file in this state; {@link FileState#MISSING} requires that no file exists. */
+    /**
+     * Replaces only a file in this state; {@link FileState#MISSING} requires that no file exists. Of several processes that replace the same
+     * state at the same time, one succeeds.
+     */
     public AtomicFile ifUnchanged(FileState state) {
         return new AtomicFile(target, ownerOnly, replacesReadOnly, state);
     }
@@ -151,16 +154,27 @@ public final class AtomicFile {
             content.writeTo(temporary);
             permissions.applyTo(temporary);
             FileState written = FileState.readMetadata(temporary);
-            if (expected != null && expected.differsFrom(file)) {
-                throw new ChangedFileException(target);
+            if (expected == null && !Files.exists(file)) {
+                Files.move(temporary, file, StandardCopyOption.ATOMIC_MOVE);
+            } else {
+                replaceInTurn(temporary, file, folder);
             }
-            Files.move(temporary, file, StandardCopyOption.ATOMIC_MOVE);
             force(folder);
             return written;
         } catch (FileSystemException e) {
             throw withTargetName(e, temporary);
         } finally {
             Files.deleteIfExists(temporary);
+        }
+    }
+
+    /** Compares and moves in one step for all processes that do the same. */
+    private void replaceInTurn(Path temporary, Path file, Path folder) throws IOException {
+        try (ReplaceLock _ = ReplaceLock.of(folder)) {
+            if (expected != null && expected.differsFrom(file)) {
+                throw new ChangedFileException(target);
+            }
+            Files.move(temporary, file, StandardCopyOption.ATOMIC_MOVE);
         }
     }
 

@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.net.StandardProtocolFamily;
 import java.net.UnixDomainSocketAddress;
 import java.nio.channels.ServerSocketChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,8 +19,12 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import lightning.base.text.PrintableText;
 import lightning.base.text.Quote;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -235,6 +240,58 @@ class AtomicFileTest {
         assertThatExceptionOfType(ChangedFileException.class)
                 .isThrownBy(() -> AtomicFile.of(file).ifUnchanged(FileState.MISSING).write(_ -> Files.writeString(file, "his")));
         assertThat(file).hasContent("his");
+    }
+
+    @Test
+    void savesOfTwoThreads_replaceTheSameStateOnce() throws Exception {
+        Path file = folder.resolve("a");
+        try (ExecutorService threads = Executors.newFixedThreadPool(2)) {
+            for (int pair = 0; pair < 200; pair++) {
+                FileState state = FileState.of(Files.writeString(file, "state " + pair));
+                List<Future<Boolean>> saves = List.of(threads.submit(() -> saves(file, state, "a")), threads.submit(() -> saves(file, state, "b")));
+                assertThat(saves.get(0).get()).isNotEqualTo(saves.get(1).get());
+                assertThat(file).hasContent(saves.get(0).get() ? "a" : "b");
+            }
+        }
+        assertThat(names()).containsExactly("a");
+    }
+
+    private static boolean saves(Path file, FileState state, String text) throws IOException {
+        try {
+            AtomicFile.of(file).ifUnchanged(state).write(text.getBytes(StandardCharsets.UTF_8));
+            return true;
+        } catch (ChangedFileException e) {
+            return false;
+        }
+    }
+
+    /** Each process says which of the states it replaced. */
+    @Slow
+    @Test
+    void savesOfTwoProcesses_replaceTheSameStateOnce() throws Exception {
+        Path file = folder.resolve("a");
+        try (SavingProcess first = new SavingProcess(file); SavingProcess second = new SavingProcess(file)) {
+            for (int pair = 0; pair < 200; pair++) {
+                Files.writeString(file, "state " + pair);
+                first.prepare();
+                second.prepare();
+                first.save(pair + " a");
+                second.save(pair + " b");
+                boolean isFirst = first.hasSaved();
+                assertThat(second.hasSaved()).isNotEqualTo(isFirst);
+                assertThat(file).hasContent(pair + (isFirst ? " a" : " b"));
+            }
+        }
+        assertThat(names()).containsExactly("a");
+    }
+
+    /** A process that was killed while it replaced a file leaves its lock file. */
+    @Test
+    void leftLockFile_isUsedAgain() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        Files.createFile(folder.resolve(".lightning-replace.lock"));
+        AtomicFile.of(file).ifUnchanged(FileState.of(file)).write(new byte[] {1});
+        assertThat(names()).containsExactly("a");
     }
 
     @Test
