@@ -3,7 +3,6 @@ module lightning {
     requires java.desktop;
     requires java.logging;
     requires java.management;
-    requires jdk.httpserver;
     requires jdk.management;
     requires jdk.incubator.vector;
     requires info.picocli;

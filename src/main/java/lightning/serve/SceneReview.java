@@ -76,8 +76,7 @@ final class SceneReview implements AutoCloseable {
     }
 
     private void change(LiveChange change) {
-        newest.remove(change.page());
-        newest.put(change.page(), change);
+        change.storeNotes(newest);
         if (newest.size() > MAX_PAGES) {
             newest.pollFirstEntry();
         }

@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
+import java.util.SequencedMap;
 import java.util.concurrent.TimeUnit;
 import javafx.animation.Animation;
 import javafx.animation.KeyFrame;
@@ -63,7 +63,7 @@ public final class LiveReviewPane extends VBox {
     private final Button copy = new Button(Messages.tr("Copy"));
     private final Label state = new Label();
     private final ListView<String> notes = new ListView<>();
-    private final Map<String, LiveChange> newest = new LinkedHashMap<>();
+    private final SequencedMap<String, LiveChange> newest = new LinkedHashMap<>();
     private final Timeline counter = new Timeline(new KeyFrame(COUNT_INTERVAL, _ -> showState()));
     private @Nullable LiveReview review;
     private @Nullable PixelCache shown;
@@ -245,7 +245,7 @@ public final class LiveReviewPane extends VBox {
         if (review == null) {
             return;
         }
-        newest.put(change.page(), change);
+        change.storeNotes(newest);
         showNotes();
         boolean hasValues =
                 !change.state().lights().isEmpty() || !change.state().groups().isEmpty() || change.state().exposure().isPresent();

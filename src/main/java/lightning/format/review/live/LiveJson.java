@@ -18,6 +18,8 @@ final class LiveJson {
     private static final double MAX_STOPS = 64;
     private static final int MAX_NAME = 1000;
     private static final int MAX_TEXT = 10_000;
+    private static final int MAX_NOTES = 200;
+    private static final int MAX_TEXTS = 100_000;
     private static final CheckedJson CHECKED = new CheckedJson("change");
 
     private LiveJson() {}
@@ -66,6 +68,11 @@ final class LiveJson {
             String at = "notes[" + notes.size() + "].";
             notes.add(new Review.Note(CHECKED.number(node, at, "x", 0, 1), CHECKED.number(node, at, "y", 0, 1),
                     CHECKED.text(node, at, "text", MAX_TEXT)));
+        }
+        int characters = notes.stream().mapToInt(note -> note.text().length()).sum();
+        if (notes.size() > MAX_NOTES || characters > MAX_TEXTS) {
+            throw CHECKED.failure("notes: expected at most " + MAX_NOTES + " notes with " + MAX_TEXTS + " characters in all, found "
+                    + notes.size() + " with " + characters);
         }
         Optional<Double> exposure =
                 root.has("exposure") ? Optional.of(CHECKED.number(root, "", "exposure", -MAX_STOPS, MAX_STOPS)) : Optional.empty();

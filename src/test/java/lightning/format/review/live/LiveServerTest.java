@@ -4,11 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.net.Socket;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
@@ -138,5 +141,79 @@ class LiveServerTest {
         int port = URI.create(review.url()).getPort();
         assertThatThrownBy(() -> LiveReview.start("x", new LiveAddress("127.0.0.1", port, Optional.empty()), false, changes::add))
                 .isInstanceOf(IOException.class).hasMessageContaining("cannot listen");
+    }
+
+    private static String withNotes(String page, int count, int length) {
+        String note = "{\"x\":0.5,\"y\":0.5,\"text\":\"" + "a".repeat(length) + "\"}";
+        return CHANGE.replace("\"page\":\"p\"", "\"page\":\"" + page + "\"").replace("\"notes\":[]",
+                "\"notes\":[" + String.join(",", Collections.nCopies(count, note)) + "]");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"201,1", "11,9999"})
+    void tooManyNotesOfAPage_getOneSentence(int count, int length) throws Exception {
+        HttpResponse<String> answer = send(review.url() + "change", "POST", withNotes("p", count, length));
+        assertThat(answer.statusCode()).isEqualTo(400);
+        assertThat(answer.body()).startsWith("change: notes: expected at most 200 notes").doesNotContain("\n");
+        assertThat(changes).isEmpty();
+    }
+
+    @Test
+    void notesOfTooManyPages_getOneSentence() throws Exception {
+        for (int page = 0; page < 100; page++) {
+            assertThat(send(review.url() + "change", "POST", withNotes("p" + page, 1, 1)).statusCode()).isEqualTo(204);
+        }
+        HttpResponse<String> answer = send(review.url() + "change", "POST", withNotes("another", 1, 1));
+        assertThat(answer.statusCode()).isEqualTo(429);
+        assertThat(answer.body()).isEqualTo("This review has notes of 100 pages, and takes no notes of another one.");
+        assertThat(send(review.url() + "change", "POST", withNotes("p7", 2, 1)).statusCode()).isEqualTo(204);
+        assertThat(send(review.url() + "change", "POST", withNotes("another", 0, 1)).statusCode()).isEqualTo(204);
+    }
+
+    /** They send only a part of a head; a few bytes of it keep coming. */
+    @Test
+    void connectionsWithoutTheToken_keepNobodyOut() throws Exception {
+        URI url = URI.create(review.url());
+        List<Socket> strangers = new ArrayList<>();
+        try {
+            for (int i = 0; i < 600; i++) {
+                Socket stranger = new Socket(url.getHost(), url.getPort());
+                strangers.add(stranger);
+                stranger.getOutputStream().write("GET /x HTTP/1.1\r\nX-a: ".getBytes(StandardCharsets.US_ASCII));
+                if (i % 50 == 49) {
+                    assertThat(send(review.url(), "GET", "").statusCode()).isEqualTo(200);
+                }
+            }
+        } finally {
+            for (Socket stranger : strangers) {
+                stranger.close();
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"GET mailto:x HTTP/1.1", "OPTIONS * HTTP/1.1", "GET  HTTP/1.1", "GET / HTTP/9.9", "\u0016\u0003\u0001", "GET",
+        "POST / HTTP/1.1\r\nContent-Length: -5", "POST / HTTP/1.1\r\nTransfer-Encoding: chunked"})
+    void requestThatIsNotUnderstood_isRefused(String head) throws Exception {
+        URI url = URI.create(review.url());
+        try (Socket client = new Socket(url.getHost(), url.getPort())) {
+            client.getOutputStream().write((head + "\r\n\r\n").getBytes(StandardCharsets.ISO_8859_1));
+            assertThat(new String(client.getInputStream().readAllBytes(), StandardCharsets.US_ASCII)).startsWith("HTTP/1.1 400 ");
+        }
+    }
+
+    /** The head and the content of a request arrive in many parts. */
+    @Test
+    void slowChange_isReceived() throws Exception {
+        URI url = URI.create(review.url());
+        String request = "POST " + url.getPath() + "change HTTP/1.1\r\nHost: x\r\nContent-Length: " + CHANGE.length() + "\r\n\r\n" + CHANGE;
+        try (Socket client = new Socket(url.getHost(), url.getPort())) {
+            client.setTcpNoDelay(true);
+            for (byte part : request.getBytes(StandardCharsets.US_ASCII)) {
+                client.getOutputStream().write(part);
+            }
+            assertThat(new String(client.getInputStream().readAllBytes(), StandardCharsets.US_ASCII)).startsWith("HTTP/1.1 204 ");
+        }
+        assertThat(changes).hasSize(1);
     }
 }
