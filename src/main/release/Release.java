@@ -36,7 +36,7 @@ import javax.imageio.ImageIO;
 final class Release {
     /** Java modules of the program and its libraries; the last has the number formats of other countries. */
     private static final String MODULES = "java.desktop,java.logging,java.management,java.sql,java.xml,jdk.incubator.vector,"
-            + "jdk.httpserver,jdk.management,jdk.unsupported,jdk.localedata";
+            + "jdk.management,jdk.unsupported,jdk.localedata";
     private static final String SUMMARY = "Interactive lighting of ray-traced scenes";
     /** Packages that JavaFX loads by name, which no tool can detect; the second names are those with 64-bit time. */
     private static final String DEBIAN = "libgtk-3-0 | libgtk-3-0t64, libfreetype6, libpangoft2-1.0-0, libxtst6, libxxf86vm1";
