@@ -100,7 +100,7 @@ public final class LightImage {
         static Side image(CachedScene cached, Geometry geometry, String light) {
             Scene one = LightImage.scene(cached.scene(), light);
             Scene composed = one.withWorld(darkWorld(cached.scene().world()));
-            return new Side(composed, geometry.withMaterialsOf(one).materials(), WeightedLight.ofScene(composed), BackgroundLight.NONE);
+            return new Side(composed, geometry.materialsOf(one), WeightedLight.ofScene(composed), BackgroundLight.NONE);
         }
 
         static Side contribution(CachedScene cached, Geometry geometry, Contribution contribution) {
@@ -108,12 +108,12 @@ public final class LightImage {
             return switch (contribution) {
                 case Contribution.OfLight(String light) -> {
                     Scene one = LightImage.scene(scene, light, light::equals);
-                    yield new Side(one.withWorld(darkWorld(scene.world())), geometry.withMaterialsOf(one).materials(),
+                    yield new Side(one.withWorld(darkWorld(scene.world())), geometry.materialsOf(one),
                             lightsOf(scene, i -> i < scene.lights().size() && scene.lights().get(i).name().equals(light)),
                             BackgroundLight.NONE);
                 }
                 case Contribution.OfEnvironment _ -> new Side(scene.withWorld(dark(scene.world())),
-                        geometry.withMaterialsOf(LightImage.scene(scene, "")).materials(), lightsOf(scene, i -> i >= scene.lights().size()),
+                        geometry.materialsOf(LightImage.scene(scene, "")), lightsOf(scene, i -> i >= scene.lights().size()),
                         new BackgroundLight(Rgb.BLACK, BackgroundLight.of(scene).layers(), Rgb.BLACK));
             };
         }

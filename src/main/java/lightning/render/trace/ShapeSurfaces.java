@@ -37,7 +37,12 @@ record ShapeSurfaces(Scene scene, List<Shape> shapes, List<String> materialNames
     /** Returns the same shapes with the materials of another scene. */
     ShapeSurfaces withMaterialsOf(Scene other, Predicate<Material> newCastsReflections) {
         return new ShapeSurfaces(other, shapes, materialNames, vertexColorMaterials, newCastsReflections,
-                new MaterialTable(materialNames, vertexColorMaterials, other, materials, newCastsReflections));
+                materialsOf(other, newCastsReflections));
+    }
+
+    /** Returns the materials of another scene at the indices of these. */
+    MaterialTable materialsOf(Scene other, Predicate<Material> newCastsReflections) {
+        return new MaterialTable(materialNames, vertexColorMaterials, other, materials, newCastsReflections);
     }
 
     /** Returns the shapes of another scene; materials keep their indices. */
