@@ -52,7 +52,7 @@ public record ContentHash(String hex) {
         return ofBytes(digest.digest());
     }
 
-    private static MessageDigest digest() {
+    static MessageDigest digest() {
         try {
             return MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {

@@ -35,7 +35,6 @@ public final class Workbench implements AutoCloseable {
     private final Runnable changeListener;
     private volatile RenderOptions renderOptions;
     private final RenderLoop loop;
-    private final KeptPictures kept;
     private final FileThread files;
     private final ArrayDeque<Runnable> pendingSaves = new ArrayDeque<>();
     private final Autosave autosave;
@@ -68,7 +67,6 @@ public final class Workbench implements AutoCloseable {
     public Workbench(OpenDocument document, RenderOptions options, RecoveryFolder recovery, FileThread files, Runnable changeListener,
             Runnable progressListener, RenderListener canvas, Consumer<Throwable> failureListener, KeptPictures kept) {
         this.document = document;
-        this.kept = kept;
         this.changeListener = changeListener;
         this.progressListener = progressListener;
         this.files = files;
@@ -76,12 +74,7 @@ public final class Workbench implements AutoCloseable {
         autosave = new Autosave(recovery, Autosave.DEFAULT_DELAY, failureListener);
         feed = new RenderFeed(files.windowExecutor(), canvas, this::renderStateChanged);
         renderOptions = options;
-        loop = new RenderLoop(options, feed, keptFor(document));
-    }
-
-    private KeptPictures keptFor(OpenDocument its) {
-        Path folder = its.file().toAbsolutePath().getParent();
-        return folder == null ? KeptPictures.none() : kept.forScenesIn(folder);
+        loop = new RenderLoop(options, feed, kept);
     }
 
     /** Sets a running startup preview before the document is rendered, as {@link RenderLoop#setStartupPreview}. */
@@ -153,7 +146,7 @@ public final class Workbench implements AutoCloseable {
     public void open(OpenDocument other) {
         openCount++;
         feed.open(openCount);
-        loop.open(other.scene(), openCount, keptFor(other));
+        loop.open(other.scene(), openCount);
         sceneInProgress = Optional.of(other.scene());
         autosave.discard();
         document = other;

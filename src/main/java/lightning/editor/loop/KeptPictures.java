@@ -27,8 +27,8 @@ import lightning.scene.Scene;
  * Pictures that earlier processes finished, in a folder of the user, with all that was computed for them. A scene that was traced before opens
  * with its picture, and edits continue from it. Only the owner can read the folder, and all of it may be deleted at any time. Thread-safe.
  *
- * <p>A picture is found only for a scene with the same text and the same content of files, by the same program, so it equals the one that
- * would be traced.
+ * <p>A picture is found only for a scene with the same text and the same images, profiles and meshes, by the same program, so it equals the
+ * one that would be traced.
  */
 public final class KeptPictures {
     static final String EXTENSION = ".picture";
@@ -37,28 +37,27 @@ public final class KeptPictures {
     /** Space that stays free on the disk, in sizes of a picture. */
     private static final int FREE_SHARE = 4;
 
-    /** Clocks of processes and of files may differ by so many seconds. */
-    private static final int CLOCK_SECONDS = 2;
+    /** A picture that is traced faster than this is not kept, nanoseconds. */
+    private static final long LONG_NS = 4_000_000_000L;
 
     private final Optional<Path> folder;
     private final long maxBytes;
+    private final long longNs;
     /** State of the program; empty if it is unknown. */
     private final Optional<String> program;
-    /** Folder of the scene file. */
-    private final Path sceneFolder;
     private final AtomicBoolean isEnabled;
 
-    private KeptPictures(Optional<Path> folder, long maxBytes, Optional<String> program, Path sceneFolder, AtomicBoolean isEnabled) {
+    private KeptPictures(Optional<Path> folder, long maxBytes, long longNs, Optional<String> program, AtomicBoolean isEnabled) {
+        this.longNs = longNs;
         this.isEnabled = isEnabled;
         this.folder = folder;
         this.maxBytes = maxBytes;
         this.program = program;
-        this.sceneFolder = sceneFolder;
     }
 
     /** Returns pictures that are never kept. */
     public static KeptPictures none() {
-        return new KeptPictures(Optional.empty(), 0, Optional.empty(), Path.of(""), new AtomicBoolean());
+        return new KeptPictures(Optional.empty(), 0, 0, Optional.empty(), new AtomicBoolean());
     }
 
     /**
@@ -71,23 +70,20 @@ public final class KeptPictures {
         try {
             // Read at the start: the files may be replaced while the program runs.
             Optional<String> program = ProgramFiles.areArchives() ? Optional.of(ProgramFiles.state()) : Optional.empty();
-            return new KeptPictures(Optional.of(folder), MAX_BYTES, program, Path.of(""), new AtomicBoolean(isEnabled));
+            return new KeptPictures(Optional.of(folder), MAX_BYTES, LONG_NS, program, new AtomicBoolean(isEnabled));
         } catch (IOException e) {
             return none();
         }
     }
 
     /**
+     * Returns the pictures in a folder, however long they took.
+     *
      * @param maxBytes most bytes of all files
      * @param program  state of the program; without it no picture is kept
      */
     static KeptPictures in(Path folder, long maxBytes, Optional<String> program) {
-        return new KeptPictures(Optional.of(folder), maxBytes, program, Path.of(""), new AtomicBoolean(true));
-    }
-
-    /** Returns these for scenes whose files are found from a folder. */
-    public KeptPictures forScenesIn(Path itsFolder) {
-        return new KeptPictures(folder, maxBytes, program, itsFolder, isEnabled);
+        return new KeptPictures(Optional.of(folder), maxBytes, 0, program, new AtomicBoolean(true));
     }
 
     /** Returns whether pictures are kept and found. */
@@ -95,7 +91,12 @@ public final class KeptPictures {
         return isEnabled.get();
     }
 
-    /** Sets whether pictures are kept and found, with any folder of scenes. Switched off, all are deleted, as far as they can be. */
+    /** Returns the time from which the trace of a picture counts as long, nanoseconds. */
+    long longNs() {
+        return longNs;
+    }
+
+    /** Sets whether pictures are kept and found. Switched off, all are deleted, as far as they can be. */
     public void setEnabled(boolean enabled) {
         isEnabled.set(enabled);
         try {
@@ -124,11 +125,9 @@ public final class KeptPictures {
             if (text.isEmpty() || kept.stream().noneMatch(file -> hasText(file, text.get()))) {
                 return Optional.empty();
             }
-            Optional<Path> found = file(scene, text.get());
-            if (found.isEmpty() || !Files.isRegularFile(found.get()) || Files.size(found.get()) > memory) {
-                return Optional.empty();
-            }
-            return Optional.of(read(found.get(), geometries.apply(scene), scene));
+            Path found = file(scene, text.get());
+            return !Files.isRegularFile(found) || Files.size(found) > memory ? Optional.empty()
+                    : Optional.of(read(found, geometries.apply(scene), scene));
         } catch (IOException | RuntimeException | OutOfMemoryError e) {
             // Then it is traced, and that tells what is wrong with the scene or with the memory.
             return Optional.empty();
@@ -139,15 +138,8 @@ public final class KeptPictures {
         return String.valueOf(file.getFileName()).startsWith(PictureKey.prefix(text));
     }
 
-    private Optional<Path> file(Scene scene, ContentHash text) throws IOException {
-        return PictureKey.filesOf(scene, sceneFolder, processStart())
-                .map(files -> folder.orElseThrow().resolve(new PictureKey(text, files).fileName()));
-    }
-
-    /** Returns a time before which files must have changed last: scenes were read after it. */
-    private static FileTime processStart() {
-        Instant start = ProcessHandle.current().info().startInstant().orElseGet(() -> Instant.ofEpochMilli(0));
-        return FileTime.from(start.minusSeconds(CLOCK_SECONDS));
+    private Path file(Scene scene, ContentHash text) {
+        return folder.orElseThrow().resolve(new PictureKey(text, PictureKey.contentOf(scene)).fileName());
     }
 
     private static PixelCache read(Path file, Geometry geometry, Scene scene) throws IOException {
@@ -173,14 +165,17 @@ public final class KeptPictures {
             return;
         }
         Optional<ContentHash> text = PictureKey.textOf(cache.scene(), program.get());
-        Optional<Path> file = text.isEmpty() ? Optional.empty() : file(cache.scene(), text.get());
-        if (file.isEmpty() || Files.exists(file.get())) {
+        if (text.isEmpty()) {
+            return;
+        }
+        Path file = file(cache.scene(), text.get());
+        if (Files.exists(file)) {
             return;
         }
         PrivateFolder.restrict(folder.get());
         removeOldest(maxBytes - bytes);
         if (Files.getFileStore(folder.get()).getUsableSpace() > FREE_SHARE * bytes) {
-            AtomicFile.of(file.get()).forOwnerOnly().writeRandomAccess(out -> PictureFile.write(cache, out));
+            AtomicFile.of(file).forOwnerOnly().writeRandomAccess(out -> PictureFile.write(cache, out));
         }
     }
 

@@ -15,12 +15,9 @@ import lightning.scene.effects.ViewEffects;
  * written on a thread of low priority.
  */
 final class PictureKeeper implements AutoCloseable {
-    /** A picture that is traced faster than this is not kept, nanoseconds. */
-    private static final long LONG_NS = 4_000_000_000L;
-    private static final long CLOSE_TIMEOUT_SECONDS = 5;
+    private static final long CLOSE_TIMEOUT_SECONDS = 20;
 
-    private final long longNs;
-    private KeptPictures kept;
+    private final KeptPictures kept;
     private final ExecutorService writer = DedicatedThread.lowPriorityExecutor("lightning-keep");
     private boolean isOpened;
     private boolean isRestored;
@@ -28,18 +25,11 @@ final class PictureKeeper implements AutoCloseable {
     private long start;
 
     PictureKeeper(KeptPictures kept) {
-        this(kept, LONG_NS);
-    }
-
-    /** @param longNs time from which the trace of a picture counts as long, nanoseconds */
-    PictureKeeper(KeptPictures kept, long longNs) {
         this.kept = kept;
-        this.longNs = longNs;
     }
 
     /** Begins with another document. */
-    void open(KeptPictures itsKept) {
-        kept = itsKept;
+    void open() {
         isOpened = false;
         isRestored = false;
     }
@@ -75,23 +65,22 @@ final class PictureKeeper implements AutoCloseable {
 
     /** Keeps the renderer's picture, if it is finished and took long when it was traced first. */
     void keep(Renderer renderer) {
-        boolean isLong = isRestored || System.nanoTime() - start > longNs;
+        boolean isLong = isRestored || System.nanoTime() - start > kept.longNs();
         if (isLong && isDefault(renderer.options()) && renderer.state().isFinished() && renderer.state().hasPicture()) {
             PixelCache cache = renderer.cache();
-            KeptPictures to = kept;
-            writer.execute(() -> write(cache, to));
+            writer.execute(() -> write(cache));
         }
     }
 
-    private static void write(PixelCache cache, KeptPictures to) {
+    private void write(PixelCache cache) {
         try {
-            to.keep(cache);
+            kept.keep(cache);
         } catch (IOException | RuntimeException | OutOfMemoryError e) {
             // Then the scene is traced again.
         }
     }
 
-    /** Finishes a file that is being written, for a few seconds. */
+    /** Finishes files that are being written, unless the disk is very slow. */
     @Override
     public void close() {
         writer.shutdown();

@@ -1,33 +1,32 @@
 package lightning.editor.loop;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.attribute.FileTime;
+import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.SortedMap;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lightning.base.file.ContentDigest;
 import lightning.base.file.ContentHash;
 import lightning.format.jen.JenDocument;
-import lightning.format.jen.ReferencedFiles;
+import lightning.scene.Dome;
 import lightning.scene.Scene;
-import lightning.scene.asset.Gobo;
-import lightning.scene.asset.LightTexture;
-import lightning.scene.asset.Texture;
-import lightning.scene.asset.TextureMap;
+import lightning.scene.World;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.light.LightAttribute;
 import lightning.scene.material.MaterialAttribute;
+import lightning.scene.node.NodeGroup;
+import lightning.scene.node.SceneNode;
+import lightning.scene.node.Shape;
+import lightning.scene.node.Solid;
 
 /**
- * Names under which the picture of a scene is kept: hashes of everything that determines it. Those are the program, the scene's text, the
- * sizes of its images, and the content of the files that it names.
+ * Name under which the picture of a scene is kept: hashes of everything that determines it. Those are the program, the scene's text, and the
+ * images, profiles and meshes as they were read. Their files may be newer, or copied with the scene.
  *
- * @param text  hash of the program, the text and the sizes
- * @param files hash of the files
+ * @param text    hash of the program and the text
+ * @param content hash of images, profiles and meshes
  */
-record PictureKey(ContentHash text, ContentHash files) {
+record PictureKey(ContentHash text, ContentHash content) {
     /** Scenes with more objects have long texts. */
     private static final int MAX_SHAPES = 20_000;
 
@@ -36,59 +35,37 @@ record PictureKey(ContentHash text, ContentHash files) {
         if (scene.stage().shapes().size() > MAX_SHAPES) {
             return Optional.empty();
         }
-        String all = program + '\0' + JenDocument.of(scene).text() + '\0' + imageSizes(scene);
-        return Optional.of(ContentHash.of(all.getBytes(StandardCharsets.UTF_8)));
+        var digest = new ContentDigest();
+        digest.add(program);
+        digest.add(JenDocument.of(scene).text());
+        return Optional.of(digest.hash());
     }
 
-    /** Returns the sizes of all images: a reader reduces large ones, by how many others there are. */
-    private static String imageSizes(Scene scene) {
-        Stream<Texture> ofMaterials = scene.materials().stream()
-                .flatMap(material -> MaterialAttribute.MAPS.stream().flatMap(map -> map.get(material).stream())).map(TextureMap::image);
-        Stream<Texture> ofLights = scene.lights().stream().flatMap(light -> Stream.concat(light.gobo().stream().map(Gobo::image),
-                light.texture().stream().map(LightTexture::image)));
-        Stream<String> textures = Stream.concat(ofMaterials, ofLights).map(image -> image.width() + "x" + image.height());
-        Stream<String> environments =
-                Stream.concat(scene.world().environment().stream(), scene.world().domes().stream().flatMap(dome -> dome.image().stream()))
-                        .map(environment -> environment.map().width() + "x" + environment.map().height());
-        return Stream.concat(textures, environments).collect(Collectors.joining(" "));
+    /** Returns the hash of what was read from the files of a scene; takes a moment if that is much. */
+    static ContentHash contentOf(Scene scene) {
+        Map<ContentDigest.Content, ContentHash> known = new IdentityHashMap<>();
+        var all = new ContentDigest();
+        Stream.of(contents(scene.materials(), MaterialAttribute.ALL), contents(scene.lights(), LightAttribute.ALL),
+                contents(List.of(scene.world()), World.ATTRIBUTES), contents(scene.world().domes(), Dome.ATTRIBUTES), meshes(scene.nodes()))
+                .flatMap(contents -> contents)
+                .forEach(content -> all.add(known.computeIfAbsent(content, ContentDigest::hash).bytes()));
+        return all.hash();
     }
 
-    /**
-     * Returns the hash of the files that a scene names.
-     *
-     * @param folder folder of the scene file
-     * @param before time before which the files must have changed last, since they were read after it
-     * @return empty if a file is newer
-     * @throws IOException if one cannot be read
-     */
-    static Optional<ContentHash> filesOf(Scene scene, Path folder, FileTime before) throws IOException {
-        SortedMap<String, Path> files = ReferencedFiles.of(scene, folder);
-        var all = new StringBuilder();
-        for (Map.Entry<String, Path> file : files.entrySet()) {
-            all.append(file.getKey()).append('\0').append(ContentHash.of(file.getValue()).hex()).append('\n');
-        }
-        for (Path file : files.values()) {
-            if (lastChange(file).compareTo(before) >= 0) {
-                return Optional.empty();
-            }
-        }
-        return Optional.of(ContentHash.of(all.toString().getBytes(StandardCharsets.UTF_8)));
+    private static <T> Stream<ContentDigest.Content> contents(List<T> records, List<? extends SceneAttribute<T, ?>> attributes) {
+        return records.stream().flatMap(record -> attributes.stream().flatMap(attribute -> attribute.content(record).stream()));
     }
 
-    /** Returns when a file's content or its place changed last, as far as the system knows. */
-    private static FileTime lastChange(Path file) throws IOException {
-        FileTime content = Files.getLastModifiedTime(file);
-        try {
-            FileTime place = (FileTime) Files.getAttribute(file, "unix:ctime");
-            return place.compareTo(content) > 0 ? place : content;
-        } catch (UnsupportedOperationException | IllegalArgumentException e) {
-            return content;
-        }
+    private static Stream<ContentDigest.Content> meshes(List<SceneNode> nodes) {
+        return nodes.stream().flatMap(node -> switch (node) {
+            case NodeGroup g -> meshes(g.children());
+            case Shape s -> s.solid() instanceof Solid.TriangleMesh t ? Stream.of(t.mesh()) : Stream.empty();
+        });
     }
 
     /** Returns the name of the picture's file. */
     String fileName() {
-        return prefix(text) + files.hex().substring(0, 32) + KeptPictures.EXTENSION;
+        return prefix(text) + content.hex().substring(0, 32) + KeptPictures.EXTENSION;
     }
 
     /** Returns what the names of the files of all pictures with a text start with. */

@@ -20,7 +20,7 @@ import lightning.scene.Scene;
  * }</pre>
  */
 public final class RenderLoop implements AutoCloseable {
-    private static final long CLOSE_TIMEOUT_MS = 10_000;
+    private static final long CLOSE_TIMEOUT_MS = 30_000;
 
     private final RenderQueue queue = new RenderQueue();
     private final PictureVerifier verifier;
@@ -35,7 +35,7 @@ public final class RenderLoop implements AutoCloseable {
     /**
      * Starts the thread. Renders nothing until a scene is requested.
      *
-     * @param kept pictures of earlier processes, for the first scene
+     * @param kept pictures of earlier processes, for the first scene of each document
      */
     public RenderLoop(RenderOptions options, RenderListener listener, KeptPictures kept) {
         this(options, listener, kept, PathTimes.SLOW_SECONDS);
@@ -121,10 +121,9 @@ public final class RenderLoop implements AutoCloseable {
      * Stops all work, drops the cache and renders the scene of another document.
      *
      * @param number reported when the cache is dropped; larger than that of the previous document
-     * @param kept   pictures of earlier processes, for the document's scenes
      */
-    public void open(Scene scene, long number, KeptPictures kept) {
-        queue.open(scene, number, kept);
+    public void open(Scene scene, long number) {
+        queue.open(scene, number);
         verifier.cancel();
     }
 

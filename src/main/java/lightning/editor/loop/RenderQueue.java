@@ -25,8 +25,8 @@ final class RenderQueue {
 
         record Verify() implements Job {}
 
-        /** Drops the cache, for the document of that number and its kept pictures. */
-        record DropPicture(long number, KeptPictures kept) implements Job {}
+        /** Drops the cache, for the document of that number; first keeps its image if that was requested. */
+        record DropPicture(long number, boolean keepsFirst) implements Job {}
 
         /** Keeps the current image for later processes. */
         record KeepPicture() implements Job {}
@@ -122,8 +122,10 @@ final class RenderQueue {
     private @Nullable CancelSignal cancelSignal;
 
     private void add(Job job) {
-        waiting.put(job.slot(), job);
-        notifyAll();
+        if (!closed) {
+            waiting.put(job.slot(), job);
+            notifyAll();
+        }
     }
 
     /** Returns the scene that waits; null if none does. */
@@ -214,9 +216,10 @@ final class RenderQueue {
     }
 
     /** Drops all pending work, running work and the cache for another document. */
-    synchronized void open(Scene requested, long number, KeptPictures kept) {
+    synchronized void open(Scene requested, long number) {
+        boolean keepsFirst = waiting.containsKey(Slot.KEEPING) || waiting.get(Slot.DROP) instanceof Job.DropPicture d && d.keepsFirst();
         cancel();
-        add(new Job.DropPicture(number, kept));
+        add(new Job.DropPicture(number, keepsFirst));
         render(requested);
     }
 
@@ -241,9 +244,15 @@ final class RenderQueue {
         return wasWaiting;
     }
 
+    /** Ends {@link #take}, after a requested keeping of the image. */
     synchronized void close() {
-        closed = true;
+        boolean keeps = waiting.containsKey(Slot.KEEPING);
         cancel();
+        waiting.clear();
+        if (keeps) {
+            add(new Job.KeepPicture());
+        }
+        closed = true;
         notifyAll();
     }
 
@@ -256,12 +265,12 @@ final class RenderQueue {
         return waiting.containsKey(Slot.VERIFICATION) || running instanceof Job.Verify;
     }
 
-    /** Waits for a job. Returns null when the queue is closed. */
+    /** Waits for a job. Returns null when the queue is closed and no image is to be kept. */
     synchronized @Nullable Job take(CancelSignal newSignal) throws InterruptedException {
         while (!closed && waiting.isEmpty()) {
             wait();
         }
-        if (closed) {
+        if (waiting.isEmpty()) {
             return null;
         }
         cancelSignal = newSignal;

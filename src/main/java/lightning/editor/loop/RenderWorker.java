@@ -97,7 +97,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
             case RenderQueue.Job.Redisplay _ -> redisplay(signal);
             case RenderQueue.Job.RenderSamples _ -> renderSamples(signal);
             case RenderQueue.Job.Verify _ -> startVerification(signal);
-            case RenderQueue.Job.DropPicture f -> dropDocument(f.number(), f.kept());
+            case RenderQueue.Job.DropPicture f -> dropDocument(f);
             case RenderQueue.Job.KeepPicture _ -> keeper.keep(renderer);
         }
     }
@@ -338,11 +338,14 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         return renderer.state().hasPicture() && renderer.options().method().equals(lastMethod) ? renderer.state().lastFinished() : null;
     }
 
-    private void dropDocument(long number, KeptPictures kept) {
+    private void dropDocument(RenderQueue.Job.DropPicture job) {
+        if (job.keepsFirst()) {
+            keeper.keep(renderer);
+        }
         dropPicture();
         verifier.openDocument();
-        keeper.open(kept);
-        listener.pictureDropped(number);
+        keeper.open();
+        listener.pictureDropped(job.number());
     }
 
     private void updateReflections(RenderQueue.CancelSignal signal) {

@@ -8,7 +8,7 @@ package lightning.scene.asset;
  */
 public record Environment(String file, EnvironmentMap map) implements FileAsset {
     @Override
-    public Object content() {
+    public EnvironmentMap content() {
         return map;
     }
 }

@@ -3,6 +3,7 @@ package lightning.scene.asset;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import lightning.base.file.ContentDigest;
 
 /**
  * All pixels of a large environment image, for views of it. Its light is computed from a smaller map.
@@ -149,6 +150,13 @@ public final class EnvironmentDetail {
     public boolean equals(Object o) {
         return this == o || o instanceof EnvironmentDetail d && levels.getFirst().width == d.levels.getFirst().width
                 && Arrays.equals(levels.getFirst().rgbe, d.levels.getFirst().rgbe);
+    }
+
+    /** Adds all numbers that determine it. */
+    void addTo(ContentDigest digest) {
+        digest.add(levels.getFirst().width);
+        digest.add(levels.getFirst().rgbe);
+        digest.add(levels.size());
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
+import lightning.base.file.ContentDigest;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
@@ -15,7 +16,7 @@ import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
 
 /** Equirectangular map of linear radiance: its top is up, its middle −z, its right half x. Immutable. */
-public final class EnvironmentMap {
+public final class EnvironmentMap implements ContentDigest.Content {
     /** Half-angle of bright parts that need not be divided, degrees. */
     private static final double COMPACT = 10;
 
@@ -237,6 +238,18 @@ public final class EnvironmentMap {
     public boolean equals(Object o) {
         return this == o || o instanceof EnvironmentMap s && width == s.width && Arrays.equals(rgb, s.rgb) && Objects.equals(sun, s.sun)
                 && Objects.equals(detail, s.detail);
+    }
+
+    @Override
+    public void addTo(ContentDigest digest) {
+        digest.add(width);
+        digest.add(rgb);
+        if (sun != null) {
+            sun.addTo(digest);
+        }
+        if (detail != null) {
+            detail.addTo(digest);
+        }
     }
 
     @Override

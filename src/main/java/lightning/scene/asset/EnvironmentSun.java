@@ -1,5 +1,6 @@
 package lightning.scene.asset;
 
+import lightning.base.file.ContentDigest;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
@@ -16,6 +17,11 @@ public record EnvironmentSun(Vec3 direction, Rgb light, double radius) {
     Rgb radiance() {
         double sin = Transform.sinDegrees(radius);
         return light.times(1 / (Math.PI * sin * sin));
+    }
+
+    /** Adds all numbers that determine it. */
+    void addTo(ContentDigest digest) {
+        digest.add(new double[] {direction.x(), direction.y(), direction.z(), light.r(), light.g(), light.b(), radius});
     }
 
     /** Returns it as a light. */

@@ -8,7 +8,7 @@ package lightning.scene.asset;
  */
 public record Gobo(String file, Texture image) implements FileAsset {
     @Override
-    public Object content() {
+    public Texture content() {
         return image;
     }
 }

@@ -10,7 +10,7 @@ import lightning.scene.value.Photometry;
  */
 public record IesProfile(String file, Photometry photometry) implements FileAsset {
     @Override
-    public Object content() {
+    public Photometry content() {
         return photometry;
     }
 }

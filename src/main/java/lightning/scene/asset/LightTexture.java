@@ -10,7 +10,7 @@ import lightning.scene.value.SceneLimits;
  */
 public record LightTexture(String file, Texture image) implements FileAsset {
     @Override
-    public Object content() {
+    public Texture content() {
         return image;
     }
 }

@@ -1,13 +1,14 @@
 package lightning.scene.asset;
 
 import java.util.Arrays;
+import lightning.base.file.ContentDigest;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Decoded image: linear RGB in 0…1, rows from the top, immutable. Used as a color texture, gobo, bump map or normal map; on the face of a light,
  * values may be larger.
  */
-public final class Texture {
+public final class Texture implements ContentDigest.Content {
     private final int width;
     private final int height;
     /** Linear values; null if it stores codes. */
@@ -153,6 +154,14 @@ public final class Texture {
     public boolean equals(@Nullable Object o) {
         return this == o || o instanceof Texture t && width == t.width && Arrays.equals(rgb, t.rgb) && Arrays.equals(codes, t.codes)
                 && Arrays.equals(values, t.values);
+    }
+
+    @Override
+    public void addTo(ContentDigest digest) {
+        digest.add(width);
+        digest.add(rgb);
+        digest.add(codes);
+        digest.add(values);
     }
 
     @Override

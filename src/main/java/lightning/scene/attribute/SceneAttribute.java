@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
+import lightning.base.file.ContentDigest;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -98,6 +99,11 @@ public class SceneAttribute<T, V> {
     /** Returns the name of the file that the value refers to, as in the scene file; empty if there is none. */
     public final Optional<String> file(T record) {
         return kind.file(get(record));
+    }
+
+    /** Returns the content of that file. */
+    public final Optional<? extends ContentDigest.Content> content(T record) {
+        return kind.content(get(record));
     }
 
     /**

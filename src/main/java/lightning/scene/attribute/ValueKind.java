@@ -3,6 +3,7 @@ package lightning.scene.attribute;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import lightning.base.file.ContentDigest;
 import lightning.base.text.Messages;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.FileAsset;
@@ -50,6 +51,11 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
 
     /** Returns the name of the file that a value refers to, as in the scene file; empty if there is none. */
     default Optional<String> file(V value) {
+        return Optional.empty();
+    }
+
+    /** Returns the content of that file. */
+    default Optional<? extends ContentDigest.Content> content(V value) {
         return Optional.empty();
     }
 
@@ -127,7 +133,7 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
     sealed interface AssetKind<F extends FileAsset> extends LightKind<Optional<F>> {
         @Override
         default boolean isEquivalent(Optional<F> a, Optional<F> b) {
-            return a.map(FileAsset::content).equals(b.map(FileAsset::content));
+            return content(a).equals(content(b));
         }
 
         @Override
@@ -138,6 +144,11 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
         @Override
         default Optional<String> file(Optional<F> value) {
             return value.map(FileAsset::file);
+        }
+
+        @Override
+        default Optional<? extends ContentDigest.Content> content(Optional<F> value) {
+            return value.map(FileAsset::content);
         }
 
         @Override
@@ -230,6 +241,11 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
         @Override
         public Optional<String> file(Optional<TextureMap> value) {
             return value.map(TextureMap::file);
+        }
+
+        @Override
+        public Optional<? extends ContentDigest.Content> content(Optional<TextureMap> value) {
+            return value.map(TextureMap::image);
         }
 
         @Override

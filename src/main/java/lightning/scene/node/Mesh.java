@@ -2,6 +2,7 @@ package lightning.scene.node;
 
 import java.util.Arrays;
 import java.util.Locale;
+import lightning.base.file.ContentDigest;
 import lightning.base.text.DecimalNumber;
 import lightning.scene.asset.Texture;
 import org.jspecify.annotations.Nullable;
@@ -12,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * <p>A triangle is visible and lit from both sides; its front has counter-clockwise vertices. Triangles may be degenerate or duplicate and
  * may share an edge with any number of others.
  */
-public final class Mesh {
+public final class Mesh implements ContentDigest.Content {
     /** Positions, either sign, as in a scene. */
     public static final double MAX_COORDINATE = 1e12;
     /** Texture coordinates, either sign: above it a float no longer separates neighboring pixels. */
@@ -132,6 +133,16 @@ public final class Mesh {
                 && Arrays.equals(normals, m.normals) && Arrays.equals(textureCoordinates, m.textureCoordinates)
                 && Arrays.equals(colors, m.colors)
                 && Arrays.equals(tangents, m.tangents);
+    }
+
+    @Override
+    public void addTo(ContentDigest digest) {
+        digest.add(positions);
+        digest.add(triangles);
+        digest.add(normals);
+        digest.add(textureCoordinates);
+        digest.add(colors);
+        digest.add(tangents);
     }
 
     @Override

@@ -1,6 +1,7 @@
 package lightning.scene.value;
 
 import java.util.Arrays;
+import lightning.base.file.ContentDigest;
 
 /**
  * Luminous intensities over two angles, relative to the maximum: 0…1. Immutable.
@@ -9,7 +10,7 @@ import java.util.Arrays;
  * angle is 0 … 360 degrees and the direction's 0 … 180 from the axis. For {@link Type#A} and {@link Type#B} both are −90 … 90 (ANSI/IESNA
  * LM-63-02, 3 and 5).
  */
-public final class Photometry {
+public final class Photometry implements ContentDigest.Content {
     /** Axis shared by the planes: vertical, horizontal, or that of the light. */
     public enum Type {
         A,
@@ -99,6 +100,14 @@ public final class Photometry {
     public boolean equals(Object o) {
         return this == o || o instanceof Photometry p && type == p.type && Arrays.equals(vertical, p.vertical)
                 && Arrays.equals(horizontal, p.horizontal) && Arrays.equals(relative, p.relative);
+    }
+
+    @Override
+    public void addTo(ContentDigest digest) {
+        digest.add(type.ordinal());
+        digest.add(vertical);
+        digest.add(horizontal);
+        digest.add(relative);
     }
 
     @Override

@@ -5,14 +5,20 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import lightning.base.work.Progress;
 import lightning.editor.document.DeskScene;
+import lightning.format.exchange.ImportLighting;
+import lightning.format.exchange.ImportOptions;
+import lightning.format.exchange.SceneImporter;
+import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
@@ -43,7 +49,7 @@ class KeptPicturesTest {
     }
 
     private KeptPictures pictures(long maxBytes, String program) {
-        return KeptPictures.in(folder.resolve("pictures"), maxBytes, Optional.of(program)).forScenesIn(Path.of("scenes"));
+        return KeptPictures.in(folder.resolve("pictures"), maxBytes, Optional.of(program));
     }
 
     private PixelCache trace(Scene scene) {
@@ -82,6 +88,10 @@ class KeptPicturesTest {
     }
 
     private static Scene textured() throws Exception {
+        return textured(Path.of("scenes"));
+    }
+
+    private static Scene textured(Path from) throws Exception {
         String text = """
                 jen 1
                 picture { size 30 20 }
@@ -89,7 +99,7 @@ class KeptPicturesTest {
                 plane ground { material board  at 0 -1 0  scale 9 1 9 }
                 light key point { at 0 3 3 }
                 """;
-        return JenReader.read(text, "desk.jen", Path.of("scenes")).scene();
+        return JenReader.read(text, "desk.jen", from).scene();
     }
 
     /** A scene may be read with smaller images than those it was opened with, if other images are there or gone. */
@@ -104,24 +114,112 @@ class KeptPicturesTest {
         assertThat(find(smaller, "program")).isEmpty();
     }
 
+    private static Path folderWith(Path folder, String texture) throws IOException {
+        Files.createDirectories(folder);
+        Files.copy(Path.of("textures", texture), folder.resolve("wood.png"), StandardCopyOption.REPLACE_EXISTING);
+        return folder;
+    }
+
     @Test
     void textureOfOtherContent_isNotFound() throws Exception {
         pictures(MANY_BYTES, "program").keep(trace(textured()));
         assertThat(files()).hasSize(1);
         assertThat(find(textured(), "program")).isPresent();
-        Path other = Files.createDirectories(folder.resolve("other"));
-        Files.writeString(other.resolve("wood.png"), "other content");
-        var there = KeptPictures.in(folder.resolve("pictures"), MANY_BYTES, Optional.of("program")).forScenesIn(other);
-        assertThat(there.find(textured(), renderer::prepare, MANY_BYTES)).isEmpty();
+        assertThat(find(textured(folderWith(folder.resolve("other"), "checker.png")), "program")).isEmpty();
     }
 
     @Test
-    void fileThatMayHaveChangedAfterItWasRead_keepsNothing() throws Exception {
-        Path mine = Files.createDirectories(folder.resolve("mine"));
-        Files.copy(Path.of("textures", "wood.png"), mine.resolve("wood.png"));
-        KeptPictures there = KeptPictures.in(folder.resolve("pictures"), MANY_BYTES, Optional.of("program")).forScenesIn(mine);
-        there.keep(trace(textured()));
-        assertThat(folder.resolve("pictures")).doesNotExist();
+    void meshOfOtherContent_isNotFound() throws Exception {
+        String text = """
+                jen 1
+                picture { size 30 20 }
+                material clay { diffuse 1 1 1 }
+                mesh part { file "part.obj" material clay }
+                light key point { at 0 3 3 }
+                """;
+        Path file = folder.resolve("part.obj");
+        Files.writeString(file, "v -1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        pictures(MANY_BYTES, "program").keep(trace(JenReader.read(text, "part.jen", folder).scene()));
+        assertThat(find(JenReader.read(text, "part.jen", folder).scene(), "program")).isPresent();
+        Files.writeString(file, "v -1 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
+        assertThat(find(JenReader.read(text, "part.jen", folder).scene(), "program")).isEmpty();
+    }
+
+    /** An import writes files, which are read and shown by the same process. */
+    @Test
+    void fileWrittenByThisProcess_keepsPicture() throws Exception {
+        pictures(MANY_BYTES, "program").keep(trace(textured(folderWith(folder.resolve("mine"), "wood.png"))));
+        assertThat(find(textured(folder.resolve("mine")), "program")).isPresent();
+    }
+
+    @Test
+    void fileThatChangedAfterItWasRead_isNotShown() throws Exception {
+        Path mine = folderWith(folder.resolve("mine"), "wood.png");
+        Scene read = textured(mine);
+        folderWith(mine, "checker.png");
+        pictures(MANY_BYTES, "program").keep(trace(read));
+        assertThat(find(textured(mine), "program")).isEmpty();
+        assertThat(find(textured(folderWith(mine, "wood.png")), "program")).as("the file that was read").isPresent();
+    }
+
+    /** Saving in another folder copies files or finds them there; the scene that was traced still has the first folder. */
+    @Test
+    void sceneWithItsFilesInAnotherFolder_isFound() throws Exception {
+        pictures(MANY_BYTES, "program").keep(trace(textured()));
+        assertThat(find(textured(folderWith(folder.resolve("copy"), "wood.png")), "program")).isPresent();
+    }
+
+    @Test
+    void importedMeshInStudio_isFound() throws Exception {
+        Path model = Files.writeString(folder.resolve("part.obj"), """
+                mtllib part.mtl
+                usemtl clay
+                v -1 0 -1
+                v 1 0 -1
+                v 1 0 1
+                v -1 2 1
+                f 1 2 3
+                f 1 3 4
+                """);
+        Files.writeString(folder.resolve("part.mtl"), "newmtl clay\nKd 0.6 0.3 0.2\nmap_Kd wood.png\n");
+        folderWith(folder, "wood.png");
+        ImportedScene imported = ImportLighting.STUDIO.apply(
+                SceneImporter.read(model, folder.resolve("part.jen"), ImportOptions.DEFAULT, Progress.NONE));
+        imported.withPicture(imported.scene().picture().withSize(24, 16)).write();
+        Scene opened = JenReader.read(folder.resolve("part.jen")).scene();
+        pictures(MANY_BYTES, "program").keep(trace(opened));
+        assertThat(find(JenReader.read(folder.resolve("part.jen")).scene(), "program")).isPresent();
+    }
+
+    private void closeWith(Consumer<RenderLoop> closing) throws Exception {
+        var listener = new RecordingRenderListener();
+        try (var loop = new RenderLoop(OPTIONS, listener, pictures(MANY_BYTES, "program"))) {
+            loop.render(DeskScene.scene());
+            listener.expectNext(RecordingRenderListener.Event.IDLE);
+            loop.render(edited());
+            listener.expectNext(RecordingRenderListener.Event.IDLE);
+            closing.accept(loop);
+        }
+    }
+
+    private static Scene edited() {
+        return PropertyEdit.apply(DeskScene.scene(), "key.intensity=2");
+    }
+
+    @Test
+    void sceneSavedJustBeforeClosing_isFound() throws Exception {
+        closeWith(RenderLoop::keepPicture);
+        assertThat(find(edited(), "program")).isPresent();
+    }
+
+    @Test
+    void sceneSavedJustBeforeOpeningAnother_isFound() throws Exception {
+        closeWith(loop -> {
+            loop.keepPicture();
+            loop.open(DeskScene.scene().withPicture(DeskScene.scene().picture().withSize(5, 5)), 1);
+            loop.open(DeskScene.scene(), 2);
+        });
+        assertThat(find(edited(), "program")).isPresent();
     }
 
     @Test
@@ -153,7 +251,7 @@ class KeptPicturesTest {
         KeptPictures kept = pictures(MANY_BYTES, "program");
         PixelCache traced = trace(DeskScene.scene());
         kept.keep(traced);
-        kept.forScenesIn(folder).setEnabled(false);
+        kept.setEnabled(false);
         assertThat(files()).isEmpty();
         kept.keep(traced);
         assertThat(files()).isEmpty();
@@ -174,7 +272,7 @@ class KeptPicturesTest {
     @Test
     void sceneOpenedAgain_isNotTraced() {
         Scene scene = DeskScene.scene();
-        try (var keeper = new PictureKeeper(pictures(MANY_BYTES, "program"), 0)) {
+        try (var keeper = new PictureKeeper(pictures(MANY_BYTES, "program"))) {
             keeper.restore(scene, renderer, () -> {});
             assertThat(renderer.state().hasPicture()).isFalse();
             renderer.render(scene, Progress.NONE);
@@ -182,7 +280,7 @@ class KeptPicturesTest {
             keeper.keep(renderer);
         }
         renderer.clear();
-        try (var keeper = new PictureKeeper(pictures(MANY_BYTES, "program"), 0)) {
+        try (var keeper = new PictureKeeper(pictures(MANY_BYTES, "program"))) {
             keeper.restore(scene, renderer, () -> {});
             UpdateResult nothing = renderer.render(scene, Progress.NONE);
             assertThat(nothing.rays().total()).isZero();
