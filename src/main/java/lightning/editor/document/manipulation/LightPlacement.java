@@ -77,27 +77,43 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
      */
     public Light place(ScenePicker.SurfaceHit hit) {
         Vec3 point = hit.point();
-        Vec3 view = point.minus(hit.eye()).normalized();
-        Vec3 normal = hit.normal();
         return switch (goal) {
             case Goal.Pool() -> aimAt(point);
             case Goal.Flag() -> placeFlag(point, hit.eye());
-            case Goal.Highlight() -> placeAlong(point, view.minus(normal.times(2 * view.dot(normal))), distance);
-            case Goal.Diffuse() -> placeAlong(point, normal, distance);
+            case Goal.Highlight(),Goal.Diffuse(),Goal.Rim() -> placeAlong(point, directionToLight(hit), distance);
+            case Goal.Shadow(Vec3 thrower) -> {
+                double toOccluder = thrower.minus(point).length();
+                yield placeAlong(point, directionToLight(hit), distance > toOccluder ? distance : 2 * toOccluder);
+            }
+        };
+    }
+
+    /**
+     * Returns the unit direction from a point to the place of a light that moves for its goal.
+     *
+     * @throws IllegalArgumentException if there is none
+     */
+    Vec3 directionToLight(ScenePicker.SurfaceHit hit) {
+        Vec3 view = hit.point().minus(hit.eye()).normalized();
+        Vec3 normal = hit.normal();
+        return switch (goal) {
+            case Goal.Highlight() -> view.minus(normal.times(2 * view.dot(normal)));
+            case Goal.Diffuse() -> normal;
             case Goal.Rim() -> {
                 Vec3 tangent = view.minus(normal.times(view.dot(normal)));
                 if (!(tangent.length() >= MIN_RIM_SINE)) {
                     throw new IllegalArgumentException(Messages.tr("the surface faces the camera here; a rim light needs a silhouette"));
                 }
-                yield placeAlong(point, tangent.normalized(), distance);
+                yield tangent.normalized();
             }
             case Goal.Shadow(Vec3 thrower) -> {
-                Vec3 toOccluder = thrower.minus(point);
+                Vec3 toOccluder = thrower.minus(hit.point());
                 if (!(toOccluder.maxAbs() >= MIN_DISTANCE)) {
                     throw new IllegalArgumentException(Messages.tr("the shadow falls on its own caster"));
                 }
-                yield placeAlong(point, toOccluder.normalized(), distance > toOccluder.length() ? distance : 2 * toOccluder.length());
+                yield toOccluder.normalized();
             }
+            case Goal.Pool(),Goal.Flag() -> throw new IllegalStateException("the light keeps its place");
         };
     }
 
@@ -156,7 +172,8 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
         return light.withDirection(across.length() > MIN_SIDE ? across.normalized() : AreaShape.DEFAULT.right(forward));
     }
 
-    private Light placeAlong(Vec3 point, Vec3 towardsLight, double distance) {
+    /** Returns the light at a distance from a point in a direction, and turned to the point. */
+    Light placeAlong(Vec3 point, Vec3 towardsLight, double distance) {
         Light placed = startLight.type().hasPosition() ? startLight.withPosition(point.plus(towardsLight.times(distance))) : startLight;
         return startLight.type().hasDirection() ? turned(placed, towardsLight.times(-startLight.direction().length())) : placed;
     }

@@ -1,5 +1,7 @@
 package lightning.editor.document.manipulation;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
@@ -64,14 +66,35 @@ public final class ScenePicker {
     public Optional<SurfaceHit> findOccluder(SurfaceHit surface, Light light) {
         boolean isDirectional = !light.type().hasPosition();
         Vec3 toLight = isDirectional ? light.direction().negated() : light.position().minus(surface.point());
+        return occluders(surface, toLight.normalized(), light.shadowCasters(), 1).stream()
+                .filter(f -> isDirectional || f.point().minus(f.eye()).length() < toLight.length()).findFirst();
+    }
+
+    /**
+     * Returns the surfaces that cast shadows from a light on a surface point, nearest first. Faces of lights and materials without shadows do
+     * not.
+     *
+     * @param direction unit direction from the point
+     * @param casters   shapes that cast shadows from the light
+     * @param max       largest number of surfaces
+     */
+    List<SurfaceHit> occluders(SurfaceHit surface, Vec3 direction, ShapeLinks casters, int max) {
+        Geometry shadowing = geometry.shadowGeometry(casters);
+        List<SurfaceHit> found = new ArrayList<>();
         // Offset from the surface to avoid self-intersection.
         double offset = OFF_SURFACE * surface.point().minus(surface.eye()).length();
         Vec3 from = surface.point().plus(surface.normal().times(offset));
-        Ray ray = new Ray(geometry.toRenderSpace(from), toLight.normalized());
-        // Faces of lights and materials without shadows are no occluders.
-        Geometry casters = geometry.shadowGeometry(ShapeLinks.ALL);
-        return toHit(casters.castsShadows() ? casters.nearest(ray) : -1, ray, from)
-                .filter(f -> isDirectional || f.point().minus(from).length() < toLight.length());
+        Optional<SurfaceHit> next = shadowing.castsShadows() ? nearest(shadowing, from, direction, from) : Optional.empty();
+        while (next.isPresent() && found.size() < max) {
+            found.add(next.get());
+            next = nearest(shadowing, next.get().point().plus(direction.times(offset)), direction, from);
+        }
+        return found;
+    }
+
+    private Optional<SurfaceHit> nearest(Geometry shapes, Vec3 origin, Vec3 direction, Vec3 eye) {
+        Ray ray = new Ray(geometry.toRenderSpace(origin), direction);
+        return toHit(shapes.nearest(ray), ray, eye);
     }
 
     private Optional<SurfaceHit> toHit(int shape, Ray ray, Vec3 eye) {

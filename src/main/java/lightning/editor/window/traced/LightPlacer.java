@@ -14,6 +14,7 @@ import lightning.editor.document.manipulation.LightPlacement;
 import lightning.editor.document.manipulation.LightPlacement.Goal;
 import lightning.editor.document.manipulation.PreviewCamera;
 import lightning.editor.document.manipulation.ScenePicker;
+import lightning.editor.document.manipulation.SightPlacement;
 import lightning.editor.document.manipulation.Snapping;
 import lightning.editor.document.manipulation.Viewport;
 import lightning.editor.loop.Frame;
@@ -88,7 +89,7 @@ final class LightPlacer {
      *
      * @param light light as placed, including its current distance
      */
-    private record Ring(LightPlacement placing, ScenePicker.SurfaceHit hit, Light light) {}
+    private record Ring(LightPlacement placing, ScenePicker.SurfaceHit hit, Light light, ScenePicker picker) {}
 
     private LightPlacer(SceneEditor editor) {
         this.editor = editor;
@@ -203,12 +204,12 @@ final class LightPlacer {
                     case Tool.PlacementTool(Goal act) -> {
                         var placing = LightPlacement.start(draggedLight(), act, hit.point());
                         drag = new Drag.PlacementDrag(placing, picker);
-                        place(placing, hit, pointer.canvas(), false);
+                        place(placing, hit, picker, pointer.canvas(), false);
                     }
                     case Tool.ShadowTool() -> drag = new Drag.ShadowDrag(draggedLight(), hit, picker);
                     case Tool.CasterTool(ScenePicker.SurfaceHit target) -> {
                         drag = new Drag.CasterDrag(target, picker);
-                        placeShadow(target, hit, pointer.canvas(), false);
+                        placeShadow(target, hit, picker, pointer.canvas(), false);
                     }
                 }
             }, () -> editor.message().show(Messages.tr(NO_SURFACE)));
@@ -224,7 +225,7 @@ final class LightPlacer {
     void drag(Pointer pointer, boolean isSnapping) {
         switch (requireNonNull(drag)) {
             case Drag.PlacementDrag(LightPlacement placing, ScenePicker picker) ->
-                    pointer.pick(picker).ifPresent(hit -> place(placing, hit, pointer.canvas(), isSnapping));
+                    pointer.pick(picker).ifPresent(hit -> place(placing, hit, picker, pointer.canvas(), isSnapping));
             case Drag.ShadowDrag(Light lightAtStart, ScenePicker.SurfaceHit pressHit, ScenePicker picker) -> {
                 // If the point is in shadow, the occluder is the caster; otherwise the point itself is on the caster.
                 Goal newGoal = new Goal.Shadow(picker.findOccluder(pressHit, lightAtStart).orElse(pressHit).point());
@@ -232,27 +233,31 @@ final class LightPlacer {
                 drag(pointer, isSnapping);
             }
             case Drag.CasterDrag(ScenePicker.SurfaceHit target, ScenePicker picker) ->
-                    pointer.pick(picker).ifPresent(hit -> placeShadow(target, hit, pointer.canvas(), isSnapping));
+                    pointer.pick(picker).ifPresent(hit -> placeShadow(target, hit, picker, pointer.canvas(), isSnapping));
             case Drag.DistanceDrag(Ring startRing, Viewport.Pixel startPosition) -> {
                 Viewport.Pixel center = ringCenter(startRing, pointer.canvas());
                 Vec3 point = startRing.hit().point();
                 double factor = pointer.position().distance(center) / Math.max(1, startPosition.distance(center));
                 double distance = startRing.light().position().minus(point).length() * factor;
-                show(startRing.placing(), startRing.hit(),
-                        startRing.placing().moveToDistance(startRing.light(), point,
-                                isSnapping ? Snapping.snapDistance(distance) : distance),
+                show(startRing.placing(), startRing.hit(), startRing.picker(),
+                        SightPlacement.atDistance(startRing.placing(), startRing.light(), startRing.hit(),
+                                isSnapping ? Snapping.snapDistance(distance) : distance, startRing.picker()),
                         pointer.canvas(), Optional.empty());
             }
         }
     }
 
-    /** Places the selected light for a goal at a surface point, in one undo step. */
-    void placeAt(ScenePicker.SurfaceHit hit, Goal goal, Viewport canvas) {
+    /**
+     * Places the selected light for a goal at a surface point, in one undo step.
+     *
+     * @param picker finds surfaces of the displayed picture
+     */
+    void placeAt(ScenePicker.SurfaceHit hit, Goal goal, ScenePicker picker, Viewport canvas) {
         clearTool();
         gesture = new Object();
         Light light = requireNonNull(editor.selection().light());
         startLight = light;
-        place(LightPlacement.start(light, goal, hit.point()), hit, canvas, false);
+        place(LightPlacement.start(light, goal, hit.point()), hit, picker, canvas, false);
     }
 
     /** Lets the user pick the object whose shadow falls on a surface point. */
@@ -260,34 +265,53 @@ final class LightPlacer {
         selectTool(new Tool.CasterTool(target), Messages.tr("Click the object that should cast the shadow there"));
     }
 
-    private void placeShadow(ScenePicker.SurfaceHit target, ScenePicker.SurfaceHit caster, Viewport canvas, boolean isSnapping) {
-        place(LightPlacement.start(draggedLight(), new Goal.Shadow(caster.point()), target.point()), target, canvas,
+    private void placeShadow(ScenePicker.SurfaceHit target, ScenePicker.SurfaceHit caster, ScenePicker picker, Viewport canvas,
+            boolean isSnapping) {
+        place(LightPlacement.start(draggedLight(), new Goal.Shadow(caster.point()), target.point()), target, picker, canvas,
                 isSnapping);
     }
 
-    private void place(LightPlacement placing, ScenePicker.SurfaceHit hit, Viewport canvas, boolean isSnapping) {
+    private void place(LightPlacement placing, ScenePicker.SurfaceHit hit, ScenePicker picker, Viewport canvas, boolean isSnapping) {
         boolean isPool = placing.goal() instanceof Goal.Pool;
         LightPlacement rounded = isSnapping && !isPool ? placing.withDistance(Snapping.snapDistance(placing.distance())) : placing;
         try {
-            Light light = rounded.place(hit);
-            Optional<Snapping> snap = isSnapping && isPool ? Optional.of(Snapping.ofDirection(light)) : Optional.empty();
-            show(rounded, hit, snap.map(Snapping::light).orElse(light), canvas, snap.map(Snapping::message));
+            SightPlacement placed = SightPlacement.of(rounded, hit, picker);
+            Optional<Snapping> snap = isSnapping && isPool ? Optional.of(Snapping.ofDirection(placed.light())) : Optional.empty();
+            show(rounded, hit, picker, snap.map(s -> placed.withLight(s.light())).orElse(placed), canvas, snap.map(Snapping::message));
         } catch (IllegalArgumentException e) {
             editor.message().show(ErrorMessage.of(e));
         }
     }
 
-    private void show(LightPlacement placing, ScenePicker.SurfaceHit hit, Light placed, Viewport canvas, Optional<String> snapText) {
-        Light light = snapText.isPresent() ? placed
-                : DragRounding.round(draggedLight(), placed, PreviewCamera.of(editor.scene()), canvas);
+    private void show(LightPlacement placing, ScenePicker.SurfaceHit hit, ScenePicker picker, SightPlacement placed, Viewport canvas,
+            Optional<String> snapText) {
+        Light light = snapText.isPresent() ? placed.light()
+                : placed.rounded(hit, picker, DragRounding.round(draggedLight(), placed.light(), PreviewCamera.of(editor.scene()), canvas));
         if (editor.editOrReport(scene -> LightEdits.edit(scene, light.name(), _ -> light), gesture).isEmpty()) {
             boolean isFlag = placing.goal() instanceof Goal.Flag;
-            ring = isFlag ? null : new Ring(placing, hit, light);
+            ring = isFlag ? null : new Ring(placing, hit, light, picker);
             double distance = light.position().minus(hit.point()).length();
             readOut = snapText.map(s -> Messages.tr("Snapped: {0}", s))
-                    .orElse(light.type().hasPosition() && !isFlag ? Messages.tr("Distance {0}", Snapping.numberText(distance)) : "");
+                    .orElseGet(() -> readOut(placed, light.type().hasPosition() && !isFlag ? Snapping.numberText(distance) : ""));
             editor.message().show(readOut);
         }
+    }
+
+    /**
+     * Returns the text of a placement.
+     *
+     * @param distance distance as shown; empty for none
+     */
+    private static String readOut(SightPlacement placed, String distance) {
+        if (placed.blocker().isEmpty()) {
+            return distance.isEmpty() ? "" : Messages.tr("Distance {0}", distance);
+        }
+        String blocker = placed.blocker().get();
+        return switch (placed.change()) {
+            case NONE -> Messages.tr("{0} blocks the light at this point", blocker);
+            case CLOSER -> Messages.tr("Distance {0}: moved in front of {1}, which would block the light", distance, blocker);
+            case TILTED -> Messages.tr("Turned away from {0}, which would block the light", blocker);
+        };
     }
 
     /**

@@ -75,8 +75,8 @@ final class PixelMenu {
         }
         List<MenuItem> all = new ArrayList<>(lights(report));
         all.add(new SeparatorMenuItem());
-        all.add(aim(hit.get(), target.canvas()));
-        all.add(placements(hit.get(), target.canvas()));
+        all.add(aim(hit.get(), picker, target.canvas()));
+        all.add(placements(hit.get(), picker, target.canvas()));
         all.add(newLights(picker, hit.get(), target.canvas()));
         all.add(new SeparatorMenuItem());
         Light selected = editor.selection().light();
@@ -126,18 +126,18 @@ final class PixelMenu {
         return item;
     }
 
-    private MenuItem aim(ScenePicker.SurfaceHit hit, Viewport canvas) {
+    private MenuItem aim(ScenePicker.SurfaceHit hit, ScenePicker picker, Viewport canvas) {
         String name = editor.selection().lightName();
         return place(Command.AIM, name.isEmpty() ? Messages.tr("Aim Light Here") : Messages.tr("Aim {0} Here", name), new Goal.Pool(), hit,
-                canvas);
+                picker, canvas);
     }
 
-    private Menu placements(ScenePicker.SurfaceHit hit, Viewport canvas) {
+    private Menu placements(ScenePicker.SurfaceHit hit, ScenePicker picker, Viewport canvas) {
         Menu submenu = items.menu(Command.PLACE_HIGHLIGHT,
-                place(Command.PLACE_HIGHLIGHT, Messages.tr("Highlight Here"), new Goal.Highlight(), hit, canvas),
-                place(Command.PLACE_DIFFUSE, Messages.tr("Facing the Surface Here"), new Goal.Diffuse(), hit, canvas),
-                place(Command.PLACE_RIM, Messages.tr("Rim Light Here"), new Goal.Rim(), hit, canvas),
-                place(Command.PLACE_FLAG, Messages.tr("Flag Here"), new Goal.Flag(), hit, canvas),
+                place(Command.PLACE_HIGHLIGHT, Messages.tr("Highlight Here"), new Goal.Highlight(), hit, picker, canvas),
+                place(Command.PLACE_DIFFUSE, Messages.tr("Facing the Surface Here"), new Goal.Diffuse(), hit, picker, canvas),
+                place(Command.PLACE_RIM, Messages.tr("Rim Light Here"), new Goal.Rim(), hit, picker, canvas),
+                place(Command.PLACE_FLAG, Messages.tr("Flag Here"), new Goal.Flag(), hit, picker, canvas),
                 items.value(Command.PLACE_SHADOW, Messages.tr("Shadow Here…"), () -> placer.pickCaster(hit)));
         String name = editor.selection().lightName();
         submenu.setMnemonicParsing(false);
@@ -146,8 +146,8 @@ final class PixelMenu {
         return submenu;
     }
 
-    private MenuItem place(Command command, String title, Goal goal, ScenePicker.SurfaceHit hit, Viewport canvas) {
-        return items.value(command, title, () -> placer.placeAt(hit, goal, canvas));
+    private MenuItem place(Command command, String title, Goal goal, ScenePicker.SurfaceHit hit, ScenePicker picker, Viewport canvas) {
+        return items.value(command, title, () -> placer.placeAt(hit, goal, picker, canvas));
     }
 
     private Menu newLights(ScenePicker picker, ScenePicker.SurfaceHit hit, Viewport canvas) {
@@ -156,7 +156,10 @@ final class PixelMenu {
         for (LightType type : TYPES) {
             MenuItem item = items.value(Command.ADD_LIGHT, LightTypes.title(type), () -> {
                 if (editor.editOrReport(scene -> LightAtPoint.add(scene, type, picker, hit, canvas)).isEmpty()) {
-                    editor.selection().selectLight(editor.scene().lights().getLast().name());
+                    Light added = editor.scene().lights().getLast();
+                    editor.selection().selectLight(added.name());
+                    picker.findOccluder(hit, added)
+                            .ifPresent(blocker -> editor.message().show(Messages.tr("{0} blocks the light at this point", blocker.shape())));
                 }
             });
             item.setGraphic(new FontIcon(LightTypes.icon(type)));

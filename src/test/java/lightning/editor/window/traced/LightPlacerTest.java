@@ -3,6 +3,7 @@ package lightning.editor.window.traced;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.stream.IntStream;
 import javafx.event.EventType;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
@@ -27,6 +28,7 @@ import org.junit.jupiter.api.Test;
 class LightPlacerTest extends EditorFixture {
     private static final double BALL_X = 30;
     private static final double BALL_Y = 22;
+    private static final int BALL_TOP = 18;
 
     private Bounds pictureBounds() {
         PictureView view = robot.lookup("#traced-picture").query();
@@ -189,6 +191,18 @@ class LightPlacerTest extends EditorFixture {
         selectTool("lamp", Command.PLACE_DIFFUSE);
         robot.clickOn(pixel(34, 20));
         assertThat(report(0, 34, 20).cosine()).isGreaterThan(0.999f);
+    }
+
+    @Test
+    void highlightBelowFloor_namesFloorAndStaysAbove() {
+        var picker = new ScenePicker(model().editor().scene());
+        int y = IntStream.range(BALL_TOP, 48).filter(row -> picker.pickPixel((int) BALL_X, row).orElseThrow().normal().y() < -0.3)
+                .findFirst().orElseThrow();
+        selectTool("lamp", Command.PLACE_HIGHLIGHT);
+        robot.clickOn(pixel(BALL_X, y));
+        assertThat(report(0, (int) BALL_X, y).state()).isEqualTo(LightReport.State.LIT);
+        assertThat(model().editor().message().textProperty().get())
+                .matches("Distance .*: moved in front of floor, which would block the light");
     }
 
     @Test
