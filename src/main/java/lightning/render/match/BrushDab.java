@@ -35,6 +35,11 @@ public record BrushDab(Wish wish, double x, double y, double radius) {
             return Messages.tr(title);
         }
 
+        /** Returns the factor of the luminance of gray. */
+        float luminance() {
+            return (float) TargetCells.luminance(factors[0], factors[1], factors[2]);
+        }
+
         /** Returns the factor of a channel: 0 for red, 1 for green, 2 for blue. */
         float factor(int channel) {
             return factors[channel];

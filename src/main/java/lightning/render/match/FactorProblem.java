@@ -3,6 +3,7 @@ package lightning.render.match;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.ojalgo.matrix.store.R064Store;
 import org.ojalgo.optimisation.Optimisation;
 import org.ojalgo.optimisation.convex.ConvexSolver;
@@ -17,6 +18,9 @@ final class FactorProblem {
     private static final double PULL = 1e-10;
     /** Pull of steps toward 0, relative to their own square: keeps directions that change nothing still. */
     private static final double STEP_PULL = 1e-6;
+
+    /** Share of the largest resemblance from which on a light changes, if few shall. */
+    private static final double FEW = 0.5;
 
     /**
      * One unknown.
@@ -33,6 +37,10 @@ final class FactorProblem {
             return limit < Double.POSITIVE_INFINITY;
         }
 
+        boolean overlaps(Unknown other) {
+            return first < other.end && other.first < end;
+        }
+
         boolean has(int channel) {
             return channel >= first && channel < end;
         }
@@ -44,6 +52,7 @@ final class FactorProblem {
     /** Factors of images, {@code double[channel][image]}; those of unknowns are 0. */
     private final double[][] fixed;
     private boolean keepsMean;
+    private boolean changesFew;
     private final double steadiness;
 
     /** @param steadiness as in {@link MatchSettings} */
@@ -80,6 +89,14 @@ final class FactorProblem {
     /** Makes the factor of an image unknown that may be negative. */
     void addStep(int image, double limit) {
         unknowns.add(new Unknown(image, 0, 3, 1, 0, limit));
+    }
+
+    /**
+     * Lets few lights change: each only as the reference asks for at present, brighter or darker, and only if its light resembles what is missing at least
+     * by a share of the light that does most.
+     */
+    void changeFew() {
+        changesFew = true;
     }
 
     /** Makes the factor of the reference unknown, for all channels or for each. */
@@ -127,17 +144,32 @@ final class FactorProblem {
             quadratic.add(i, i, pull * scale[i] * scale[i]);
             linear.set(i, 0, scale[i] * ((u.isStep() ? 0 : pull) - productWithFixed(u)));
         }
+        double[] least = solved.stream().mapToDouble(u -> u.isStep() ? -u.limit : 0).toArray();
+        double[] most = solved.stream().mapToDouble(Unknown::limit).toArray();
+        if (changesFew) {
+            double[] asked = solved.stream().mapToDouble(u -> u.isStep() ? 0 : -productWithPresent(u) / Math.sqrt(product(u, u))).toArray();
+            for (int i = 0; i < count; i++) {
+                Unknown u = solved.get(i);
+                if (!u.isStep()) {
+                    double resemblance = FEW
+                            * IntStream.range(0, count).filter(j -> solved.get(j).overlaps(u)).mapToDouble(j -> Math.abs(asked[j])).max().orElse(0);
+                    linear.add(i, 0, asked[i] > 0 ? -resemblance : resemblance);
+                    least[i] = asked[i] > 0 ? 1 : 0;
+                    most[i] = asked[i] > 0 ? Double.POSITIVE_INFINITY : 1;
+                }
+            }
+        }
         ConvexSolver.Builder problem = ConvexSolver.newBuilder().objective(quadratic, linear);
-        int steps = (int) solved.stream().filter(Unknown::isStep).count();
-        R064Store bounds = R064Store.FACTORY.make(count + steps, count);
-        R064Store limits = R064Store.FACTORY.make(count + steps, 1);
+        int limited = (int) Arrays.stream(most).filter(v -> v < Double.POSITIVE_INFINITY).count();
+        R064Store bounds = R064Store.FACTORY.make(count + limited, count);
+        R064Store limits = R064Store.FACTORY.make(count + limited, 1);
         int upper = count;
         for (int i = 0; i < count; i++) {
             bounds.set(i, i, -1);
-            if (solved.get(i).isStep()) {
-                limits.set(i, 0, solved.get(i).limit / scale[i]);
+            limits.set(i, 0, -least[i] / scale[i]);
+            if (most[i] < Double.POSITIVE_INFINITY) {
                 bounds.set(upper, i, 1);
-                limits.set(upper++, 0, solved.get(i).limit / scale[i]);
+                limits.set(upper++, 0, most[i] / scale[i]);
             }
         }
         problem.inequalities(bounds, limits);
@@ -153,7 +185,7 @@ final class FactorProblem {
         }
         Optimisation.Result result = problem.solve();
         double[] factors = new double[count];
-        Arrays.setAll(factors, i -> Math.max(solved.get(i).isStep() ? -solved.get(i).limit : 0, result.doubleValue(i) * scale[i]));
+        Arrays.setAll(factors, i -> Math.clamp(result.doubleValue(i) * scale[i], least[i], most[i]));
         return factors;
     }
 
@@ -163,6 +195,11 @@ final class FactorProblem {
             sum += u.has(c) && v.has(c) ? u.sign * v.sign * products.of(c, u.image, v.image) : 0;
         }
         return sum;
+    }
+
+    /** Returns the product with the sum of all images while lights are as they are. */
+    private double productWithPresent(Unknown u) {
+        return productWithFixed(u) + unknowns.stream().mapToDouble(v -> v.isStep() ? 0 : product(u, v)).sum();
     }
 
     private double productWithFixed(Unknown u) {

@@ -35,6 +35,21 @@ record ImageProducts(double[][][] sums) {
         return new ImageProducts(sums);
     }
 
+    /** Returns the sums of the weighted sums of both. */
+    ImageProducts plus(ImageProducts other) {
+        double[][][] total = new double[3][][];
+        for (int c = 0; c < 3; c++) {
+            total[c] = new double[sums[c].length][];
+            for (int i = 0; i < total[c].length; i++) {
+                total[c][i] = sums[c][i].clone();
+                for (int j = 0; j < total[c].length; j++) {
+                    total[c][i][j] += other.sums[c][i][j];
+                }
+            }
+        }
+        return new ImageProducts(total);
+    }
+
     double of(int channel, int i, int j) {
         return sums[channel][i][j];
     }

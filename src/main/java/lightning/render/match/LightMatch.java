@@ -69,13 +69,13 @@ public final class LightMatch {
             MatchSettings settings) {
         MatchImages images =
                 MatchImages.of(contributions, contributions.picture(cache), contributions.skipped(cache), settings.lights());
-        LinearMatch match = new LinearMatch(images, List.of(), TargetCells.of(reference, images.grid(), images.skipped()), settings);
+        LinearMatch match = new LinearMatch(images, List.of(), TargetCells.all(reference, images.grid(), images.skipped()), settings);
         int lights = images.names().size();
-        double[][] after = match.solve(0);
+        double[][] after = match.solveSparsely();
         List<LightFactor> factors = IntStream.range(0, lights)
                 .mapToObj(l -> new LightFactor(images.names().get(l), after[0][l], after[1][l], after[2][l])).toList();
         List<Double> scale = IntStream.range(0, 3).mapToObj(c -> -after[c][lights + 1]).toList();
-        return new MatchResult(Optional.empty(), factors, match.error(match.unchanged()), match.error(after), scale,
+        return new MatchResult(Optional.empty(), factors, match.countingError(match.unchanged()), match.countingError(after), scale,
                 alike(images.names(), match.products()), images.unseen());
     }
 

@@ -91,7 +91,7 @@ final class LightSearch implements AutoCloseable {
         for (int level = 0; level < CELLS.length && !parameters.isEmpty(); level++) {
             PixelMeans grid = new PixelMeans(Math.ceilDiv(start.picture().width(), CELLS[level]),
                     Math.ceilDiv(start.picture().height(), CELLS[level]));
-            Level search = new Level(grid, TargetCells.of(reference, grid, new BitSet()));
+            Level search = new Level(grid, TargetCells.all(reference, grid, new BitSet()));
             if (level == 0) {
                 values = search.turn(values);
             }
@@ -122,11 +122,11 @@ final class LightSearch implements AutoCloseable {
     /** Search over cells of one size. */
     private final class Level {
         private final PixelMeans grid;
-        private final TargetCells target;
+        private final List<TargetCells> targets;
 
-        Level(PixelMeans grid, TargetCells target) {
+        Level(PixelMeans grid, List<TargetCells> targets) {
             this.grid = grid;
-            this.target = target;
+            this.targets = targets;
         }
 
         /** Returns the values with each turn at its best of several. */
@@ -178,7 +178,7 @@ final class LightSearch implements AutoCloseable {
         private State state(double[] values) {
             MatchContributions contributions = contributions(values);
             MatchImages images = images(contributions);
-            LinearMatch match = new LinearMatch(images, List.of(), target, settings);
+            LinearMatch match = new LinearMatch(images, List.of(), targets, settings);
             double[][] factors = match.solve(0);
             return new State(values, contributions, images, factors, match.error(factors));
         }
@@ -197,7 +197,7 @@ final class LightSearch implements AutoCloseable {
             for (int i = 0; i < parameters.size(); i++) {
                 changes.add(change(state, i, DIFFERENCE * radius));
             }
-            LinearMatch match = new LinearMatch(state.images, changes, target, settings);
+            LinearMatch match = new LinearMatch(state.images, changes, targets, settings);
             double[][] factors = match.solve(radius);
             double[] values = state.values.clone();
             for (int i = 0; i < values.length; i++) {

@@ -15,8 +15,8 @@ import lightning.scene.Contribution;
  */
 public record MatchSettings(Optional<Set<Contribution>> lights, Set<MatchChange> changes, Reference exposure, Reference white,
         double steadiness) {
-    /** Steadiness for paint: a light that no brush needs keeps its intensity, even if others change pixels without paint. */
-    public static final double PAINTED = 0.02;
+    /** Steadiness for paint: a light that hardly lights it changes little. */
+    public static final double PAINTED = 0.005;
     /** Whether a property of the reference counts. */
     public enum Reference {
         /** The picture shall have the same. */

@@ -7,16 +7,14 @@ import lightning.render.image.Film;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reference that is painted on a picture: where a brush was, the picture shall change as it says; elsewhere it shall rather stay.
+ * Reference that is painted on a picture: where a brush was, the picture shall change as it says; elsewhere it shall stay.
  */
 public final class PaintedReference {
-    /** Weight of all pixels without paint, relative to those with paint: lights that no brush asks for stay, but hinder no others. */
-    private static final double UNPAINTED = 0.005;
-
     private PaintedReference() {}
 
     /**
-     * Returns the picture as the brush asks for it; the last dab on a pixel counts.
+     * Returns the picture as the brush asks for it; the last dab on a pixel counts. All pixels without paint weigh as much as all with paint, and
+     * differences count relative to the picture.
      *
      * @param dabs in the order in which they were painted
      */
@@ -24,18 +22,20 @@ public final class PaintedReference {
         BrushDab.Wish[] wishes = wishes(picture.width(), picture.height(), dabs);
         float[] rgb = picture.toScanlines();
         float[] weights = new float[wishes.length];
+        float[] stays = new float[wishes.length];
         long painted = Arrays.stream(wishes).filter(Objects::nonNull).count();
-        Arrays.fill(weights, (float) (UNPAINTED * painted / Math.max(1, wishes.length - painted)));
+        Arrays.fill(stays, (float) painted / Math.max(1, wishes.length - painted));
         for (int i = 0; i < wishes.length; i++) {
             BrushDab.Wish wish = wishes[i];
             if (wish != null) {
-                weights[i] = 1;
+                stays[i] = 0;
+                weights[i] = wish.luminance() * wish.luminance();
                 for (int c = 0; c < 3; c++) {
                     rgb[3 * i + c] *= wish.factor(c);
                 }
             }
         }
-        return new ReferenceImage(Film.ofScanlines(picture.width(), picture.height(), rgb), weights);
+        return new ReferenceImage(Film.ofScanlines(picture.width(), picture.height(), rgb), weights, stays);
     }
 
     /** Returns what is asked for at each pixel, row by row from the top left; null where nothing is. */

@@ -9,13 +9,19 @@ import lightning.render.image.ViewTransform;
  *
  * @param film    linear colors
  * @param weights by pixel, row by row from the top left, ≥ 0; 0 for pixels that do not count
+ * @param stays   weights of pixels that shall stay as they are; empty without any
  */
-public record ReferenceImage(Film film, float[] weights) {
-    // An array in a record: written once by its creator, never after.
+public record ReferenceImage(Film film, float[] weights, float[] stays) {
+    // Arrays in a record: written once by their creator, never after.
     /** Largest value of the display below which no rounding hides how bright a pixel is: half a step of 8 bits below white. */
     private static final float CLIPPED = 1 - 0.5f / 255;
     /** Largest relative difference of the ratios of width to height. */
     private static final double MAX_SHAPE_DIFFERENCE = 0.01;
+
+    /** Creates an image without pixels that shall stay. */
+    public ReferenceImage(Film film, float[] weights) {
+        this(film, weights, new float[0]);
+    }
 
     /** Returns an image all of whose pixels count that are numbers, and finite. */
     public static ReferenceImage of(Film film) {

@@ -1,6 +1,9 @@
 package lightning.render.match;
 
 import java.util.BitSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * A reference over the cells of a grid.
@@ -17,10 +20,20 @@ record TargetCells(float[][] values, double[] weights, double total) {
     private static final double[] LUMINANCE = {0.2126, 0.7152, 0.0722};
 
     /**
+     * Returns the cells of a reference, and after them those that shall stay, if there are any.
+     *
      * @param skipped cells that do not count
      * @throws IllegalArgumentException if no cell counts
      */
-    static TargetCells of(ReferenceImage reference, PixelMeans grid, BitSet skipped) {
+    static List<TargetCells> all(ReferenceImage reference, PixelMeans grid, BitSet skipped) {
+        TargetCells counting = of(reference, grid, skipped).orElseThrow(() -> new IllegalArgumentException("no pixel of the reference counts"));
+        Optional<TargetCells> staying = reference.stays().length == 0 ? Optional.empty()
+                : of(new ReferenceImage(reference.film(), reference.stays()), grid, skipped);
+        return Stream.concat(Stream.of(counting), staying.stream()).toList();
+    }
+
+    /** Returns the cells that count; empty if none does. */
+    private static Optional<TargetCells> of(ReferenceImage reference, PixelMeans grid, BitSet skipped) {
         PixelMeans.Means target = grid.of(reference.film(), reference.weights());
         skipped.stream().forEach(i -> target.weights()[i] = 0);
         double[] weights = new double[target.weights().length];
@@ -31,13 +44,13 @@ record TargetCells(float[][] values, double[] weights, double total) {
             total += target.weights()[i];
         }
         if (total == 0) {
-            throw new IllegalArgumentException("no pixel of the reference counts");
+            return Optional.empty();
         }
         for (int i = 0; i < weights.length; i++) {
             double unit = luminance(target.values(), i) + FLOOR * sum / total;
             weights[i] = unit == 0 ? target.weights()[i] : target.weights()[i] / (unit * unit);
         }
-        return new TargetCells(target.values(), weights, 3 * total);
+        return Optional.of(new TargetCells(target.values(), weights, 3 * total));
     }
 
     private static double luminance(float[][] image, int i) {

@@ -13,8 +13,14 @@ class PaintedReferenceTest {
     void brighterPaint_asksForOneStopMore() {
         ReferenceImage reference = PaintedReference.of(PICTURE, List.of(new BrushDab(BrushDab.Wish.BRIGHTER, 1.5, 0.5, 0.6)));
         assertThat(reference.film().toScanlines()).containsExactly(1, 1, 1, 4, 4, 4, 4, 4, 4);
-        assertThat(reference.weights()[1]).isEqualTo(1);
-        assertThat(reference.weights()[0]).isEqualTo(0.0025f);
+    }
+
+    /** Differences count relative to the picture, not to what is asked for, and what shall stay weighs as much as all paint. */
+    @Test
+    void paintAndTheRest_weighTheSame() {
+        ReferenceImage reference = PaintedReference.of(PICTURE, List.of(new BrushDab(BrushDab.Wish.BRIGHTER, 1.5, 0.5, 0.6)));
+        assertThat(reference.weights()).containsExactly(0, 4, 0);
+        assertThat(reference.stays()).containsExactly(0.5f, 0, 0.5f);
     }
 
     @Test
