@@ -1,5 +1,6 @@
 package lightning.render.gather.build;
 
+import java.util.BitSet;
 import lightning.render.gather.cell.CellKeys;
 import lightning.render.gather.cell.DirectionTable;
 import lightning.render.gather.cell.SurfaceColumns;
@@ -39,6 +40,8 @@ final class MemoCaster {
     private final int[] knownPointOf = new int[RayBatch.MAX_RAYS];
     private int knownCount;
     private long rays;
+    /** Rays of one point that may hit something else than before the edit. */
+    private final BitSet changed = new BitSet();
 
     /** @param beforeTracer tracer of the geometry before the edit */
     MemoCaster(PathMemo memo, Geometry geometry, Scene scene, Tracer tracer, Tracer beforeTracer, CellKeys keys,
@@ -69,13 +72,18 @@ final class MemoCaster {
     void cast(RaySources points, int from, int to, KnownRays known, RayLinks links, long @Nullable [] inverseLengths) {
         links.clear(from * directions.rays(), to * directions.rays());
         for (int p = from; p < to; p++) {
+            points.writeDirections(p, directions, x, y, z, 0);
             int old = known.find(points, p);
+            if (old >= 0) {
+                findChanges(points, p);
+                // To replace terms of the sum, rays are cast before and after the edit: no fewer than all once.
+                old = inverseLengths != null && 2 * changed.cardinality() >= directions.rays() ? KnownRays.UNKNOWN : old;
+            }
             if (inverseLengths != null) {
                 inverseLengths[p] = old < 0 ? 0 : memo.inverseLengths(old);
             }
-            points.writeDirections(p, directions, x, y, z, 0);
             for (int k = 0; k < directions.rays(); k++) {
-                if (old >= 0 && !mayChange(points, p, k)) {
+                if (old >= 0 && !changed.get(k)) {
                     int surfel = known.surfel(old * directions.rays() + k);
                     if (surfel != RayLinks.MISS) {
                         links.setKey(p * directions.rays() + k, memo.key(surfel),
@@ -92,6 +100,13 @@ final class MemoCaster {
             }
         }
         flush(points.surface, links, inverseLengths);
+    }
+
+    private void findChanges(RaySources points, int p) {
+        changed.clear();
+        for (int k = 0; k < directions.rays(); k++) {
+            changed.set(k, mayChange(points, p, k));
+        }
     }
 
     private boolean mayChange(RaySources points, int p, int k) {
