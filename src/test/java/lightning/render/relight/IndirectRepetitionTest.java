@@ -14,6 +14,7 @@ import lightning.format.jen.JenReader;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.RayCounts;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.node.SceneNode;
@@ -101,5 +102,23 @@ class IndirectRepetitionTest {
         Scene scene = room(solid);
         Scene glass = room(solid.replace("0.8 0.1 0.1", "0.8 0.1 0.1  clear 0.8 0.9 1"));
         assertThat(share(scene, glass)).isBetween(0.01, 0.33);
+    }
+
+    /** The face is light that surfaces gather, so paths that can meet it are traced again; a face that is not seen is no part of them. */
+    @Test
+    void textureOfLight_repeatsPathsOnlyIfItsFaceIsVisible() throws JenException {
+        for (boolean visible : new boolean[] {false, true}) {
+            String text = ROOM + "light screen rect { at -0.9 0 0  direction 1 0 0  width 0.5 height 0.5  visible " + (visible ? "yes" : "no")
+                    + "  texture \"%s.png\" }\n";
+            Scene scene = room(String.format(text, "wood"));
+            try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(2)); WorkerPool workers = new WorkerPool(2)) {
+                long all = renderer.render(scene, Progress.NONE).rays().gather();
+                Scene edited = room(String.format(text, "checker"));
+                RayCounts rays = renderer.render(edited, Progress.NONE).rays();
+                assertThat(rays.gather()).isBetween(visible ? 1L : 0, visible ? all : 0);
+                assertThat(visible || rays.total() == 0).isTrue();
+                FilmAssert.assertSameBits(renderer.film(), new TraditionalTracer(edited).trace(workers, Progress.NONE).film(), "texture");
+            }
+        }
     }
 }
