@@ -9,13 +9,13 @@ public enum ViewCurve {
     SRGB,
     /** No curve. */
     LINEAR,
-    /** Hable's filmic curve. */
+    /** Blender's Filmic. */
     FILMIC,
     /** Narkowicz's fit of ACES. */
     ACES,
     /** Output transform of ACES 2. */
     ACES2,
-    /** Sobotka's AgX. */
+    /** AgX in Blender's form. */
     AGX;
 
     /** Keywords in files, in order. */

@@ -15,8 +15,8 @@ public enum DisplayCurve {
      * and shadows too dark.
      */
     LINEAR("1998", "Linear (No Curve)", v -> v, 1),
-    /** {@link ToneCurves#filmic}, then sRGB. */
-    FILMIC("filmic", "Filmic (Hable)", v -> SrgbCurve.fromLinear(ToneCurves.filmic(v)), ToneCurves.FILMIC_WHITE),
+    /** {@link Filmic}: mixes the channels of bright colors. Single values are shown as grays. */
+    FILMIC("filmic", "Filmic", Filmic::gray, Filmic.WHITE),
     /** {@link ToneCurves#aces}, then sRGB. */
     ACES("aces", "ACES (Approximation)", v -> SrgbCurve.fromLinear(ToneCurves.aces(v)), ToneCurves.ACES_WHITE),
     /** {@link Aces2Table ACES 2}: mixes the channels. Single values are shown as grays. */
@@ -54,7 +54,7 @@ public enum DisplayCurve {
 
     /** Returns whether a channel of the shown color depends on all channels. */
     boolean mixesChannels() {
-        return this == AGX || this == ACES2;
+        return this == AGX || this == ACES2 || this == FILMIC;
     }
 
     /** Returns the smallest linear value that is shown as white. */

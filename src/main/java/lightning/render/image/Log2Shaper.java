@@ -37,9 +37,18 @@ public record Log2Shaper(double min, double max) {
 
     /** Returns the encoded value, 0 to 1; NaN and values up to 0 give 0. */
     public double encode(double linear) {
+        return Math.clamp((stops(linear) - min) / (max - min), 0, 1);
+    }
+
+    /** Returns the linear value that becomes {@code encoded}, 0 to 1. */
+    double decode(double encoded) {
+        return MIDDLE_GRAY * StrictMath.pow(2, min + encoded * (max - min));
+    }
+
+    /** Returns the stops of a linear value above middle gray; NaN and values up to 0 give −∞. */
+    static double stops(double linear) {
         // NaN is not above 0.
-        double stops = linear > 0 ? StrictMath.log(linear / MIDDLE_GRAY) / StrictMath.log(2) : Double.NEGATIVE_INFINITY;
-        return Math.clamp((stops - min) / (max - min), 0, 1);
+        return linear > 0 ? StrictMath.log(linear / MIDDLE_GRAY) / StrictMath.log(2) : Double.NEGATIVE_INFINITY;
     }
 
     /**

@@ -11,8 +11,8 @@ import lightning.render.image.aces.Aces2Table;
  * View transform from a linear film to clamped display pixels. The film itself is never clamped.
  *
  * <p>Each channel becomes {@code curve(linear · 2^exposure)} clamped to 0…1, in 8 bits, correctly rounded. The gain {@code
- * 2^exposure} is rounded to float and so is the product; NaN counts as 0. {@link DisplayCurve#AGX} and
- * {@link DisplayCurve#ACES2} mix the channels. AgX is within 10⁻⁵ of its formula; see {@link Aces2Table} for ACES 2.
+ * 2^exposure} is rounded to float and so is the product; NaN counts as 0. {@link DisplayCurve#AGX},
+ * {@link DisplayCurve#FILMIC} and {@link DisplayCurve#ACES2} mix the channels.
  *
  * @param exposure      stops, −64 to 64; one more doubles the brightness
  * @param lut           lookup table applied after the curve, if any; {@link DisplayCurve#LINEAR} is not clamped before it; ignored
@@ -127,28 +127,18 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
             return applyLut(log.encode(red), log.encode(green), log.encode(blue));
         }
         if (curve.mixesChannels()) {
-            double[] color =
-                    curve == DisplayCurve.AGX ? agx(finite(red), finite(green), finite(blue)) : Aces2Table.encoded(red, green, blue);
+            double[] color = switch (curve) {
+                case AGX -> AgX.display(finite(red), finite(green), finite(blue));
+                case FILMIC -> Filmic.display(red, green, blue);
+                default -> Aces2Table.encoded(red, green, blue);
+            };
             return hasLut() ? applyLut(color[0], color[1], color[2]) : color;
         }
         return applyLut(curve.value(red), curve.value(green), curve.value(blue));
     }
 
     private static double finite(float v) {
-        return v > 0 ? Math.min(v, Float.MAX_VALUE) : 0;
-    }
-
-    private static double[] agx(double red, double green, double blue) {
-        double gray = AgX.center(red, green, blue);
-        double r = DisplayCurve.AGX.value((float) AgX.inset(red, gray));
-        double g = DisplayCurve.AGX.value((float) AgX.inset(green, gray));
-        double b = DisplayCurve.AGX.value((float) AgX.inset(blue, gray));
-        double encodedGray = AgX.center(r, g, b);
-        return new double[] {clamped(AgX.outset(r, encodedGray)), clamped(AgX.outset(g, encodedGray)), clamped(AgX.outset(b, encodedGray))};
-    }
-
-    private static double clamped(double v) {
-        return v > 0 ? Math.min(v, 1) : 0;
+        return Float.isNaN(v) ? 0 : Math.clamp(v, -Float.MAX_VALUE, Float.MAX_VALUE);
     }
 
     private double[] applyLut(double red, double green, double blue) {
@@ -198,22 +188,25 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
      * @param pixels {@code int[width * height]}, as {@link #toPixels} returns it
      */
     public void packTile(float[] red, float[] green, float[] blue, int left, int top, int width, int[] pixels) {
-        if (curve == DisplayCurve.FALSE || mixesChannels() || marksClipping) {
+        boolean isFilmic = curve == DisplayCurve.FILMIC && !hasLut();
+        if (curve == DisplayCurve.FALSE || mixesChannels() && !isFilmic || marksClipping) {
             packPixels(red, green, blue, left, top, width, pixels);
             return;
         }
         float gain = gain();
         CodeTable table = curve.table();
+        float mixed = isFilmic ? Filmic.MAX_INDEPENDENT : Float.POSITIVE_INFINITY;
         int columns = Math.min(Film.TILE_SIZE, width - left);
         int rows = Math.min(Film.TILE_SIZE, pixels.length / width - top);
         for (int y = 0; y < rows; y++) {
             int from = y * Film.TILE_SIZE;
             int to = (top + y) * width + left;
             for (int x = 0; x < columns; x++) {
-                pixels[to + x] = 0xFF000000
-                        | table.encode(red[from + x] * gain) << 16
-                        | table.encode(green[from + x] * gain) << 8
-                        | table.encode(blue[from + x] * gain);
+                float r = red[from + x] * gain;
+                float g = green[from + x] * gain;
+                float b = blue[from + x] * gain;
+                pixels[to + x] = 0xFF000000 | (r > mixed || g > mixed || b > mixed ? Filmic.packed(r, g, b)
+                        : table.encode(r) << 16 | table.encode(g) << 8 | table.encode(b));
             }
         }
     }
@@ -247,8 +240,12 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
         if (curve == DisplayCurve.FALSE) {
             return 0xFF000000 | FalseColor.rgb(r, g, b);
         }
-        int codes = !mixesChannels() ? codes(r, g, b)
-                : curve == DisplayCurve.ACES2 && !hasLut() ? Aces2Table.packed(r, g, b) : mixedCodes(r, g, b);
+        int codes = hasLut() ? mixedCodes(r, g, b) : switch (curve) {
+            case ACES2 -> Aces2Table.packed(r, g, b);
+            case AGX -> AgX.packed(finite(r), finite(g), finite(b));
+            case FILMIC -> Filmic.isIndependent(r, g, b) ? codes(r, g, b) : Filmic.packed(r, g, b);
+            default -> codes(r, g, b);
+        };
         if (marksClipping) {
             double white = white();
             boolean over = r > white || g > white || b > white;
@@ -277,7 +274,7 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
         return hasLut() ? DisplayCurve.FILMIC : curve;
     }
 
-    /** Returns a description, for example {@code Filmic (Hable), look.cube, +0.5 stops}. */
+    /** Returns a description, for example {@code Filmic, look.cube, +0.5 stops}. */
     public String description() {
         return usedShaper().map(Log2Shaper::text).orElse(curve.title())
                 + lut.map(table -> ", " + Quote.path(table.file().getFileName())).orElse("") + (exposure == 0 ? ""

@@ -9,7 +9,7 @@ import lightning.render.image.ViewTransform;
 final class AutoExposure {
     private static final ViewTransform VIEW = new ViewTransform(0, DisplayCurve.FILMIC);
     /** Brightness of the mean pixel before the curve. */
-    private static final double GRAY = 0.35;
+    private static final double GRAY = 0.18;
     /** Brighter pixels count as this or as a multiple of the median, whichever is larger, so that small suns do not darken the rest. */
     private static final double MAX_LUMINANCE = 4;
     private static final double MAX_MEDIANS = 8;
