@@ -14,7 +14,7 @@ from . import light_nodes, lights, memory
 GROUPS = (
     (("at", "direction", "up"), ("location", "rotation_euler", "rotation_quaternion", "rotation_axis_angle")),
     (("color", "intensity", "relative_intensity", "exposure", "temperature", "bank.color", "bank.intensity", "beam_spread"),
-     ("data.color", "data.energy", "data.spread", "data.exposure", "data.temperature", "data.use_temperature", "node.Color", "node.Strength")),
+     ("data.color", "data.energy", "data.spread", "data.exposure", "data.temperature", "data.use_temperature", "node.Color", "node.Strength", "black_body.Temperature")),
     (("radius", "width", "height"), ("data.shadow_soft_size", "data.size", "data.size_y")),
     (("angle", "dropoff"), ("data.spot_size", "data.spot_blend")),
     (("spread",), ("data.angle",)),
@@ -104,9 +104,10 @@ def replace_curves(obj, paths, states, show, first: int) -> None:
 
 def _block(obj, path: str):
     """Returns what has a property, and the property; None if this light does not have it."""
-    if path.startswith("node."):
-        node = light_nodes.own_emission(obj.data)
-        return node and node.inputs[path.removeprefix("node.")], "default_value"
+    if path.startswith(("node.", "black_body.")):
+        owner, name = path.split(".")
+        node = light_nodes.own_emission(obj.data) if owner == "node" else light_nodes.black_body(obj.data)
+        return node and node.inputs[name], "default_value"
     block, name = (obj.data, path.removeprefix("data.")) if path.startswith("data.") else (obj, path)
     is_other_rotation = name.startswith("rotation_") and name != {"QUATERNION": "rotation_quaternion", "AXIS_ANGLE": "rotation_axis_angle"}.get(
         obj.rotation_mode, "rotation_euler")

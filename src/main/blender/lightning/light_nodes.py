@@ -28,8 +28,15 @@ def own_emission(light):
     return node if node is not None and not any(node.inputs[name].is_linked for name in ("Color", "Strength")) else None
 
 
+def black_body(light):
+    """Returns the Blackbody node that gives a light its color; None if there is none, or if other nodes give its temperature."""
+    node = emission(light)
+    source = _source(node.inputs["Color"], "ShaderNodeBlackbody") if node is not None else None
+    return source if source is not None and not source.inputs["Temperature"].is_linked else None
+
+
 def color_and_strength(light, name: str, messages: list[str]) -> tuple[list[float], float]:
-    """Returns what the nodes multiply a light by, except for its image and the shape of its profile."""
+    """Returns what the nodes multiply a light by, except for its image, the shape of its profile, and its temperature."""
     node = emission(light)
     if node is None:
         if light.use_nodes and light.node_tree and any(link.to_socket.name == "Surface" for link in light.node_tree.links):
@@ -37,8 +44,8 @@ def color_and_strength(light, name: str, messages: list[str]) -> tuple[list[floa
         return [1, 1, 1], 1
     color, strength = node.inputs["Color"], node.inputs["Strength"]
     profile = _profile(light, messages)
-    if color.is_linked and image(light) is None or strength.is_linked and profile is None:
-        messages.append(f"{name}: its nodes are not exchanged, except for an image of an area light and an IES profile")
+    if color.is_linked and image(light) is None and black_body(light) is None or strength.is_linked and profile is None:
+        messages.append(f"{name}: its nodes are not exchanged, except for an image of an area light, an IES profile and a Blackbody")
     factor = 1 if strength.is_linked else strength.default_value
     if profile is not None:
         factor = _source(strength, "ShaderNodeTexIES").inputs["Strength"].default_value * profile.candela * WATTS_PER_CANDELA

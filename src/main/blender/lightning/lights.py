@@ -63,8 +63,7 @@ def describe(obj, groups: dict, messages: list[str], matrix=None) -> dict:
     """
     light = obj.data
     group = groups.get(obj.lightgroup, {})
-    kelvin = min(max(light.temperature, temperature.LOWEST), temperature.HIGHEST) if light.use_temperature else temperature.NEUTRAL
-    correction = temperature.correction(light, kelvin) if light.use_temperature else [1, 1, 1]
+    kelvin, correction = _temperature(light)
     color, strength = light_nodes.color_and_strength(light, obj.name, messages)
     matrix = matrix or placement(obj)
     scale = matrix.to_scale()
@@ -113,6 +112,16 @@ def describe(obj, groups: dict, messages: list[str], matrix=None) -> dict:
         if math.degrees(light.spread) < 2 * NARROWEST - 1e-3:
             messages.append(f"{obj.name}: its beam spread became {2 * NARROWEST} degrees, the smallest of Lightning")
     return result
+
+
+def _temperature(light) -> tuple[float, list[float]]:
+    """Returns a light's temperature in Lightning, and the factors by which its color differs there: of the light, or of its nodes."""
+    node = light_nodes.black_body(light)
+    shown = node.inputs["Temperature"].default_value if node is not None else None
+    if not light.use_temperature:
+        return temperature.in_lightning(shown) if node is not None else (temperature.NEUTRAL, [1, 1, 1])
+    kelvin, factors = temperature.in_lightning(light.temperature)
+    return kelvin, [f * c for f, c in zip(factors, temperature.black_body(shown))] if node is not None else factors
 
 
 def _ratio(value: float, factor: float) -> float:
@@ -266,14 +275,27 @@ def _receive_strength(obj, light, settings: dict, before: dict, groups: dict, me
     keys = ("color", "intensity", "exposure", "temperature", "bank", "falloff", "attenuation", "unit", "beam_spread")
     group = groups.get(settings["bank"]) or neutral
     old_group = neutral | memory.of_light(obj).get("group", {})
-    if before and all(settings.get(k) == before.get(k, OLD.get(k)) for k in keys) and all(group[k] == old_group[k] for k in neutral):
+
+    def changed_besides(*known: str) -> bool:
+        return (any(settings.get(k) != before.get(k, OLD.get(k)) for k in keys if k not in known)
+                or any(group[k] != old_group[k] for k in neutral))
+
+    if before and not changed_besides():
         return
     kelvin = settings["temperature"]
     if before.get("temperature") != kelvin:
-        light.use_temperature = kelvin != temperature.NEUTRAL
-        light.temperature = kelvin
+        node = light_nodes.black_body(light)
+        had_temperature = light.use_temperature or node is not None
+        if node is not None and not light.use_temperature:
+            node.inputs["Temperature"].default_value = kelvin
+        else:
+            light.use_temperature = kelvin != temperature.NEUTRAL
+            light.temperature = kelvin
+        # What the programs' black bodies differ by depends on the temperature: it would change the color, too.
+        if before and had_temperature and (light.use_temperature or node is not None) and not changed_besides("temperature"):
+            return
     color, strength = light_nodes.color_and_strength(light, obj.name, messages)
-    correction = temperature.correction(light, kelvin) if light.use_temperature else [1, 1, 1]
+    correction = _temperature(light)[1]
     node = light_nodes.own_emission(light)
     wanted = [c * g / k if k > 0 else 0 for c, g, k in zip(settings["color"], group["color"], correction)]
     if node is None:

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Color temperatures: both programs keep the luminance of white, but Lightning's tint is relative to 6500 K."""
 
+import functools
+
+import bpy
+
 NEUTRAL = 6500.0
 LOWEST = 1667.0
 HIGHEST = 25000.0
@@ -36,6 +40,17 @@ def tint(kelvin: float) -> list[float]:
     return [c / luminance for c in relative]
 
 
-def correction(light, kelvin: float) -> list[float]:
-    """Returns the factors by which a color in Lightning differs from the color in Blender, for the same light."""
-    return [b / t if t > 0 else 1.0 for b, t in zip(light.temperature_color, tint(kelvin))]
+@functools.lru_cache(maxsize=4096)
+def black_body(kelvin: float) -> tuple[float, ...]:
+    """Returns Blender's color of a temperature: of a light, and of a Blackbody node."""
+    light = bpy.data.lights.new("lightning black body", "POINT")
+    light.use_temperature, light.temperature = True, kelvin
+    color = tuple(light.temperature_color)
+    bpy.data.lights.remove(light)
+    return color
+
+
+def in_lightning(kelvin: float) -> tuple[float, list[float]]:
+    """Returns the nearest temperature in Lightning, and the factors by which a color there differs from the color in Blender."""
+    nearest = min(max(kelvin, LOWEST), HIGHEST)
+    return nearest, [b / t if t > 0 else 1.0 for b, t in zip(black_body(kelvin), tint(nearest))]

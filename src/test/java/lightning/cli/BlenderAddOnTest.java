@@ -62,6 +62,11 @@ class BlenderAddOnTest {
     }
 
     @Test
+    void temperatures_areThoseOfBlender() throws Exception {
+        assertThat(run("blender_temperatures.py")).contains("all temperatures are equal");
+    }
+
+    @Test
     void objectsAndMaterials_comeBack() throws Exception {
         assertThat(run("blender_objects.py")).contains("all objects are equal");
     }
