@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 import bpy
 from mathutils import Matrix
 
-from . import render_graph, strands, visibility
+from . import render_graph, strands, visibility, volumes, world
 from .left_out import LeftOut
 
 # Objects that have no surface of their own.
@@ -62,6 +62,8 @@ class Snapshot:
         lights: lights in instances: object, object that makes the instances, matrix
         watched: names of objects that move others in a way that only an export knows
         camera: matrix of the scene's camera
+        fog: the volume of a box, as Lightning's world
+        messages: what the fog loses
     """
 
     def __init__(self, scene) -> None:
@@ -76,6 +78,9 @@ class Snapshot:
         self.watched: set[str] = set()
         self.camera = Matrix()
         self.left_out = LeftOut()
+        self.fog: dict = {}
+        self.messages: list[str] = []
+        self._has_world_fog = "fog" in world.kinds(scene.world)
         self.shapes: list[Shape] = []
         self._count = 0
         self._room = max(MOST_LIGHTS - sum(obj.type == "LIGHT" for obj in scene.objects), 0)
@@ -112,7 +117,7 @@ class Snapshot:
         if is_instance:
             self.watched.add(instance.instance_object.original.name)
         if obj.type == "LIGHT":
-            if is_instance:
+            if is_instance and not visibility.is_portal(obj.original):
                 self.watched.add(maker.name)
                 if len(self.lights) == self._room:
                     self.left_out.add(f"more than {MOST_LIGHTS} lights, so the rest of those in instances is left out", maker.name)
@@ -129,6 +134,9 @@ class Snapshot:
         if is_instance and self._count == MOST_INSTANCES:
             self.left_out.add(f"more than {MOST_INSTANCES} instances, so the rest is left out", maker.name)
             return
+        if obj.type == "MESH" and volumes.has_only_volume(obj):
+            self._add_fog(obj, instance.matrix_world, owner.original.name)
+            return
         self._count += is_instance
         self.left_out.add_rays(owner, owner.original.name)
         shapes = [self._shape(obj, owner, depsgraph)] if instance.show_self else []
@@ -136,6 +144,18 @@ class Snapshot:
             shapes += [self._hair(obj, i) for i in range(len(obj.particle_systems))]
         for shape in [index for index in shapes if index is not None]:
             self._place(instance, maker, is_instance, shape)
+
+    def _add_fog(self, obj, matrix, name: str) -> None:
+        """Takes the first box whose volume is a fog as Lightning's fog."""
+        bounds = volumes.box(obj.data, matrix)
+        if bounds is None:
+            self.left_out.add("volumes of shapes other than a box along the axes are not sent", name)
+        elif self._has_world_fog or self.fog:
+            self.left_out.add("only one fog is sent, so these volumes are left out", name)
+        else:
+            material = next(slot.material for slot in obj.material_slots if slot.material is not None)
+            self.fog = volumes.fog(material, name, self.messages)
+            self.fog |= {"fog_center": bounds[0], "fog_size": bounds[1]} if self.fog else {}
 
     def _place(self, instance, maker, is_instance: bool, shape: int) -> None:
         matrix = instance.matrix_world.copy()

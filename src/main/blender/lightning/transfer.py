@@ -9,8 +9,8 @@ from pathlib import Path
 
 import bpy
 
-from . import (animation, gltf, instanced_lights, light_nodes, lights, materials, memory, model_export, picture, program, shaders, shot, surfaces, views,
-               visibility, world, written)
+from . import (animation, gltf, instanced_lights, light_nodes, lights, losses, materials, memory, model_export, picture, program, shaders, shot, surfaces, views,
+               visibility, volumes, world, written)
 from .snapshot import Snapshot
 
 # Start of messages of the export of lights.
@@ -77,7 +77,7 @@ def _keep_edited(target: Path, lost: list[str], messages: list[str]) -> Path | N
 
 def lamps(scene) -> list:
     """Returns the light objects that are sent, in their order in Lightning."""
-    return [obj for obj in scene.objects if obj.type == "LIGHT"]
+    return [obj for obj in scene.objects if obj.type == "LIGHT" and not visibility.is_portal(obj)]
 
 
 @visibility.evaluated()
@@ -107,10 +107,11 @@ def complete(scene, target: Path, root: dict, snapshot: Snapshot, messages: list
     """Adds to an exported scene what glTF cannot say, except animation, and writes the files that it needs."""
     materials.add_glass(root, snapshot.shapes, messages)
     root.setdefault("extras", {})[memory.PROPERTY] = _settings(scene, target, snapshot, messages)
-    messages += snapshot.left_out.lines()
+    messages += snapshot.messages + snapshot.left_out.lines()
 
 
 def _settings(scene, target: Path, snapshot: Snapshot, messages: list[str]) -> dict:
+    messages += losses.of_scene(scene)
     remembered = memory.of_scene(scene)
     groups = remembered.get("banks", {})
     sent = lamps(scene)
@@ -119,7 +120,7 @@ def _settings(scene, target: Path, snapshot: Snapshot, messages: list[str]) -> d
         "version": 1,
         "id": _id(scene),
         "picture": picture.send(scene, remembered.get("picture", {}), messages),
-        "world": world_settings(scene, target, messages),
+        "world": world_settings(scene, target, messages) | snapshot.fog,
         "banks": light_groups(groups, used),
         "materials": surfaces.send(remembered.get("surfaces", {})),
         "lights": [lights.send(obj, groups, messages) for obj in sent] + instanced_lights.send(snapshot, [obj.name for obj in sent], groups, messages),
@@ -145,7 +146,14 @@ def light_groups(groups: dict, used) -> list[dict]:
 
 def world_settings(scene, target: Path, messages: list[str]) -> dict:
     """Returns the world as Lightning's JSON, and writes its image next to the scene file."""
-    return memory.of_scene(scene).get("world", {}) | world.send(scene.world, target.parent, target.stem, messages)
+    remembered = memory.of_scene(scene)
+    sent = world.send(scene.world, target.parent, target.stem, messages)
+    # What Blender had and has no more. Lightning's own sky and fog stay.
+    gone: dict = {}
+    for key in remembered.get("sent", []):
+        if key not in sent:
+            gone |= world.OFF[key]
+    return remembered.get("world", {}) | sent | gone
 
 
 def write_files(obj, folder: Path, messages: list[str]) -> None:
@@ -167,7 +175,8 @@ def _store(scene, file: Path, exported: dict, groups: dict, kept: dict, instance
     """
     memory.store(scene, {"banks": groups, "world": exported["world"], "picture": picture.store(scene, exported["picture"]),
                          "id": written.sender(file), "digest": _digest(file), "views": views.digests(exported),
-                         "surfaces": surfaces.store(exported, kept), "instances": instanced_lights.store(exported, instances), "lost": lost})
+                         "surfaces": surfaces.store(exported, kept), "instances": instanced_lights.store(exported, instances), "lost": lost,
+                         "sent": [*world.kinds(scene.world), *(["fog"] if any(map(volumes.has_only_volume, scene.objects)) else [])]})
 
 
 def _remember(scene, target: Path, sent: list, messages: list[str]) -> None:
@@ -274,7 +283,7 @@ def _get_rest(scene, source: Path, exported: dict, groups: dict, messages: list[
     lost += instanced_lights.lost(exported, instances)
     messages += lost
     world.receive(scene.world, exported["world"], remembered.get("world", {}), messages)
-    messages += world.lost(exported)
+    messages += world.lost(scene.world, exported)
     _store(scene, source, exported, groups, kept, instances, [*remembered.get("lost", []), *lost])
 
 

@@ -11,6 +11,11 @@ RAYS = {"visible_diffuse": "diffuse", "visible_glossy": "glossy", "visible_trans
         "visible_volume_scatter": "volume scatter", "visible_shadow": "shadow"}
 
 
+def is_portal(obj) -> bool:
+    """Returns whether a light has no light of its own: Cycles only samples the world through it."""
+    return bpy.context.scene.render.engine == "CYCLES" and obj.type == "LIGHT" and obj.data.type == "AREA" and obj.data.cycles.is_portal
+
+
 def is_on(obj) -> bool:
     """Returns whether a render shows an object: it and a collection that contains it are switched on."""
     return not obj.hide_render and _is_shown(obj, bpy.context.view_layer.layer_collection)

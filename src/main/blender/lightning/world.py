@@ -7,20 +7,28 @@ from pathlib import Path
 
 import bpy
 import numpy
-from mathutils import Matrix
+from mathutils import Matrix, Vector
 
-from . import axes
+from . import axes, volumes
 
 # Lightning looks up the center of an environment along -z, Blender along x.
 BASE_ROTATION = -90.0
 MAX_PIXELS = 8388608
 LEVEL = {"tilt": 0, "roll": 0}
 SAMPLING = {"lamps": 48, "softness": 1}
+# Blender's skies, their brightness relative to Lightning's for strength 1, and whether they have a sun. With one, both light the ground
+# equally within 5 percent from 15 degrees on.
+SKIES = {"MULTIPLE_SCATTERING": (13.1, True), "SINGLE_SCATTERING": (12.4, True), "PREETHAM": (1, False), "HOSEK_WILKIE": (0.14, False)}
+# Turbidity that an aerosol density of 1 adds to that of pure air.
+TURBIDITY_PER_AEROSOL = 0.25
+# World without a sky or a fog.
+OFF = {"sky": {"sky": False}, "fog": {"fog": 0, "fog_color": [1, 1, 1], "fog_anisotropy": 0, "fog_center": [0, 0, 0], "fog_size": [0, 0, 0]}}
+SUN_RADII = (0.05, 20)
 
 
 def send(world, folder: Path, stem: str, messages: list[str]) -> dict:
     """Returns the world as Lightning's JSON, and writes its image next to the scene."""
-    result = {"ambience": 0}
+    result = {"ambience": 0} | (volumes.fog(world, "world", messages) if world is not None else {})
     background = _background(world)
     if background is None:
         return result
@@ -30,8 +38,11 @@ def send(world, folder: Path, stem: str, messages: list[str]) -> dict:
     if texture is not None and texture.image is not None:
         _write_image(texture.image, folder / name, messages)
         return result | SAMPLING | {"environment": name, **_rotation(texture, messages), "intensity": strength}
+    sky = _sky(background)
+    if sky is not None:
+        return result | {"background": [0, 0, 0], "rotation": 0, **LEVEL, **_sky_settings(sky, strength, messages)}
     if background.inputs["Color"].is_linked:
-        messages.append("world: only a color or an environment texture is sent")
+        messages.append("world: only a color, an environment texture or a sky texture is sent")
         return result
     color = [axes.number(max(c, 0)) for c in background.inputs["Color"].default_value[:3]]
     brightest = max(color)
@@ -41,6 +52,33 @@ def send(world, folder: Path, stem: str, messages: list[str]) -> dict:
         (folder / name).write_bytes(radiance(64, 32, pixel))
         result |= SAMPLING | {"environment": name, "intensity": brightest * strength * 256 / 255}
     return result | {"background": [c * strength for c in color]}
+
+
+def _sky_settings(sky, strength: float, messages: list[str]) -> dict:
+    """Returns a sky texture as Lightning's physical sky."""
+    gain, has_sun = SKIES[sky.sky_type]
+    if sky.inputs and sky.inputs[0].is_linked:
+        messages.append("world: the mapping of the sky texture is not sent")
+    if sky.sky_type != "MULTIPLE_SCATTERING":
+        messages.append("world: the sky texture became a physical sky of about the same brightness, but another model")
+    if not has_sun:
+        direction = Vector(sky.sun_direction).normalized()
+        return {"sky": True, "intensity": strength * gain, "sky_elevation": max(axes.degrees(math.asin(direction.z)), -18),
+                "sky_azimuth": axes.degrees(math.atan2(direction.x, direction.y)), "sky_turbidity": max(1, min(axes.number(sky.turbidity), 10)),
+                "sky_ground": [0, 0, 0], "sky_sun": 0, "sky_unit": "relative"}
+    if any(abs(value - 1) > 1e-6 for value in (sky.air_density, sky.ozone_density)):
+        messages.append("world: the densities of air and ozone of the sky texture are not sent")
+    return {"sky": True, "intensity": strength * gain, "sky_elevation": max(axes.degrees(sky.sun_elevation), -18),
+            "sky_azimuth": axes.degrees(sky.sun_rotation), "sky_turbidity": min(1 + TURBIDITY_PER_AEROSOL * axes.number(sky.aerosol_density), 10),
+            "sky_ground": [0, 0, 0], "sky_sun": axes.number(sky.sun_intensity) if sky.sun_disc else 0,
+            "sky_sun_radius": max(SUN_RADII[0], min(axes.degrees(sky.sun_size / 2), SUN_RADII[1])), "sky_unit": "relative"}
+
+
+def kinds(world) -> list[str]:
+    """Returns which of the attributes that switch parts of Lightning's world on are from Blender."""
+    background = _background(world)
+    return [key for key, is_there in (("sky", background is not None and _sky(background) is not None),
+                                      ("fog", world is not None and bool(volumes.fog(world, "world", [])))) if is_there]
 
 
 def receive(world, settings: dict, before: dict, messages: list[str]) -> None:
@@ -54,20 +92,41 @@ def receive(world, settings: dict, before: dict, messages: list[str]) -> None:
     socket = background.inputs["Strength"]
     if settings["intensity"] != before["intensity"] and before["intensity"] > 0:
         socket.default_value *= settings["intensity"] / before["intensity"]
+    _receive_sky(_sky(background), settings, before)
     texture = _texture(background)
     if texture is not None and any(settings.get(angle, 0) != before.get(angle, 0) for angle in ("rotation", "tilt", "roll")):
         to_image = axes.blender_rotation(_to_world(settings) @ Matrix.Rotation(math.radians(-BASE_ROTATION), 3, "Y")).transposed()
         _mapping(world.node_tree, texture).inputs["Rotation"].default_value = to_image.to_euler("XYZ")
-    if texture is None and "environment" not in settings and settings["background"] != before["background"]:
+    if texture is None and not background.inputs["Color"].is_linked and "environment" not in settings and settings["background"] != before["background"]:
         background.inputs["Color"].default_value = settings["background"] + [1]
         socket.default_value = 1
 
 
-def lost(exported: dict) -> list[str]:
+def _receive_sky(sky, settings: dict, before: dict) -> None:
+    if sky is None:
+        return
+    has_sun = SKIES[sky.sky_type][1]
+
+    def changed(key: str) -> bool:
+        return settings[key] != before.get(key, settings[key])
+
+    if has_sun and changed("sky_elevation"):
+        sky.sun_elevation = math.radians(settings["sky_elevation"])
+    if has_sun and changed("sky_azimuth"):
+        sky.sun_rotation = math.radians(settings["sky_azimuth"])
+    if has_sun and changed("sky_sun"):
+        sky.sun_disc, sky.sun_intensity = settings["sky_sun"] > 0, settings["sky_sun"]
+    if has_sun and changed("sky_sun_radius"):
+        sky.sun_size = math.radians(2 * settings["sky_sun_radius"])
+    if has_sun and changed("sky_turbidity"):
+        sky.aerosol_density = (settings["sky_turbidity"] - 1) / TURBIDITY_PER_AEROSOL
+
+
+def lost(world, exported: dict) -> list[str]:
     """Returns messages about environments that Blender's world does not show."""
     domes = [dome["name"] for dome in exported.get("domes", []) if dome["on"] and "environment" in dome]
     messages = [f"domes, which stay in Lightning: {', '.join(domes)}"] if domes else []
-    return messages + (["world: the physical sky stays in Lightning"] if exported["world"]["sky"] else [])
+    return messages + (["world: the physical sky stays in Lightning"] if exported["world"]["sky"] and "sky" not in kinds(world) else [])
 
 
 def _background(world):
@@ -82,6 +141,12 @@ def _texture(background):
     links = background.inputs["Color"].links
     node = links[0].from_node if links else None
     return node if node is not None and node.bl_idname == "ShaderNodeTexEnvironment" else None
+
+
+def _sky(background):
+    links = background.inputs["Color"].links
+    node = links[0].from_node if links else None
+    return node if node is not None and node.bl_idname == "ShaderNodeTexSky" else None
 
 
 def _rotation(texture, messages: list[str]) -> dict:

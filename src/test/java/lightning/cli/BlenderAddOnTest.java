@@ -101,6 +101,11 @@ class BlenderAddOnTest {
     }
 
     @Test
+    void skyAndFog_areSentAndTheRestIsNamed() throws Exception {
+        assertThat(run("blender_world.py")).contains("the world is equal");
+    }
+
+    @Test
     void partsOfScene_areSent() throws Exception {
         run("blender_parts.py");
         JenDocument document = JenReader.read(folder.resolve("parts.jen"));
