@@ -8,7 +8,10 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.FileTime;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.time.Instant;
+import java.time.format.DateTimeParseException;
 import java.util.HexFormat;
+import java.util.Optional;
 
 /**
  * Fingerprint of a file's content. A file whose time alone changed is unchanged; a file rewritten within the clock's resolution with the
@@ -24,6 +27,7 @@ public record FileState(FileTime modified, long size, String content) {
 
     /** Larger files are compared by time and size only, because hashing would take too long. */
     private static final long MAX_HASHED_BYTES = 64L << 20;
+    private static final int PARTS = 3;
 
     /**
      * Returns the current state of a file; {@link #MISSING} if it does not exist.
@@ -43,6 +47,22 @@ public record FileState(FileTime modified, long size, String content) {
         }
         var attributes = Files.readAttributes(file, BasicFileAttributes.class);
         return new FileState(attributes.lastModifiedTime(), attributes.size(), "");
+    }
+
+    /** Parses the output of {@link #toText}; empty for any other text. */
+    public static Optional<FileState> parse(String text) {
+        String[] parts = text.split(" ", -1);
+        try {
+            return parts.length != PARTS ? Optional.empty()
+                    : Optional.of(new FileState(FileTime.from(Instant.parse(parts[0])), Long.parseLong(parts[1]), parts[2]));
+        } catch (DateTimeParseException | NumberFormatException e) {
+            return Optional.empty();
+        }
+    }
+
+    /** Returns time, size and content on one line. */
+    public String toText() {
+        return modified + " " + size + " " + content;
     }
 
     FileState withContent(byte[] bytes) {

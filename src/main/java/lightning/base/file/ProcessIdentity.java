@@ -1,5 +1,9 @@
 package lightning.base.file;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -15,6 +19,7 @@ public record ProcessIdentity(long pid, long startMillis) {
     static final String REGEX = "\\d{1,18}(?:-\\d{1,18})?";
 
     private static final Pattern PATTERN = Pattern.compile("(\\d{1,18})(?:-(\\d{1,18}))?");
+    private static final Pattern ZOMBIE = Pattern.compile(" [ZX] ");
     /** Two processes may compute different start times for a third: the system counts from its own start, by a clock that is adjusted. */
     private static final long CLOCK_TOLERANCE_MILLIS = 60_000;
 
@@ -36,13 +41,28 @@ public record ProcessIdentity(long pid, long startMillis) {
                 : Optional.empty();
     }
 
-    /** Returns whether the process still runs. If the start time is unknown, any process with this id counts. */
+    /**
+     * Returns whether the process still runs. A zombie, which ended and whose parent has not asked for its exit code, does not. If the start
+     * time is unknown, any process with this id counts.
+     */
     public boolean isRunning() {
         if (pid == ProcessHandle.current().pid()) {
             return equals(current());
         }
         return ProcessHandle.of(pid).filter(ProcessHandle::isAlive).map(ProcessIdentity::of)
-                .filter(now -> startMillis == 0 || now.startMillis - startMillis < CLOCK_TOLERANCE_MILLIS).isPresent();
+                .filter(now -> startMillis == 0 || now.startMillis - startMillis < CLOCK_TOLERANCE_MILLIS).isPresent() && !isZombie();
+    }
+
+    /** Reads the state from Linux's process information: the letter after the name in parentheses, which may contain any character. */
+    private boolean isZombie() {
+        Path stat = Path.of("/proc/" + pid + "/stat");
+        try {
+            String line = Files.isReadable(stat) ? Files.readString(stat, StandardCharsets.ISO_8859_1) : "";
+            return ZOMBIE.matcher(line.substring(line.lastIndexOf(')') + 1)).lookingAt();
+        } catch (IOException e) {
+            // The process ended meanwhile.
+            return true;
+        }
     }
 
     /** Returns the id and, if known, a hyphen and the start time. */

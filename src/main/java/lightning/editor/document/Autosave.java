@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import lightning.base.file.FileState;
 import lightning.base.work.DedicatedThread;
 import lightning.format.jen.JenDocument;
 import lightning.scene.shot.AnimatedScene;
@@ -27,7 +28,7 @@ public final class Autosave implements AutoCloseable {
     private final Set<Path> savedFiles = new HashSet<>();
     private @Nullable PendingSave pending;
 
-    private record PendingSave(Path file, JenDocument saved, AnimatedScene content) {}
+    private record PendingSave(Path file, FileState known, JenDocument saved, AnimatedScene content) {}
 
     /** @param failureListener receives, on the autosave thread, any failure to save */
     public Autosave(RecoveryFolder recovery, Duration delay, Consumer<Throwable> failureListener) {
@@ -47,7 +48,7 @@ public final class Autosave implements AutoCloseable {
         if (pending == null) {
             thread.schedule(this::write, delay.toMillis(), TimeUnit.MILLISECONDS);
         }
-        pending = new PendingSave(document.file(), document.savedDocument(), document.content());
+        pending = new PendingSave(document.file(), document.knownState(), document.savedDocument(), document.content());
         savedFiles.add(document.file());
     }
 
@@ -59,11 +60,12 @@ public final class Autosave implements AutoCloseable {
     }
 
     /**
-     * Adopts recovery data of a crashed process; see {@link RecoveryFolder#adopt}.
+     * Adopts recovery data of a crashed process; see {@link RecoveryFolder#adopt}. Replaces a scheduled save, as it has the same content.
      *
      * @param onAdopted called on the autosave thread
      */
     public synchronized void adopt(RecoveryFolder.RecoverableScene recoverable, Runnable onAdopted) {
+        pending = null;
         savedFiles.add(recoverable.file());
         thread.execute(() -> runOrReport(() -> {
             recovery.adopt(recoverable);
@@ -78,7 +80,7 @@ public final class Autosave implements AutoCloseable {
             pending = null;
         }
         if (save != null) {
-            runOrReport(() -> recovery.store(save.file(), save.saved().withAnimatedScene(save.content()).text()));
+            runOrReport(() -> recovery.store(save.file(), save.known(), save.saved().withAnimatedScene(save.content()).text()));
         }
     }
 

@@ -19,6 +19,8 @@ public enum Command {
     LOAD_RECENT(Messages.key("Open Recent"), Messages.key("Open a recent scene"), "mdi2h-history", "", DisabledReasons.unlessAnimating()),
     RELOAD(Messages.key("Reload"), Messages.key("Revert to the saved file"), "mdi2r-reload", "Shortcut+R",
             DisabledReasons.unlessAnimating(DisabledReasons::sameAsOnDisk)),
+    RECOVER(Messages.key("Recover…"), Messages.key("Open unsaved changes of an editor that closed unexpectedly"), "mdi2b-backup-restore", "",
+            DisabledReasons.unlessAnimating()),
     SAVE_SCENE(Messages.key("Save Scene"), Messages.key("Save the scene to its file"), "mdi2c-content-save-outline", "Shortcut+S",
             DisabledReasons.unlessAnimating(DisabledReasons::nothingToSave)),
     SAVE_SCENE_AS(Messages.key("Save Scene As…"), Messages.key("Save the scene to another file"), "mdi2c-content-save-edit-outline",

@@ -13,13 +13,18 @@ import lightning.base.file.FileState;
  */
 public record DiskStatus(Path file, FileState known, FileState current, boolean isOpenElsewhere) {
 
+    /** Returns whether the file does not exist. */
+    public boolean isMissing() {
+        return current.equals(FileState.MISSING);
+    }
+
     /** Returns whether the file existed and was deleted. */
     public boolean isDeleted() {
-        return current.equals(FileState.MISSING) && !known.equals(FileState.MISSING);
+        return isMissing() && !known.equals(FileState.MISSING);
     }
 
     /** Returns whether another program changed the file. */
     public boolean isChanged() {
-        return !current.equals(FileState.MISSING) && !known.hasSameContent(current);
+        return !isMissing() && !known.hasSameContent(current);
     }
 }

@@ -119,7 +119,7 @@ public final class OpenDocument {
 
     /**
      * Opens a scene file with the unsaved edits of a crashed process, as one undo step. If the file itself is missing or invalid, uses the
-     * recovered text instead.
+     * recovered text instead. A file that was changed since that process read it counts as changed by another program.
      *
      * @throws JenException if the recovered text is invalid, for example because its textures are missing
      */
@@ -128,7 +128,10 @@ public final class OpenDocument {
                 JenReader.read(recoverable.text(), recoverable.file().toString(), ParentFolder.of(recoverable.file()));
         Path file = recoverable.file();
         try {
-            OpenDocument document = NewScene.isPlaceholder(file) ? NewScene.create(PictureArea.DEFAULT) : open(file);
+            OpenDocument document = recoverable.isNew() ? NewScene.create(PictureArea.DEFAULT) : open(file);
+            if (!document.untitled) {
+                document.setSaved(new SavedScene(file, recoverable.disk().known(), document.savedDocument()));
+            }
             document.history.edit(edits.animatedScene(), null);
             document.clampFrame();
             return document;

@@ -7,11 +7,15 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemNotFoundException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.base.file.AtomicFile;
+import lightning.base.file.FileState;
 import lightning.base.file.PrivateFolder;
 import lightning.base.file.ProcessIdentity;
 import lightning.base.file.TemporaryFolder;
@@ -20,14 +24,15 @@ import lightning.base.text.Quote;
 import lightning.format.jen.asset.JenLimits;
 
 /**
- * Crash recovery folder with one file per open document: a header line with the process and the scene's path, followed by the scene text.
- * Only the owner can read the files.
+ * Crash recovery folder with one file per open document: a header line with the process, the scene's path and the state of the scene file
+ * that was edited, followed by the scene text. Only the owner can read the files.
  *
  * <p>A file of a process that has ended is left from a crash.
  */
 public final class RecoveryFolder {
     private static final String HEADER = "# Lightning kept this of process ";
     private static final String FILE_SEPARATOR = " for ";
+    private static final String STATE_SEPARATOR = " over ";
     private static final String EXTENSION = ".kept.jen";
     /** Exceeds the header of any path. */
     private static final int MAX_HEADER_BYTES = 1 << 16;
@@ -49,10 +54,21 @@ public final class RecoveryFolder {
      * Unsaved scene of a crashed process.
      *
      * @param recoveryFile file in the recovery folder
-     * @param file         scene file, absolute
      * @param text         unsaved content of the scene file
+     * @param time         time of the last edit
+     * @param disk         scene file, absolute, with its state when it was last read or written by that process, and its state now
      */
-    public record RecoverableScene(Path recoveryFile, Path file, String text) {
+    public record RecoverableScene(Path recoveryFile, String text, Instant time, DiskStatus disk) {
+        /** Returns the scene file. */
+        public Path file() {
+            return disk.file();
+        }
+
+        /** Returns whether the scene is new and has no file yet. */
+        public boolean isNew() {
+            return NewScene.isPlaceholder(file());
+        }
+
         /** Deletes the recovery file and the looks. */
         public void delete() throws IOException {
             Files.deleteIfExists(recoveryFile);
@@ -68,11 +84,13 @@ public final class RecoveryFolder {
     /**
      * Stores the text of a scene, replacing an older one for the same file.
      *
+     * @param known state of the scene file when it was last read or written
      * @throws IOException if it cannot be written, or exceeds {@link JenLimits#FILE_BYTES} bytes; the older one is then unchanged
      */
-    public void store(Path file, String text) throws IOException {
+    public void store(Path file, FileState known, String text) throws IOException {
         PrivateFolder.restrict(folder);
-        byte[] header = (HEADER + process + FILE_SEPARATOR + file.toAbsolutePath().toUri() + "\n").getBytes(StandardCharsets.UTF_8);
+        byte[] header = (HEADER + process + FILE_SEPARATOR + file.toAbsolutePath().toUri() + STATE_SEPARATOR + known.toText() + "\n")
+                .getBytes(StandardCharsets.UTF_8);
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
         if (bytes.length > JenLimits.FILE_BYTES) {
             throw new IOException(Quote.path(file) + ": "
@@ -92,7 +110,8 @@ public final class RecoveryFolder {
 
     /** Adopts the recovery file of a crashed process, and its looks. The file exists at every moment and no other process finds it. */
     public void adopt(RecoverableScene recoverable) throws IOException {
-        store(recoverable.file(), recoverable.text());
+        store(recoverable.file(), recoverable.disk().known(), recoverable.text());
+        Files.setLastModifiedTime(recoveryFile(recoverable.file()), FileTime.from(recoverable.time()));
         if (Files.exists(recoverable.looksFolder())) {
             deleteIfExists(looksFolder(recoverable.file()));
             Files.move(recoverable.looksFolder(), looksFolder(recoverable.file()));
@@ -126,7 +145,7 @@ public final class RecoveryFolder {
                 }
             }
         }
-        scenes.sort((a, b) -> Long.compare(b.recoveryFile().toFile().lastModified(), a.recoveryFile().toFile().lastModified()));
+        scenes.sort(Comparator.comparing(RecoverableScene::time).reversed());
         return scenes;
     }
 
@@ -138,7 +157,8 @@ public final class RecoveryFolder {
             if (!header.startsWith(HEADER) || separator < 0) {
                 return Optional.empty();
             }
-            Path file = path(header.substring(separator + FILE_SEPARATOR.length()));
+            String written = header.substring(separator + FILE_SEPARATOR.length());
+            Path file = path(written);
             boolean hasNoName = !file.isAbsolute() || file.getFileName() == null;
             if (hasNoName || isAlive(header.substring(HEADER.length(), separator))) {
                 return Optional.empty();
@@ -147,10 +167,21 @@ public final class RecoveryFolder {
             if (Files.size(recoveryFile) - length > JenLimits.FILE_BYTES) {
                 return Optional.empty();
             }
-            return Optional.of(new RecoverableScene(recoveryFile, file, Files.readString(recoveryFile).substring(header.length() + 1)));
+            Instant time = Files.getLastModifiedTime(recoveryFile).toInstant();
+            return Optional.of(new RecoverableScene(recoveryFile, Files.readString(recoveryFile).substring(header.length() + 1), time,
+                    diskStatus(file, written, time)));
         } catch (IOException | IllegalArgumentException | FileSystemNotFoundException e) {
             return Optional.empty();
         }
+    }
+
+    /** Compares the scene file with its state when it was edited. Older versions stored no state; a file that is older counts as unchanged. */
+    private static DiskStatus diskStatus(Path file, String written, Instant time) throws IOException {
+        FileState current = FileState.of(file);
+        FileState known = Optional.of(written.indexOf(STATE_SEPARATOR)).filter(at -> isUri(written) && at >= 0)
+                .flatMap(at -> FileState.parse(written.substring(at + STATE_SEPARATOR.length())))
+                .orElse(current.modified().toInstant().isAfter(time) ? FileState.MISSING : current);
+        return new DiskStatus(file, known, current, false);
     }
 
     /** Returns the first line without its end; empty if it exceeds {@link #MAX_HEADER_BYTES}. */
@@ -165,9 +196,13 @@ public final class RecoveryFolder {
         return file.getFileName().toString().endsWith(EXTENSION) && Files.isRegularFile(file);
     }
 
-    /** Parses a path stored as a URI, which has no line ends; older versions stored the plain path. */
+    /** Parses a path stored as a URI, which has no spaces and line ends; older versions stored the plain path. */
     private static Path path(String written) {
-        return written.startsWith("file:") ? Path.of(URI.create(written)) : Path.of(written);
+        return isUri(written) ? Path.of(URI.create(written.split(STATE_SEPARATOR, 2)[0])) : Path.of(written);
+    }
+
+    private static boolean isUri(String written) {
+        return written.startsWith("file:");
     }
 
     private Path recoveryFile(Path file) {

@@ -10,6 +10,12 @@ public final class TextDifference {
     /** Maximum product of the line counts to compare. Larger texts are reported as entirely different. */
     private static final long MAX_PAIRS = 16L << 20;
 
+    private static final String GAP = " … ";
+    private static final String END = " …";
+    /** Characters that are kept of the start of a shortened line, and before its difference. */
+    private static final int KEPT_START = 16;
+    private static final int KEPT_BEFORE = 20;
+
     private TextDifference() {}
 
     /**
@@ -23,6 +29,35 @@ public final class TextDifference {
         /** Returns whether both texts have the line. */
         public boolean isSame() {
             return mineLine > 0 && theirsLine > 0 && mine.equals(theirs);
+        }
+
+        /**
+         * Returns the row with lines of at most a number of characters. Cuts equal text before the difference first, in both lines at the
+         * same place, so that the difference stays visible.
+         */
+        public Row shortened(int characters) {
+            if (Math.max(mine.length(), theirs.length()) <= characters) {
+                return this;
+            }
+            int equal = isSame() ? 0 : commonPrefix(mine, theirs);
+            int keptStart = Math.min(KEPT_START, characters / 4);
+            int keptBefore = Math.min(KEPT_BEFORE, characters / 2 - GAP.length());
+            int cut = equal - keptStart - keptBefore - GAP.length();
+            return new Row(mineLine, shortened(mine, cut, keptStart, characters), theirsLine,
+                    shortened(theirs, cut, keptStart, characters));
+        }
+
+        private static String shortened(String line, int cut, int keptStart, int characters) {
+            String rest = cut <= 0 ? line : line.substring(0, keptStart) + GAP + line.substring(keptStart + cut + GAP.length());
+            return rest.length() <= characters ? rest : rest.substring(0, Math.max(0, characters - END.length())) + END;
+        }
+
+        private static int commonPrefix(String a, String b) {
+            int i = 0;
+            while (i < Math.min(a.length(), b.length()) && a.charAt(i) == b.charAt(i)) {
+                i++;
+            }
+            return i;
         }
     }
 

@@ -91,6 +91,11 @@ public final class Workbench implements AutoCloseable {
         return document;
     }
 
+    /** Returns the folder of unsaved edits. */
+    public RecoveryFolder recovery() {
+        return recovery;
+    }
+
     /** Returns the image and the progress of the next one. */
     public RenderState renderState() {
         return renderState;

@@ -3,7 +3,6 @@ package lightning.editor.window;
 import java.nio.file.Path;
 import java.util.List;
 import javafx.beans.Observable;
-import javafx.scene.control.ButtonType;
 import javafx.stage.Stage;
 import javafx.stage.Window;
 import javafx.stage.WindowEvent;
@@ -11,7 +10,6 @@ import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.editor.document.Command;
 import lightning.editor.document.FileThread;
-import lightning.editor.document.RecoveryFolder;
 import lightning.editor.window.command.EditorDialogs;
 import lightning.editor.window.command.FileActions;
 import lightning.editor.window.command.FilePrompt;
@@ -88,23 +86,6 @@ public final class Editor implements AutoCloseable {
 
     public FileActions files() {
         return files;
-    }
-
-    /** Offers to recover unsaved scenes after a crash, one at a time, until the user accepts one. */
-    void offerRecovery(List<RecoveryFolder.RecoverableScene> recoveries) {
-        for (RecoveryFolder.RecoverableScene found : recoveries) {
-            ButtonType answer = notices.askRecover(found).orElse(null);
-            if (answer == EditorDialogs.RECOVER) {
-                files.recover(found);
-                return;
-            }
-            if (answer == EditorDialogs.FORGET) {
-                thread.runInOrder(() -> {
-                    found.delete();
-                    return found;
-                }, _ -> {}, failure -> notices.showFailure(Messages.tr("Could not discard the edits"), failure));
-            }
-        }
     }
 
     /** Shows the welcome page next to the start scene, unless the user has switched it off. */

@@ -41,7 +41,7 @@ final class EditorMenu extends MenuBar {
     EditorMenu(EditorModel model, FileActions files) {
         this.model = model;
         items = CommandMenuItems.forMenuBar(model.commands());
-        Menu file = menu(Messages.tr("File"), Command.NEW_SCENE, Command.LOAD_FILE, Command.WELCOME, Command.RELOAD, SEPARATOR,
+        Menu file = menu(Messages.tr("File"), Command.NEW_SCENE, Command.LOAD_FILE, Command.WELCOME, Command.RELOAD, Command.RECOVER, SEPARATOR,
                 Command.SAVE_SCENE,
                 Command.SAVE_SCENE_AS,
                 Command.SAVE_IMAGE, Command.OPEN_REVIEW, Command.LIVE_REVIEW,

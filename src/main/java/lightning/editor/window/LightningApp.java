@@ -217,7 +217,7 @@ public class LightningApp extends Application {
         if (files.isStartScene() && files.findRecoveries().isEmpty()) {
             opened.welcome();
         }
-        opened.offerRecovery(files.findRecoveries());
+        opened.files().offerRecovery(files.findRecoveries());
         if (files.fileToImport() != null) {
             opened.files().load(files.fileToImport());
         }

@@ -268,10 +268,55 @@ class OpenDocumentTest {
         assertThat(document.isDirty()).isFalse();
     }
 
+    /** Stores an unsaved text as a crashed process whose file is in its present state. */
+    private RecoveryFolder.RecoverableScene crash(String text) throws IOException {
+        new RecoveryFolder(folder.resolve("kept"), "999999999999-1").store(file, FileState.of(file), text);
+        return found();
+    }
+
+    private RecoveryFolder.RecoverableScene found() throws IOException {
+        return new RecoveryFolder(folder.resolve("kept")).list().getFirst();
+    }
+
+    private OpenDocument recover(String text) throws IOException, JenException {
+        return OpenDocument.recover(crash(text));
+    }
+
+    @Test
+    void recoveryOfUnchangedFile_savesWithoutConfirmation() throws Exception {
+        OpenDocument back = recover(DeskScene.TEXT.replace("intensity 0.3", "intensity 0.9"));
+        TestSaves.save(back);
+        assertThat(DeskScene.light(onDisk(file), "sun").intensity()).isEqualTo(0.9);
+        assertThat(back.isDirty()).isFalse();
+    }
+
+    @Test
+    void recoveryOfFileChangedSince_needsConfirmationToOverwrite() throws Exception {
+        crash(DeskScene.TEXT.replace("intensity 0.3", "intensity 0.9"));
+        String theirs = DeskScene.TEXT.replace("intensity 0.3", "intensity 0.7");
+        Files.writeString(file, theirs);
+        assertThat(found().disk().isChanged()).isTrue();
+        OpenDocument back = OpenDocument.recover(found());
+        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> TestSaves.save(back));
+        assertThat(file).hasContent(theirs);
+        TestSaves.save(back, OverwriteConfirmation.OVERWRITE_CHANGED);
+        assertThat(DeskScene.light(onDisk(file), "sun").intensity()).isEqualTo(0.9);
+    }
+
+    @Test
+    void secondRecoveryOfOneFile_needsConfirmationToOverwriteTheFirst() throws Exception {
+        new RecoveryFolder(folder.resolve("kept"), "999999999998-1").store(file, FileState.of(file), DeskScene.TEXT + "# older\n");
+        TestSaves.save(recover(DeskScene.TEXT.replace("intensity 0.3", "intensity 0.9")));
+        List<RecoveryFolder.RecoverableScene> all = new RecoveryFolder(folder.resolve("kept")).list();
+        assertThat(all).hasSize(2).allSatisfy(scene -> assertThat(scene.disk().isChanged()).isTrue());
+        OpenDocument older = OpenDocument.recover(all.stream().filter(scene -> scene.text().contains("older")).findFirst().orElseThrow());
+        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> TestSaves.save(older));
+    }
+
     @Test
     void recoveryOfInvalidFile_needsConfirmationToOverwrite() throws Exception {
         Files.writeString(file, "jen 1\nligth");
-        OpenDocument back = OpenDocument.recover(new RecoveryFolder.RecoverableScene(folder.resolve("x"), file, DeskScene.TEXT));
+        OpenDocument back = recover(DeskScene.TEXT);
         assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> TestSaves.save(back));
         assertThat(file).hasContent("jen 1\nligth");
     }
@@ -291,7 +336,7 @@ class OpenDocumentTest {
     void recoveredEdits_areOneStep() throws Exception {
         setIntensity("key", 2);
         String kept = document.text(document.content());
-        OpenDocument back = OpenDocument.recover(new RecoveryFolder.RecoverableScene(folder.resolve("x"), file, kept));
+        OpenDocument back = recover(kept);
         assertThat(back.scene()).isEqualTo(document.scene());
         assertThat(back.isDirty()).isTrue();
         back.history().undo();
@@ -301,7 +346,7 @@ class OpenDocumentTest {
     @Test
     void recoveredWithoutFile_isDirty() throws Exception {
         Files.delete(file);
-        OpenDocument back = OpenDocument.recover(new RecoveryFolder.RecoverableScene(folder.resolve("x"), file, DeskScene.TEXT));
+        OpenDocument back = recover(DeskScene.TEXT);
         assertThat(back.scene()).isEqualTo(DeskScene.scene());
         assertThat(back.isDirty()).isTrue();
         TestSaves.save(back);

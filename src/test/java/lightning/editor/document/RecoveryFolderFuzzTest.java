@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import lightning.base.file.FileState;
 import lightning.sample.ByteFuzzer;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
@@ -27,7 +28,7 @@ class RecoveryFolderFuzzTest {
 
     @Test
     void storedFile_isListedOrSkipped() throws IOException {
-        new RecoveryFolder(folder, "999999999999-1").store(Path.of("/scenes/a b.jen"), "jen 1\n");
+        new RecoveryFolder(folder, "999999999999-1").store(Path.of("/scenes/a b.jen"), FileState.MISSING, "jen 1\n");
         Path kept;
         try (Stream<Path> files = Files.list(folder)) {
             kept = files.findFirst().orElseThrow();

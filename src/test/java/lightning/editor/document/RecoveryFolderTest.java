@@ -7,14 +7,17 @@ import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import lightning.base.file.FileState;
 import lightning.base.work.Await;
 import lightning.format.jen.asset.JenLimits;
 import lightning.sample.Slow;
@@ -26,6 +29,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class RecoveryFolderTest {
@@ -54,7 +58,7 @@ class RecoveryFolderTest {
     @Test
     void textOfCrashedProcess_isListedUnchanged() throws IOException {
         Path file = folder.resolve("a b.jen").toAbsolutePath();
-        new RecoveryFolder(recoveryFile(), CRASHED).store(file, DeskScene.TEXT);
+        new RecoveryFolder(recoveryFile(), CRASHED).store(file, FileState.MISSING, DeskScene.TEXT);
         assertThat(new RecoveryFolder(recoveryFile()).list()).singleElement().satisfies(found -> {
             assertThat(found.file()).isEqualTo(file);
             assertThat(found.text()).isEqualTo(DeskScene.TEXT);
@@ -66,7 +70,7 @@ class RecoveryFolderTest {
     @DisabledOnOs(OS.WINDOWS)
     void anyFileName_isListedUnchanged(String name) throws IOException {
         Path file = folder.resolve(name).toAbsolutePath();
-        new RecoveryFolder(recoveryFile(), CRASHED).store(file, DeskScene.TEXT);
+        new RecoveryFolder(recoveryFile(), CRASHED).store(file, FileState.MISSING, DeskScene.TEXT);
         assertThat(new RecoveryFolder(recoveryFile()).list()).singleElement().satisfies(found -> {
             assertThat(found.file()).isEqualTo(file);
             assertThat(found.text()).isEqualTo(DeskScene.TEXT);
@@ -90,17 +94,55 @@ class RecoveryFolderTest {
     void storedFile_isPrivateToOwner() throws IOException {
         Files.createDirectories(recoveryFile());
         Files.setPosixFilePermissions(recoveryFile(), PosixFilePermissions.fromString("rwxr-xr-x"));
-        new RecoveryFolder(recoveryFile(), CRASHED).store(folder.resolve("a.jen"), DeskScene.TEXT);
+        new RecoveryFolder(recoveryFile(), CRASHED).store(folder.resolve("a.jen"), FileState.MISSING, DeskScene.TEXT);
         assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(recoveryFile()))).isEqualTo("rwx------");
         Path file = new RecoveryFolder(recoveryFile()).list().getFirst().recoveryFile();
         assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file))).isEqualTo("rw-------");
     }
 
     @Test
+    void changeOfTheSceneFile_isListed() throws IOException {
+        Path file = Files.writeString(folder.resolve("a.jen"), "jen 1");
+        new RecoveryFolder(recoveryFile(), CRASHED).store(file, FileState.of(file), DeskScene.TEXT);
+        assertThat(new RecoveryFolder(recoveryFile()).list().getFirst().disk().isChanged()).isFalse();
+        Files.writeString(file, "jen 1\n");
+        assertThat(new RecoveryFolder(recoveryFile()).list().getFirst().disk().isChanged()).isTrue();
+        Files.delete(file);
+        assertThat(new RecoveryFolder(recoveryFile()).list().getFirst().disk().isDeleted()).isTrue();
+    }
+
+    @Test
+    void adoptedFile_keepsTimeAndStateOfTheCrashedProcess() throws IOException {
+        Path file = Files.writeString(folder.resolve("a.jen"), "jen 1");
+        new RecoveryFolder(recoveryFile(), CRASHED).store(file, FileState.of(file), DeskScene.TEXT);
+        Instant time = Instant.parse("2001-02-03T04:05:06Z");
+        Files.setLastModifiedTime(new RecoveryFolder(recoveryFile()).list().getFirst().recoveryFile(), FileTime.from(time));
+        Files.writeString(file, "jen 1\n");
+        new RecoveryFolder(recoveryFile(), "999999999998-1").adopt(new RecoveryFolder(recoveryFile()).list().getFirst());
+        assertThat(new RecoveryFolder(recoveryFile()).list()).singleElement().satisfies(found -> {
+            assertThat(found.time()).isEqualTo(time);
+            assertThat(found.disk().isChanged()).isTrue();
+        });
+    }
+
+    /** Older versions stored no state of the scene file. */
+    @ParameterizedTest
+    @CsvSource({"2001-02-03T04:05:07Z, true", "2001-02-03T04:05:05Z, false"})
+    void fileOfOlderVersion_isChangedIfTheSceneFileIsNewer(String modified, boolean changed) throws IOException {
+        Path file = Files.writeString(folder.resolve("a.jen"), "jen 1");
+        Files.createDirectories(recoveryFile());
+        Path recovery = Files.writeString(recoveryFile().resolve("x.kept.jen"),
+                "# Lightning kept this of process 999999999999-1 for " + file.toUri() + "\n" + DeskScene.TEXT);
+        Files.setLastModifiedTime(recovery, FileTime.from(Instant.parse("2001-02-03T04:05:06Z")));
+        Files.setLastModifiedTime(file, FileTime.from(Instant.parse(modified)));
+        assertThat(new RecoveryFolder(recoveryFile()).list().getFirst().disk().isChanged()).isEqualTo(changed);
+    }
+
+    @Test
     void looksOfCrashedProcess_areAdopted_andDeletedWithTheFile() throws IOException {
         Path file = folder.resolve("untitled.jen").toAbsolutePath();
         var crashed = new RecoveryFolder(recoveryFile(), CRASHED);
-        crashed.store(file, DeskScene.TEXT);
+        crashed.store(file, FileState.MISSING, DeskScene.TEXT);
         Files.createDirectories(crashed.looksFolder(file));
         Files.writeString(crashed.looksFolder(file).resolve("day.jen"), "jen 1");
         var recovery = new RecoveryFolder(recoveryFile());
@@ -113,21 +155,21 @@ class RecoveryFolderTest {
 
     @Test
     void fileOfRunningProcess_isNotListed() throws IOException {
-        new RecoveryFolder(recoveryFile()).store(folder.resolve("a.jen"), DeskScene.TEXT);
+        new RecoveryFolder(recoveryFile()).store(folder.resolve("a.jen"), FileState.MISSING, DeskScene.TEXT);
         assertThat(new RecoveryFolder(recoveryFile()).list()).isEmpty();
         assertThat(fileCount()).isEqualTo(1);
     }
 
     @Test
     void reusedProcessId_isACrash() throws IOException {
-        new RecoveryFolder(recoveryFile(), ProcessHandle.current().pid() + "-1").store(folder.resolve("a.jen"), DeskScene.TEXT);
+        new RecoveryFolder(recoveryFile(), ProcessHandle.current().pid() + "-1").store(folder.resolve("a.jen"), FileState.MISSING, DeskScene.TEXT);
         assertThat(new RecoveryFolder(recoveryFile()).list()).hasSize(1);
     }
 
     @Test
     @Slow
     void largestText_isListed() throws IOException {
-        new RecoveryFolder(recoveryFile(), CRASHED).store(folder.resolve("a.jen"), "");
+        new RecoveryFolder(recoveryFile(), CRASHED).store(folder.resolve("a.jen"), FileState.MISSING, "");
         Path file = new RecoveryFolder(recoveryFile()).list().getFirst().recoveryFile();
         try (var sparse = new RandomAccessFile(file.toFile(), "rw")) {
             sparse.setLength(sparse.length() + JenLimits.FILE_BYTES);
@@ -140,9 +182,9 @@ class RecoveryFolderTest {
     @Slow
     void tooLargeText_isRejected() throws IOException {
         var recovery = new RecoveryFolder(recoveryFile(), CRASHED);
-        recovery.store(folder.resolve("a.jen"), "older");
+        recovery.store(folder.resolve("a.jen"), FileState.MISSING, "older");
         String text = "x".repeat(JenLimits.FILE_BYTES + 1);
-        assertThatIOException().isThrownBy(() -> recovery.store(folder.resolve("a.jen"), text))
+        assertThatIOException().isThrownBy(() -> recovery.store(folder.resolve("a.jen"), FileState.MISSING, text))
                 .withMessage(folder.resolve("a.jen") + ": expected at most 268435456 bytes of scene text, found 268435457");
         assertThat(new RecoveryFolder(recoveryFile()).list()).extracting(RecoveryFolder.RecoverableScene::text).containsExactly("older");
     }
@@ -150,16 +192,16 @@ class RecoveryFolderTest {
     @Test
     void storeAgain_replacesOlderText() throws IOException {
         var crashed = new RecoveryFolder(recoveryFile(), CRASHED);
-        crashed.store(folder.resolve("a.jen"), "older");
-        crashed.store(folder.resolve("a.jen"), "newer");
+        crashed.store(folder.resolve("a.jen"), FileState.MISSING, "older");
+        crashed.store(folder.resolve("a.jen"), FileState.MISSING, "newer");
         assertThat(new RecoveryFolder(recoveryFile()).list()).extracting(RecoveryFolder.RecoverableScene::text).containsExactly("newer");
     }
 
     @Test
     void deletedFile_isNotListed() throws IOException {
         var crashed = new RecoveryFolder(recoveryFile(), CRASHED);
-        crashed.store(folder.resolve("a.jen"), "a");
-        crashed.store(folder.resolve("b.jen"), "b");
+        crashed.store(folder.resolve("a.jen"), FileState.MISSING, "a");
+        crashed.store(folder.resolve("b.jen"), FileState.MISSING, "b");
         crashed.delete(folder.resolve("a.jen"));
         new RecoveryFolder(recoveryFile()).list().getFirst().delete();
         assertThat(fileCount()).isZero();

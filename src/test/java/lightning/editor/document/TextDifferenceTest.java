@@ -22,6 +22,37 @@ class TextDifferenceTest {
     }
 
     @Test
+    void shortenedLines_showTheDifferenceInsteadOfEqualText() {
+        String start = "light key spot { color 1 0.9 0.8  at 3 5 2  direction -3 -4 -2  angle 25  dropoff 4  intensity ";
+        Row row = new Row(7, start + "0.25 }", 7, start + "0.75 }");
+        Row shown = row.shortened(64);
+        assertThat(shown.mine()).startsWith("light key spot {").endsWith("intensity 0.25 }").hasSizeLessThanOrEqualTo(64);
+        assertThat(shown.theirs()).isEqualTo(shown.mine().replace("0.25", "0.75"));
+        assertThat(shown.isSame()).isFalse();
+    }
+
+    @Test
+    void shortenedEqualLines_areCutAtTheirEnd() {
+        String line = "0123456789".repeat(10);
+        assertThat(new Row(1, line, 1, line).shortened(12)).isEqualTo(new Row(1, "0123456789 …", 1, "0123456789 …"));
+        assertThat(new Row(1, line, 1, line).shortened(100).mine()).isEqualTo(line);
+    }
+
+    @Property
+    void shortenedLines_fitAndDifferWhereTheLinesDiffer(@ForAll("longLines") String head, @ForAll("longLines") String mine,
+            @ForAll("longLines") String theirs) {
+        Row row = new Row(1, head + "<" + mine, 1, head + ">" + theirs).shortened(30);
+        assertThat(row.mine()).hasSizeLessThanOrEqualTo(30).contains("<");
+        assertThat(row.theirs()).hasSizeLessThanOrEqualTo(30).contains(">");
+        assertThat(row.mine().indexOf('<')).isEqualTo(row.theirs().indexOf('>'));
+    }
+
+    @Provide
+    Arbitrary<String> longLines() {
+        return Arbitraries.strings().withCharRange('a', 'z').ofMaxLength(80);
+    }
+
+    @Test
     void lineOfOneText_hasEmptyOtherSide() {
         assertThat(TextDifference.rows("a\nc\n", "a\nb\nc\n")).containsExactly(
                 new Row(1, "a", 1, "a"), new Row(0, "", 2, "b"), new Row(2, "c", 3, "c"));

@@ -13,6 +13,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
+import lightning.base.file.FileState;
 import lightning.base.math.Vec3;
 import lightning.base.work.Await;
 import lightning.editor.loop.KeptPictures;
@@ -278,7 +279,7 @@ class WorkbenchTest {
     void recoveredDocument_isStoredUntilSaved() throws Exception {
         var crashed = new RecoveryFolder(folder.resolve("kept"), "999999999999-1");
         Path file = Files.writeString(folder.resolve("lost.jen"), DeskScene.TEXT);
-        crashed.store(file, DeskScene.TEXT.replace("intensity 0.3", "intensity 0.9"));
+        crashed.store(file, FileState.of(file), DeskScene.TEXT.replace("intensity 0.3", "intensity 0.9"));
         RecoveryFolder own = new RecoveryFolder(folder.resolve("kept"));
         RecoveryFolder.RecoverableScene found = own.list().getFirst();
         workbench.recover(found, OpenDocument.recover(found), () -> {});
@@ -295,7 +296,8 @@ class WorkbenchTest {
         workbench.go();
         awaitIdle();
         var crashed = new RecoveryFolder(folder.resolve("kept"), "999999999999-1");
-        crashed.store(workbench.document().file(), DeskScene.TEXT.replace("intensity 0.3", "intensity 0.9"));
+        crashed.store(workbench.document().file(), workbench.document().knownState(),
+                DeskScene.TEXT.replace("intensity 0.3", "intensity 0.9"));
         RecoveryFolder.RecoverableScene found = new RecoveryFolder(folder.resolve("kept")).list().getFirst();
         OpenDocument recovered = OpenDocument.recover(found);
         workbench.recover(found, recovered, () -> {});

@@ -9,9 +9,12 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFilePermissions;
 import javafx.application.Platform;
 import javafx.scene.control.Button;
+import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
+import javafx.scene.input.KeyCode;
 import lightning.editor.document.Command;
 import lightning.editor.document.DeskScene;
+import lightning.editor.document.OpenDocument;
 import lightning.editor.document.OpenSceneRegistry;
 import lightning.editor.document.TextDifference;
 import lightning.format.jen.JenException;
@@ -20,6 +23,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** Other programs write the open scene's file. */
 class ExternalChangesTest extends EditorFixture {
@@ -73,6 +78,31 @@ class ExternalChangesTest extends EditorFixture {
         robot.clickOn("Cancel");
         assertThat(file).hasContent(otherText);
         assertThat(model().editor().document().isDirty()).isTrue();
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"ENTER", "ESCAPE"})
+    void enterAndEscape_keepBothTexts(KeyCode key) throws IOException {
+        saveOverOtherText();
+        robot.type(key);
+        waitFor("the question is answered", () -> !isShown("differences"));
+        assertThat(file).hasContent(otherText);
+        assertThat(model().editor().document().isDirty()).isTrue();
+    }
+
+    @Test
+    void longLines_showTheirDifference() throws IOException, JenException {
+        String lamp = "light lamp point { at -2 2.2 0.5  intensity 1 }";
+        String longLamp = "light lamp point { color 1 0.9 0.8  attenuation 1 0.0000000000001 0.0000000000001  at -2 2.2 0.5  intensity 0.75 }";
+        String notes = "# note\n".repeat(80);
+        otherText = otherText.replace("jen 1\n", "jen 1\n" + notes).replace(lamp, longLamp);
+        Files.writeString(file, otherText.replace("0.75", "0.5"));
+        OpenDocument document = OpenDocument.open(file);
+        robot.interact(() -> model().open(document));
+        saveOverOtherText();
+        assertThat(robot.lookup("#differences .difference").queryAllAs(Label.class)).extracting(Label::getText)
+                .anyMatch(text -> text.contains("intensity 0.25")).anyMatch(text -> text.contains("intensity 0.75"));
+        robot.clickOn("Cancel");
     }
 
     @Test

@@ -7,12 +7,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javafx.application.Platform;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
+import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuBar;
@@ -20,12 +23,17 @@ import javafx.scene.input.Clipboard;
 import javafx.stage.Stage;
 import javafx.stage.Window;
 import javafx.stage.WindowEvent;
+import lightning.base.file.FileState;
 import lightning.editor.document.Command;
 import lightning.editor.document.DeskScene;
+import lightning.editor.document.FileThread;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.document.PictureArea;
+import lightning.editor.document.RecoveryFolder;
 import lightning.editor.window.model.AccuracyMode;
+import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Preferences;
+import lightning.editor.window.model.StatusMessage;
 import lightning.editor.window.widget.PictureView;
 import lightning.format.exr.ExrChannel;
 import lightning.format.exr.ExrReader;
@@ -66,6 +74,78 @@ class FilesTest extends EditorFixture {
         assertThat(isEnabled(Command.SAVE_SCENE)).isFalse();
         assertThat(stage.getTitle()).startsWith("desk.jen");
         assertThat(JenReader.read(folder.resolve("desk.jen")).scene()).isEqualTo(model().editor().scene());
+    }
+
+    @Test
+    void failedSave_offersAnotherFile() throws IOException {
+        dim();
+        Files.delete(folder.resolve("desk.jen"));
+        Files.createDirectories(folder.resolve("desk.jen/full"));
+        answer = folder.resolve("rescued.jen");
+        startCommand(Command.SAVE_SCENE);
+        waitFor("the failure is shown", () -> isMessageShown("The scene could not be saved"));
+        robot.clickOn("Save As…");
+        waitFor("the scene is saved", () -> text("message").equals("Saved rescued.jen"));
+        assertThat(model().editor().document().isDirty()).isFalse();
+    }
+
+    private Path crash(String name, String process) throws IOException {
+        Path recovery = EditorPaths.dataFolder().resolve("recovery");
+        Path file = Files.writeString(folder.resolve(name), sceneText());
+        Files.createDirectories(recovery);
+        Files.writeString(recovery.resolve(process + ".kept.jen"), "# Lightning kept this of process " + process + " for " + file.toUri()
+                + " over " + FileState.of(file).toText() + "\n" + sceneText().replace("intensity 0.4", "intensity 0.6"));
+        return file;
+    }
+
+    @Test
+    void unsavedScenes_areOfferedInOneList_andRecoveredOneAfterTheOther() throws Exception {
+        Path first = crash("first.jen", "999999999999-1");
+        Path second = crash("second.jen", "999999999998-1");
+        Files.writeString(second, sceneText() + "# mine\n");
+        startCommand(Command.RECOVER);
+        waitFor("the scenes are offered", () -> robot.lookup("#recoverable").tryQuery().isPresent());
+        ListView<RecoveryFolder.RecoverableScene> list = robot.lookup("#recoverable").query();
+        assertThat(list.getItems()).extracting(RecoveryFolder.RecoverableScene::file).containsExactlyInAnyOrder(first, second);
+        assertThat(robot.lookup("#recoverable .list-cell").queryAllAs(ListCell.class)).extracting(ListCell::getText)
+                .anyMatch(text -> text.startsWith(first + ", edited 20") && text.endsWith("\nThe file did not change since."))
+                .anyMatch(text -> text.startsWith(second + ", edited 20")
+                        && text.contains("\nThe file was changed since this version was opened, at 20"));
+        robot.interact(() -> list.getSelectionModel().select(list.getItems().stream().filter(s -> s.file().equals(second)).findFirst()
+                .orElseThrow()));
+        robot.clickOn("Recover");
+        waitFor("the scene is recovered", () -> model().editor().document().file().equals(second));
+        assertThat(light("sun").intensity()).isEqualTo(0.6);
+        startCommand(Command.SAVE_SCENE);
+        waitFor("the question is shown", () -> isMessageShown("second.jen was changed by another program"));
+        robot.clickOn("Cancel");
+        startCommand(Command.RECOVER);
+        waitFor("the other scene is offered", () -> robot.lookup("#recoverable").tryQuery().isPresent());
+        ListView<RecoveryFolder.RecoverableScene> rest = robot.lookup("#recoverable").query();
+        assertThat(rest.getItems()).extracting(RecoveryFolder.RecoverableScene::file).containsExactly(first);
+        robot.clickOn("Discard");
+        waitFor("the dialog is closed", () -> robot.lookup("#recoverable").tryQuery().isEmpty());
+        startCommand(Command.RECOVER);
+        waitFor("nothing is left", () -> text("message").equals("There are no unsaved changes to recover"));
+    }
+
+    @Test
+    void savedScene_showsSaved_alsoIfAutosaveFails() throws Exception {
+        Path noFolder = Files.writeString(folder.resolve("blocked"), "a file");
+        Path file = Files.writeString(folder.resolve("other.jen"), sceneText());
+        var failing = new AtomicReference<EditorModel>();
+        var thread = new FileThread(Platform::runLater);
+        OpenDocument document = OpenDocument.open(file);
+        robot.interact(() -> failing.set(new EditorModel(document, new RecoveryFolder(noFolder), thread)));
+        StatusMessage message = failing.get().editor().message();
+        robot.interact(() -> failing.get().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25)));
+        waitFor("autosave failed", () -> message.textProperty().get().startsWith("Autosave failed: "));
+        robot.interact(() -> failing.get().workbench().saveAs(file, Set.of(), _ -> message.show("Saved other.jen")));
+        waitFor("the scene is saved", () -> !document.isDirty());
+        robot.interact(failing.get()::close);
+        waitFor("all messages are shown", () -> true);
+        assertThat(message.textProperty().get()).isEqualTo("Saved other.jen");
+        thread.close();
     }
 
     @Test

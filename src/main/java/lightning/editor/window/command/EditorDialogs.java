@@ -6,9 +6,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import javafx.event.ActionEvent;
 import javafx.scene.Node;
 import javafx.scene.control.Alert;
+import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBar.ButtonData;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.Label;
@@ -42,10 +44,10 @@ public final class EditorDialogs {
     static final ButtonType DISCARD = new ButtonType(Messages.tr("Don't Save"), ButtonData.NO);
     static final ButtonType GO_FIRST = new ButtonType(Messages.tr("Render First"), ButtonData.NO);
     static final ButtonType SAVE_AS_IT_IS = new ButtonType(Messages.tr("Save Anyway"), ButtonData.YES);
-    public static final ButtonType RECOVER = new ButtonType(Messages.tr("Recover"), ButtonData.YES);
-    public static final ButtonType FORGET = new ButtonType(Messages.tr("Discard"), ButtonData.NO);
-    static final ButtonType OVERWRITE = new ButtonType(Messages.tr("Overwrite"), ButtonData.YES);
-    static final ButtonType REPLACE = new ButtonType(Messages.tr("Replace"), ButtonData.YES);
+    static final ButtonType RECOVER = new ButtonType(Messages.tr("Recover"), ButtonData.YES);
+    static final ButtonType FORGET = new ButtonType(Messages.tr("Discard"), ButtonData.NO);
+    static final ButtonType OVERWRITE = new ButtonType(Messages.tr("Overwrite"), ButtonData.OTHER);
+    static final ButtonType REPLACE = new ButtonType(Messages.tr("Replace"), ButtonData.OTHER);
     static final ButtonType SAVE_AS = new ButtonType(Messages.tr("Save As…"), ButtonData.OTHER);
     static final ButtonType RELOAD = new ButtonType(Messages.tr("Reload File"), ButtonData.NO);
     static final ButtonType APPLY = new ButtonType(Messages.tr("Apply"), ButtonData.OK_DONE);
@@ -68,6 +70,13 @@ public final class EditorDialogs {
     /** Shows an error dialog without blocking. */
     public void showFailure(String header, Throwable cause) {
         failureAlert(header, cause).show();
+    }
+
+    /** Shows an error dialog that offers to save to another file. Returns whether the user chose to. */
+    boolean askSaveAs(String header, Throwable cause) {
+        Alert alert = failureAlert(header, cause);
+        alert.getButtonTypes().addFirst(SAVE_AS);
+        return alert.showAndWait().filter(SAVE_AS::equals).isPresent();
     }
 
     /** Shows an error dialog and waits until it is closed. */
@@ -104,12 +113,29 @@ public final class EditorDialogs {
                 .showAndWait();
     }
 
-    public Optional<ButtonType> askRecover(RecoveryFolder.RecoverableScene recoverable) {
-        return alert(Alert.AlertType.CONFIRMATION,
-                Messages.tr("Recover unsaved changes to {0}?", Quote.path(recoverable.file().getFileName())),
-                Messages.tr("Lightning closed unexpectedly. There are unsaved changes to {0}.", Quote.path(recoverable.file())),
-                RECOVER, FORGET, LATER)
-                .showAndWait();
+    /**
+     * Offers all unsaved scenes of crashed processes in a list.
+     *
+     * @param onDiscard receives each scene that the user discards; the dialog stays open for the others
+     * @return scene to recover; empty if none was chosen
+     */
+    Optional<RecoveryFolder.RecoverableScene> askRecover(List<RecoveryFolder.RecoverableScene> scenes,
+            Consumer<RecoveryFolder.RecoverableScene> onDiscard) {
+        Alert alert = alert(Alert.AlertType.CONFIRMATION, Messages.tr("Lightning closed unexpectedly. Recover unsaved changes?"), "",
+                RECOVER, FORGET, LATER);
+        var chooser = new RecoveryChooser(scenes);
+        alert.getDialogPane().setContent(chooser);
+        alert.setResizable(true);
+        alert.getDialogPane().lookupButton(FORGET).addEventFilter(ActionEvent.ACTION, event -> {
+            chooser.chosen().ifPresent(scene -> {
+                onDiscard.accept(scene);
+                chooser.remove(scene);
+            });
+            if (!chooser.getItems().isEmpty()) {
+                event.consume();
+            }
+        });
+        return alert.showAndWait().filter(RECOVER::equals).flatMap(_ -> chooser.chosen());
     }
 
     /** @param comparison  view of the differences between the open scene and the file */
@@ -235,6 +261,11 @@ public final class EditorDialogs {
         alert.setGraphic(FontIcon.of(icon, ICON));
         alert.getDialogPane().setContent(new WrappedLabel(text));
         alert.getDialogPane().setMinHeight(Region.USE_PREF_SIZE);
+        if (Stream.of(buttons).noneMatch(button -> button.getButtonData().isDefaultButton())) {
+            // Enter presses the default button, else the first, and must not destroy anything.
+            Stream.of(buttons).filter(button -> button.getButtonData() == ButtonData.CANCEL_CLOSE).findFirst()
+                    .ifPresent(cancel -> ((Button) alert.getDialogPane().lookupButton(cancel)).setDefaultButton(true));
+        }
         alert.setOnShown(_ -> WindowPlacement.fit(alert.getDialogPane().getScene().getWindow()));
         return alert;
     }

@@ -75,6 +75,7 @@ public final class FileActions {
         model.commands().setAction(Command.LOAD_FILE,
                 () -> prompt.sceneToOpen(folderToOpen()).ifPresent(this::load));
         model.commands().setAction(Command.RELOAD, this::reload);
+        model.commands().setAction(Command.RECOVER, this::findRecoveries);
         model.commands().setAction(Command.SAVE_SCENE, () -> saver.save(() -> {}));
         model.commands().setAction(Command.SAVE_SCENE_AS, () -> saver.saveAs(() -> {}));
         model.commands().setAction(Command.SAVE_IMAGE, this::saveImage);
@@ -243,6 +244,27 @@ public final class FileActions {
         if (!document.notes().isEmpty()) {
             notices.showNotes(document.file(), document.notes());
         }
+    }
+
+    /** Offers to recover unsaved scenes of crashed processes, all in one dialog; does nothing if there are none. */
+    public void offerRecovery(List<RecoveryFolder.RecoverableScene> scenes) {
+        if (!scenes.isEmpty()) {
+            notices.askRecover(scenes, this::discard).ifPresent(chosen -> confirmClose(() -> recover(chosen)));
+        }
+    }
+
+    private void findRecoveries() {
+        model.files().runConcurrently(model.workbench().recovery()::list, found -> {
+            message.show(found.isEmpty() ? Messages.tr("There are no unsaved changes to recover") : "");
+            offerRecovery(found);
+        }, failure -> notices.showFailure(Messages.tr("The edits could not be recovered"), failure));
+    }
+
+    private void discard(RecoveryFolder.RecoverableScene discarded) {
+        model.files().runInOrder(() -> {
+            discarded.delete();
+            return discarded;
+        }, _ -> {}, failure -> notices.showFailure(Messages.tr("Could not discard the edits"), failure));
     }
 
     /** Opens edits recovered after a crash. */

@@ -79,7 +79,11 @@ final class SceneSaver {
                     saveAs(onSaved);
                 }
             }
-            case Throwable other -> notices.showFailure(Messages.tr("The scene could not be saved"), other);
+            case Throwable other -> {
+                if (notices.askSaveAs(Messages.tr("The scene could not be saved"), other)) {
+                    saveAs(onSaved);
+                }
+            }
         }
     }
 

@@ -1,25 +1,31 @@
 package lightning.editor.window.command;
 
 import java.util.List;
+import javafx.application.Platform;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
+import javafx.scene.text.Text;
 import lightning.base.text.Messages;
 import lightning.editor.document.TextDifference;
 import org.jspecify.annotations.Nullable;
 
 /** Side-by-side view of two texts with marked and colored differences. */
 final class TextDifferenceView extends VBox {
-    private static final double WIDTH = 780;
+    private static final double WIDTH = 960;
     private static final double HEIGHT = 240;
     private static final double GAP = 12;
     /** Rows shown before the first difference. */
     private static final int CONTEXT_ROWS = 2;
-    /** Maximum displayed line length. Labels of millions of characters would block the window. */
-    private static final int MAX_CHARACTERS = 300;
+    /** Width of the list's scroll bar and of the padding of its cells, pixels. */
+    private static final double CELL_INSETS = 34;
+    private static final int MIN_CHARACTERS = 20;
+    private static final String SAME = "  ";
+    private static final String DIFFERENT = "▸ ";
+    private static final String GUTTER = "  ";
 
     TextDifferenceView(List<TextDifference.Row> rows) {
         getStyleClass().add("differences");
@@ -37,7 +43,15 @@ final class TextDifferenceView extends VBox {
         while (first < rows.size() && rows.get(first).isSame()) {
             first++;
         }
-        list.scrollTo(Math.max(0, first - CONTEXT_ROWS));
+        int top = Math.max(0, first - CONTEXT_ROWS);
+        // Before it has a height, a list scrolls to another row.
+        list.heightProperty().addListener((_, before, _) -> {
+            if (before.doubleValue() == 0) {
+                Platform.runLater(() -> list.scrollTo(top));
+            }
+        });
+        // Wider cells show more of their lines.
+        list.widthProperty().addListener(_ -> list.refresh());
     }
 
     private static Label setHalfWidth(Label label) {
@@ -62,14 +76,23 @@ final class TextDifferenceView extends VBox {
             super.updateItem(row, empty);
             setGraphic(empty || row == null ? null : columns);
             if (row != null && !empty) {
-                show(mine, row.mineLine(), row.mine(), row.isSame());
-                show(theirs, row.theirsLine(), row.theirs(), row.isSame());
+                int digits = String.valueOf(Math.max(row.mineLine(), row.theirsLine())).length();
+                TextDifference.Row shown = row.shortened(Math.max(MIN_CHARACTERS, characters() - SAME.length() - digits - GUTTER.length()));
+                show(mine, shown.mineLine(), shown.mine(), row.isSame());
+                show(theirs, shown.theirsLine(), shown.theirs(), row.isSame());
             }
         }
 
+        /** Returns how many characters fit into a label. */
+        private int characters() {
+            var digit = new Text("0");
+            digit.setFont(mine.getFont());
+            double width = Math.max(WIDTH, getListView().getWidth()) - CELL_INSETS - GAP;
+            return (int) (width / 2 / digit.getLayoutBounds().getWidth());
+        }
+
         private static void show(Label label, int number, String line, boolean same) {
-            String shortLine = line.length() > MAX_CHARACTERS ? line.substring(0, MAX_CHARACTERS) + " …" : line;
-            label.setText(number == 0 ? "" : (same ? "   " : "▸ ") + number + "  " + shortLine);
+            label.setText(number == 0 ? "" : (same ? SAME : DIFFERENT) + number + GUTTER + line);
             label.getStyleClass().removeAll("difference");
             if (!same) {
                 label.getStyleClass().add("difference");

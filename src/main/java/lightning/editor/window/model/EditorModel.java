@@ -87,7 +87,9 @@ public final class EditorModel implements AutoCloseable {
     }
 
     private void reportAutosaveFailure(Throwable failure) {
-        editor.message().show(Messages.tr("Autosave failed: {0}", ErrorMessage.of(failure)));
+        if (workbench.document().isDirty()) {
+            editor.message().show(Messages.tr("Autosave failed: {0}", ErrorMessage.of(failure)));
+        }
     }
 
     private void addCommands() {
