@@ -13,6 +13,7 @@ import lightning.base.file.ParentFolder;
 import lightning.base.file.ShippedFile;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.format.jen.AssetCopies;
 import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
@@ -227,6 +228,22 @@ public final class OpenDocument {
     /** Returns the files that the scene file names and cannot use, or only with fewer pixels; see {@link JenDocument#notes}. */
     public List<Problem> notes() {
         return savedDocument().notes();
+    }
+
+    /** Returns the names of the files that the scene file names and its folders lack; none if the document is untitled. Callable on any thread. */
+    public List<String> missingFiles() throws IOException {
+        return untitled ? List.of() : AssetCopies.missing(savedDocument(), ParentFolder.of(file()));
+    }
+
+    /**
+     * Copies a missing file, and all others that are next to the chosen one, to where the scene finds them, and opens the document again.
+     *
+     * @param name name of the chosen file in the scene
+     * @throws IOException if a file cannot be copied or read
+     */
+    public OpenDocument withMissingFiles(String name, Path chosen) throws IOException, JenException {
+        AssetCopies.copyMissing(savedDocument(), name, chosen, ParentFolder.of(file()));
+        return open(file());
     }
 
     /** Returns the scene of the file, without keyframes applied. */

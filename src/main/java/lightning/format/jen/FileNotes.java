@@ -4,7 +4,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
-/** Images and profiles of a scene file that are left out or reduced. */
+/** Images, profiles and meshes of a scene file that are left out or reduced. */
 final class FileNotes {
     private final ProblemList list;
     private final boolean refuses;

@@ -44,8 +44,8 @@ public final class JenDocument {
     }
 
     /**
-     * Returns what the file names and the scene lacks, in the order of the text it was read from: images and profiles that cannot be used are left
-     * out, those that are too large are reduced. The text still names them.
+     * Returns what the file names and the scene lacks, in the order of the text it was read from: images, profiles and meshes that cannot be used are
+     * left out, those that are too large are reduced. The text still names them.
      */
     public List<Problem> notes() {
         return notes;
@@ -61,6 +61,11 @@ public final class JenDocument {
             throw new JenException(notes);
         }
         return this;
+    }
+
+    /** Returns the files that the scene lacks, since they cannot be used. */
+    Set<LeftOutFile> leftOut() {
+        return leftOut;
     }
 
     /** Returns the scene with its shot. */

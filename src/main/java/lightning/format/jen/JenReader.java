@@ -19,7 +19,7 @@ public final class JenReader {
     private JenReader() {}
 
     /**
-     * Reads a scene file and the files it references. Images and profiles that cannot be used are left out and {@linkplain JenDocument#notes noted}.
+     * Reads a scene file and the files it references. Images, profiles and meshes that cannot be used are left out and {@linkplain JenDocument#notes noted}.
      *
      * @throws IOException if the file cannot be read, or is a folder, a pipe or a device; these are not opened, since
      *     reading could block or never end
@@ -37,7 +37,7 @@ public final class JenReader {
      * @param stage shapes that the lights may be linked to
      * @return the file's content, with defaults for everything else, and its own stage if it has one
      * @throws IOException as {@link #read(Path)}
-     * @throws JenException as {@link #read(Path)}, also if an image or profile cannot be used
+     * @throws JenException as {@link #read(Path)}, also if a file cannot be used
      */
     public static Scene readLights(Path file, Path folder, Stage stage) throws IOException, JenException {
         return read(file, folder, stage).requireAllFiles().scene();

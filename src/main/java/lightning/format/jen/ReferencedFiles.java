@@ -46,7 +46,8 @@ public final class ReferencedFiles {
     }
 
     /**
-     * Returns the path of each file, by its name in the scene; a buffer has the name that is beside its mesh.
+     * Returns the path of each file, by its name in the scene; a buffer has the name that is beside its mesh. Files that the scene was read
+     * without are left out.
      *
      * @param folder folder of the scene file
      * @throws IOException if a file is missing, or one name refers to two files
@@ -63,19 +64,24 @@ public final class ReferencedFiles {
         for (String name : texturesAndProfiles(scene).distinct().toList()) {
             referenced.put(referenced.images, name, find(referenced.textures, name));
         }
-        for (String name : meshFileNames(scene.nodes()).distinct().toList()) {
+        for (String name : meshes(scene.nodes()).filter(mesh -> !mesh.isMissing()).map(Solid.TriangleMesh::file).distinct().toList()) {
             Path file = find(referenced.meshes, name);
             referenced.put(referenced.meshFiles, name, file);
-            for (Path further : furtherFiles(file)) {
-                referenced.put(referenced.meshFiles, nameBeside(name, file, further), further);
+            for (Map.Entry<String, Path> further : furtherFiles(name, file).entrySet()) {
+                referenced.put(referenced.meshFiles, further.getKey(), further.getValue());
             }
         }
         return new TreeMap<>(Map.of(TextureFolder.NAME, referenced.images, MeshFolder.NAME, referenced.meshFiles));
     }
 
-    private static Set<Path> furtherFiles(Path mesh) throws IOException {
+    /** Returns the buffers of a mesh, by the names that are beside it. */
+    static SortedMap<String, Path> furtherFiles(String name, Path mesh) throws IOException {
         try {
-            return MeshFormat.furtherFiles(mesh);
+            SortedMap<String, Path> files = new TreeMap<>();
+            for (Path further : MeshFormat.furtherFiles(mesh)) {
+                files.put(nameBeside(name, mesh, further), further);
+            }
+            return files;
         } catch (MeshException e) {
             throw new IOException(e.getMessage(), e);
         }
@@ -101,7 +107,7 @@ public final class ReferencedFiles {
         Set<Path> existing = new HashSet<>();
         for (Scene scene : scenes) {
             texturesAndProfiles(scene).distinct().forEach(name -> findExisting(textures, name).ifPresent(existing::add));
-            meshFileNames(scene.nodes()).distinct().forEach(name -> findExisting(meshes, name).ifPresent(existing::add));
+            meshes(scene.nodes()).map(Solid.TriangleMesh::file).distinct().forEach(name -> findExisting(meshes, name).ifPresent(existing::add));
         }
         return existing;
     }
@@ -114,10 +120,10 @@ public final class ReferencedFiles {
         }
     }
 
-    private static Stream<String> meshFileNames(List<SceneNode> nodes) {
+    private static Stream<Solid.TriangleMesh> meshes(List<SceneNode> nodes) {
         return nodes.stream().flatMap(node -> switch (node) {
-            case NodeGroup g -> meshFileNames(g.children());
-            case Shape s -> s.solid() instanceof Solid.TriangleMesh t ? Stream.of(t.file()) : Stream.empty();
+            case NodeGroup g -> meshes(g.children());
+            case Shape s -> s.solid() instanceof Solid.TriangleMesh t ? Stream.of(t) : Stream.empty();
         });
     }
 

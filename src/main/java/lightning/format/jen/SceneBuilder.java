@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.BiConsumer;
 import lightning.base.math.Vec3;
 import lightning.base.text.Quote;
 import lightning.format.jen.asset.AssetFolders;
@@ -361,37 +360,36 @@ final class SceneBuilder {
         notes.reduce(tokens.start(requireNonNull(block.entry(property)).from()), block.title() + ": " + note);
     }
 
+    /** Returns the mesh of a block; {@link Mesh#MISSING} if it cannot be used; null if the block has no file. */
     private @Nullable Mesh loadMesh(Block block) {
         Block.Entry part = block.entry(BlockTypes.PART);
-        return loadAsset(block, BlockTypes.FILE, file -> meshes.load(file, part == null ? "" : ((Value.Name) part.value()).name()),
-                (entry, reason) -> problems.add(tokens.start(entry.from()), block.title() + ": " + reason));
+        Set<String> unusable = new HashSet<>();
+        Mesh mesh = loadOptional(block, BlockTypes.FILE,
+                file -> meshes.load(file, part == null ? "" : ((Value.Name) part.value()).name()), unusable);
+        return unusable.isEmpty() ? mesh : Mesh.MISSING;
     }
 
-    /** Loads an asset that the scene can do without. One that cannot be used is noted, and its property added to {@code unusable}. */
+    /**
+     * Loads the asset that a property references; null if it references none, or the asset cannot be used. That is noted, and the property
+     * added to {@code unusable}.
+     */
     private <T> @Nullable T loadOptional(Block block, String property, AssetLoader<T> loader, Set<String> unusable) {
-        return loadAsset(block, property, loader, (entry, reason) -> {
-            notes.leaveOut(tokens.start(entry.from()), new LeftOutFile(property, ((Value.Quoted) entry.value()).file()),
-                    block.title() + ": " + reason);
-            unusable.add(property);
-        });
-    }
-
-    private interface AssetLoader<T> {
-        T load(String file) throws UnusableFileException;
-    }
-
-    /** Loads the asset that a property references; null if it references none, or the asset cannot be used. */
-    private <T> @Nullable T loadAsset(Block block, String property, AssetLoader<T> loader, BiConsumer<Block.Entry, String> onUnusable) {
         Block.Entry entry = block.entry(property);
         if (entry == null) {
             return null;
         }
+        String file = ((Value.Quoted) entry.value()).file();
         try {
-            return loader.load(((Value.Quoted) entry.value()).file());
+            return loader.load(file);
         } catch (UnusableFileException e) {
-            onUnusable.accept(entry, String.valueOf(e.getMessage()));
+            notes.leaveOut(tokens.start(entry.from()), new LeftOutFile(property, file), block.title() + ": " + e.getMessage());
+            unusable.add(property);
             return null;
         }
+    }
+
+    private interface AssetLoader<T> {
+        T load(String file) throws UnusableFileException;
     }
 
     /** Loaded assets of one block. */

@@ -14,6 +14,8 @@ import org.jspecify.annotations.Nullable;
  * may share an edge with any number of others.
  */
 public final class Mesh implements ContentDigest.Content {
+    /** Stands for a mesh whose file cannot be used: a point, which no ray meets. */
+    public static final Mesh MISSING = new Mesh(new float[9], new int[] {0, 1, 2}, null, null, null);
     /** Positions, either sign, as in a scene. */
     public static final double MAX_COORDINATE = 1e12;
     /** Texture coordinates, either sign: above it a float no longer separates neighboring pixels. */

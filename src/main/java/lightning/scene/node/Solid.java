@@ -169,6 +169,11 @@ public sealed interface Solid {
             this(file, part, true, mesh);
         }
 
+        /** Returns whether the file cannot be used; the shape then keeps its names and is not seen. */
+        public boolean isMissing() {
+            return mesh == Mesh.MISSING;
+        }
+
         /** Returns whether vertex colors multiply the material's diffuse color. */
         public boolean hasVertexColors() {
             return showsColors && mesh.colors() != null;

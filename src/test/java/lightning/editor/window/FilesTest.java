@@ -149,6 +149,32 @@ class FilesTest extends EditorFixture {
     }
 
     @Test
+    void sceneWithMissingFiles_opens_andLocateFindsThemAll() throws Exception {
+        String text = sceneText() + """
+                mesh chair { material matt  file "chair.obj" }
+                mesh table { file "furniture/table.obj"  at 1 0 0 }
+                light lantern spot { profile "lantern.ies" }
+                """;
+        answer = Files.writeString(folder.resolve("room.jen"), text);
+        startCommand(Command.LOAD_FILE);
+        waitFor("the notes are listed", () -> robot.lookup("#notes").tryQuery().isPresent());
+        assertThat(model().editor().document().name()).isEqualTo("room.jen");
+        assertThat(robot.lookup("#notes").<ListView<String>>query().getItems()).hasSize(3).anyMatch(
+                note -> note.startsWith("line ") && note.contains("mesh 'chair': there is no mesh file 'chair.obj'"));
+        Path elsewhere = Files.createDirectory(folder.resolve("elsewhere"));
+        answer = Files.writeString(elsewhere.resolve("chair.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        Files.copy(answer, elsewhere.resolve("table.obj"));
+        robot.clickOn("Locate…");
+        waitFor("the meshes are read", () -> model().editor().document().notes().size() == 1);
+        assertThat(model().editor().document().isDirty()).isFalse();
+        assertThat(folder.resolve("meshes/furniture/table.obj")).hasSameTextualContentAs(answer);
+        assertThat(folder.resolve("room.jen")).hasContent(text);
+        waitFor("the note on the profile is listed", () -> robot.lookup("#notes").tryQuery().isPresent());
+        robot.clickOn("Skip");
+        waitFor("the notes are closed", () -> robot.lookup("#notes").tryQuery().isEmpty());
+    }
+
+    @Test
     void openingAnotherScene_clearsTheMessage() throws IOException {
         Path other = Files.copy(folder.resolve("desk.jen"), folder.resolve("other.jen"));
         robot.interact(() -> model().editor().message().show("Recovered: Rename lamp"));

@@ -10,6 +10,8 @@ import java.nio.file.Path;
 import java.util.List;
 import javax.imageio.ImageIO;
 import lightning.base.math.Rgb;
+import lightning.render.image.Film;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import lightning.scene.material.Material;
 import org.junit.jupiter.api.Test;
@@ -74,6 +76,10 @@ class LeftOutFilesTest {
         "light l spot { profile \"a.ies\" } | 1:30",
         "light l rect { texture \"a.exr\" } | 1:30",
         "world { environment \"a.hdr\" } | 1:27",
+        "dome d { environment \"a.hdr\" } | 1:28",
+        "mesh m { file \"a.ply\" } | 1:21",
+        "mesh m { file \"a.glb\" part chair } | 1:21",
+        "group g { mesh m { file \"a.obj\" } } | 1:31",
         "material m { texture \"../a.png\" } | 1:28",
         "material m { texture \"C:a.png\" } | 1:28",
     })
@@ -81,10 +87,50 @@ class LeftOutFilesTest {
         assertThat(read("jen 1 " + block).notes()).singleElement().asString().startsWith("s.jen:" + place + ": ").endsWith("; left out");
     }
 
+    private static final String MISSING_MESH = """
+            jen 1
+            sphere ball { at 0 1 0 }
+            group table { at 1 0 0
+              mesh chair { file "furniture.glb" part "chair 1"  colors no  at 2 0 0 }   # oak
+            }
+            light lamp point { at 0 3 0  illuminates only "chair" }
+            shot { frames 1 2
+              group table { at { 1 1 0 0  2 1 0 5 } }
+            }
+            """;
+
     @Test
-    void missingMesh_isAProblem() {
-        assertThatThrownBy(() -> read("jen 1 mesh m { file \"a.ply\" }")).isInstanceOf(JenException.class)
-                .hasMessageContaining("there is no mesh file 'a.ply'");
+    void missingMesh_keepsItsNodeAndText() throws Exception {
+        JenDocument document = read(MISSING_MESH);
+        assertThat(document.scene().stage().hasNode("chair")).isTrue();
+        assertThat(document.text()).isEqualTo(MISSING_MESH);
+        Scene edited = PropertyEdit.apply(document.scene(), "chair.at=0 0 7");
+        assertThat(document.withScene(edited).text()).isEqualTo(MISSING_MESH.replace("at 2 0 0", "at 0 0 7"));
+        assertThat(JenWriter.write(document.scene())).contains("file \"furniture.glb\"", "chair 1");
+    }
+
+    @Test
+    void missingMesh_isNotSeen() throws Exception {
+        String light = "light l point { at 1 5 4 } plane floor { scale 9 1 9 } ";
+        String mesh = "mesh m { file \"a.ply\" at 0 0.5 0 scale 3 3 3 } ";
+        assertThat(trace("jen 1 " + light + mesh).hasSameBits(trace("jen 1 " + light))).isTrue();
+    }
+
+    private Film trace(String text) throws JenException {
+        return new ReferenceTracer(read(text).scene()).trace();
+    }
+
+    @Test
+    void missingMesh_isNotCopied() throws Exception {
+        assertThat(ReferencedFiles.of(read(MISSING_MESH).scene(), folder)).isEmpty();
+    }
+
+    @Test
+    void editThatNamesAMissingMesh_isRefused() throws Exception {
+        Files.writeString(folder.resolve("b.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        Scene scene = read("jen 1 mesh m { file \"b.obj\" }").scene();
+        assertThatThrownBy(() -> PropertyEdit.apply(scene, "m.file=\"a.ply\"", folder)).hasMessageContaining(
+                "there is no mesh file 'a.ply'");
     }
 
     @Test

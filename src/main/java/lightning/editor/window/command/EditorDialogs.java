@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import javafx.application.Platform;
 import javafx.event.ActionEvent;
 import javafx.scene.Node;
 import javafx.scene.control.Alert;
@@ -51,6 +52,8 @@ public final class EditorDialogs {
     static final ButtonType SAVE_AS = new ButtonType(Messages.tr("Save As…"), ButtonData.OTHER);
     static final ButtonType RELOAD = new ButtonType(Messages.tr("Reload File"), ButtonData.NO);
     static final ButtonType APPLY = new ButtonType(Messages.tr("Apply"), ButtonData.OK_DONE);
+    static final ButtonType LOCATE = new ButtonType(Messages.tr("Locate…"), ButtonData.YES);
+    static final ButtonType SKIP = new ButtonType(Messages.tr("Skip"), ButtonData.CANCEL_CLOSE);
     static final ButtonType COPY = new ButtonType(Messages.tr("Copy"), ButtonData.OTHER);
     private static final ButtonType LATER = new ButtonType(Messages.tr("Not Now"), ButtonData.CANCEL_CLOSE);
     private static final double WIDTH = 560;
@@ -181,14 +184,31 @@ public final class EditorDialogs {
                         .map(note -> note.getValue() == 1 ? note.getKey() : note.getKey() + " (" + note.getValue() + ")").toList());
     }
 
-    /** Lists the files that a scene names and does not show as they are. */
-    void showNotes(Path file, List<Problem> notes) {
-        showNotes(Messages.tr("{0} is open, but not all of its files can be used", Quote.path(file.getFileName())),
+    /**
+     * Lists the files that a scene names and does not show as they are.
+     *
+     * @param locate prompts for the missing ones; empty if none is missing
+     */
+    void showNotes(Path file, List<Problem> notes, Optional<Runnable> locate) {
+        Alert alert = notes(Messages.tr("{0} is open, but not all of its files can be used", Quote.path(file.getFileName())),
                 notes.stream().map(note -> Messages.tr("line {0}: {1}", note.line(), note.message())).toList());
+        locate.ifPresent(action -> {
+            alert.getButtonTypes().setAll(COPY, LOCATE, SKIP);
+            alert.resultProperty().addListener((_, _, answer) -> {
+                if (answer == LOCATE) {
+                    Platform.runLater(action);
+                }
+            });
+        });
+        alert.show();
     }
 
     /** Lists notes without blocking the window. The list can be copied. */
     void showNotes(String title, List<String> notes) {
+        notes(title, notes).show();
+    }
+
+    private Alert notes(String title, List<String> notes) {
         Alert alert = alert(Alert.AlertType.INFORMATION, title, "", COPY, ButtonType.CLOSE);
         alert.initModality(Modality.NONE);
         var list = new ListView<String>();
@@ -204,7 +224,7 @@ public final class EditorDialogs {
             Clipboard.getSystemClipboard().setContent(content);
             event.consume();
         });
-        alert.show();
+        return alert;
     }
 
     Optional<ButtonType> askReadOnly(Path file) {

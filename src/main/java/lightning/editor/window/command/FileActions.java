@@ -242,8 +242,22 @@ public final class FileActions {
     public void showNotes() {
         OpenDocument document = editor.document();
         if (!document.notes().isEmpty()) {
-            notices.showNotes(document.file(), document.notes());
+            model.files().runConcurrently(document::missingFiles, missing -> showNotes(document, missing),
+                    _ -> showNotes(document, List.of()));
         }
+    }
+
+    private void showNotes(OpenDocument document, List<String> missing) {
+        if (document == editor.document()) {
+            notices.showNotes(document.file(), document.notes(),
+                    missing.isEmpty() ? Optional.empty() : Optional.of(() -> locate(document, missing.getFirst())));
+        }
+    }
+
+    /** Prompts for a missing file, copies it and its neighbors that are missing too, and opens the scene again. */
+    private void locate(OpenDocument document, String missing) {
+        prompt.missingFileToOpen(missing, model.fileImporter().folder()).ifPresent(
+                chosen -> confirmClose(() -> read(document.file(), () -> document.withMissingFiles(missing, chosen))));
     }
 
     /** Offers to recover unsaved scenes of crashed processes, all in one dialog; does nothing if there are none. */

@@ -64,6 +64,11 @@ public interface FilePrompt {
         return sceneToOpen(folder);
     }
 
+    /** Prompts for a file that a scene names and its folders lack. */
+    default Optional<Path> missingFileToOpen(String name, Path folder) {
+        return sceneToOpen(folder);
+    }
+
     /** Returns a prompt that uses the system's file dialogs. */
     static FilePrompt ofSystem(Window owner) {
         var scenes = filter("Scenes", JenFile.EXTENSION);
@@ -115,6 +120,12 @@ public interface FilePrompt {
             public Optional<Path> assetToOpen(String title, FileKind kind, Path folder) {
                 var files = new FileChooser.ExtensionFilter(kind.title(), kind.endings().stream().map(ending -> "*." + ending).toList());
                 return path(chooser(title, folder, files), c -> c.showOpenDialog(owner));
+            }
+
+            @Override
+            public Optional<Path> missingFileToOpen(String name, Path folder) {
+                return path(chooser(Messages.tr("Locate {0}", name), folder, filter(name, name.substring(Math.max(0, name.lastIndexOf('.'))))),
+                        c -> c.showOpenDialog(owner));
             }
 
             @Override

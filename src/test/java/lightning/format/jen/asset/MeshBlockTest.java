@@ -10,6 +10,7 @@ import java.util.List;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.JenWriter;
+import lightning.format.jen.Problem;
 import lightning.format.jen.PropertyEdit;
 import lightning.scene.Scene;
 import lightning.scene.node.Mesh;
@@ -54,6 +55,10 @@ public class MeshBlockTest {
         return JenReader.read("jen 1 " + text, "s.jen", scenes).scene();
     }
 
+    private List<Problem> notes(String text) throws JenException {
+        return JenReader.read("jen 1 " + text, "s.jen", scenes).notes();
+    }
+
     private static Solid.TriangleMesh solid(Scene scene, int shape) {
         return (Solid.TriangleMesh) ((Shape) scene.nodes().get(shape)).solid();
     }
@@ -88,23 +93,29 @@ public class MeshBlockTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
         "mesh m { } | mesh 'm': expected a file, found none",
+        "mesh m { file a } | mesh 'm': file: expected a file name in quotes, found 'a'",
+        "sphere m { file \"a.ply\" } | sphere 'm': unknown property 'file'"})
+    void invalidFile_isReportedWithLocation(String text, String message) {
+        assertThatThrownBy(() -> read(text)).isInstanceOf(JenException.class).message().startsWith("s.jen:1:").contains(message);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
         "mesh m { file \"b.ply\" } | there is no mesh file 'b.ply' in the folder 'scenes'",
         "mesh m { file \"../a.ply\" } | mesh 'm': mesh file must be a path without empty names, . and .., was '../a.ply'",
         "mesh m { file \"/etc/passwd\" } | mesh 'm': mesh file must be a file next to the scene or in its meshes folder",
         "mesh m { file \"a.ply\" part head } | mesh 'm': mesh file 'a.ply' has no part 'head'",
-        "mesh m { file a } | mesh 'm': file: expected a file name in quotes, found 'a'",
-        "sphere m { file \"a.ply\" } | sphere 'm': unknown property 'file'",
         "mesh m { file \"bad.ply\" } | bad.ply"})
-    void unusableFile_isReportedWithLocation(String text, String message) throws Exception {
+    void unusableFile_isNotedWithLocation(String text, String message) throws Exception {
         Files.writeString(scenes.resolve("bad.ply"), TRIANGLE.replace("3 0 1 2", "3 0 1 3"));
-        assertThatThrownBy(() -> read(text)).isInstanceOf(JenException.class).message().startsWith("s.jen:1:").contains(message);
+        assertThat(notes(text)).singleElement().asString().startsWith("s.jen:1:").contains(message).endsWith("; left out");
     }
 
     @Test
     void linkOutOfFolder_isRejected() throws Exception {
         Files.writeString(root.resolve("secret.ply"), TRIANGLE);
         Files.createSymbolicLink(scenes.resolve("b.ply"), root.resolve("secret.ply"));
-        assertThatThrownBy(() -> read("mesh m { file \"b.ply\" }")).hasMessageContaining("a link to another folder");
+        assertThat(notes("mesh m { file \"b.ply\" }")).singleElement().asString().contains("a link to another folder");
     }
 
     @Test
