@@ -19,6 +19,7 @@ final class WelcomePage {
     private final LessonBar lessons;
     private final Runnable onClosed;
     private final EventHandler<KeyEvent> escape = this::closeOnEscape;
+    private final LateEscape lateEscape;
     /** Null while the page is closed. */
     private @Nullable WelcomePane pane;
     private Subscription documents = Subscription.EMPTY;
@@ -30,6 +31,7 @@ final class WelcomePage {
         this.files = files;
         this.lessons = lessons;
         this.onClosed = onClosed;
+        lateEscape = new LateEscape(layout);
         model.commands().setAction(Command.WELCOME, this::show);
     }
 
@@ -37,6 +39,7 @@ final class WelcomePage {
     void show() {
         if (pane == null) {
             pane = new WelcomePane(files, model.commands(), lessons, model.layout().welcomeAtStartProperty(), this::hide);
+            lateEscape.end();
             layout.showPage(pane);
             layout.addEventHandler(KeyEvent.KEY_PRESSED, escape);
             documents = model.editor().documentProperty().subscribe((_, _) -> hide());
@@ -50,6 +53,7 @@ final class WelcomePage {
             layout.removeEventHandler(KeyEvent.KEY_PRESSED, escape);
             documents.unsubscribe();
             pane = null;
+            lateEscape.ignore();
             onClosed.run();
         }
     }

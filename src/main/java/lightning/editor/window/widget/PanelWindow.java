@@ -2,6 +2,7 @@ package lightning.editor.window.widget;
 
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Scene;
+import javafx.scene.control.MenuButton;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
@@ -36,10 +37,11 @@ public class PanelWindow extends Stage {
         scroll.setFitToHeight(true);
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
         Scene content = ColorTheme.scene(new StackPane(scroll), Math.min(width, screen.getWidth()), Math.min(height, screen.getHeight()));
-        content.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
-            if (event.getCode() == KeyCode.ESCAPE) {
-                fireEvent(new WindowEvent(this, WindowEvent.WINDOW_CLOSE_REQUEST));
-                event.consume();
+        content.addEventHandler(KeyEvent.KEY_PRESSED, this::closeOnEscape);
+        content.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
+            // A menu button consumes Escape although its menu is closed.
+            if (event.getTarget() instanceof MenuButton button && !button.isShowing()) {
+                closeOnEscape(event);
             }
         });
         setScene(content);
@@ -51,6 +53,13 @@ public class PanelWindow extends Stage {
             setY(Math.max(owner.getY(), owner.getY() + owner.getHeight() - getHeight() - BOTTOM_MARGIN));
             WindowPlacement.fit(this);
         });
+    }
+
+    private void closeOnEscape(KeyEvent event) {
+        if (event.getCode() == KeyCode.ESCAPE) {
+            fireEvent(new WindowEvent(this, WindowEvent.WINDOW_CLOSE_REQUEST));
+            event.consume();
+        }
     }
 
     /** Returns the content. */

@@ -26,6 +26,8 @@ import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class MatchPaneTest extends EditorFixture {
     @TempDir
@@ -95,6 +97,28 @@ class MatchPaneTest extends EditorFixture {
         }
         assertThat(sum).isNegative();
         assertThat(canMatch()).as("the paint is gone").isFalse();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"match-open", "match-lights", "match-changes"})
+    void escape_closesThePanel_whereverTheFocusIs(String id) {
+        MatchPane pane = open();
+        robot.interact(() -> pane.lookup("#" + id).requestFocus());
+        robot.type(KeyCode.ESCAPE);
+        waitFor("the panel is closed", () -> !pane.getScene().getWindow().isShowing());
+    }
+
+    /** The focus leaves the button, which is disabled meanwhile. */
+    @Test
+    void escapeAfterAMatch_closesThePanel() throws IOException {
+        MatchPane pane = open();
+        Path file = picture(model().editor().scene(), "same.pfm");
+        robot.interact(() -> pane.open(file));
+        waitFor("the reference is open", () -> text("match-file").equals("same.pfm") && canMatch());
+        click("match-run");
+        waitFor("the lights are matched", () -> text("match-result").startsWith("Difference:"));
+        robot.type(KeyCode.ESCAPE);
+        waitFor("the panel is closed", () -> !pane.getScene().getWindow().isShowing());
     }
 
     @Test

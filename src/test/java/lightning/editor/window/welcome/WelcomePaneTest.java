@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicInteger;
+import javafx.event.EventHandler;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.CheckBox;
@@ -12,6 +14,7 @@ import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
 import javafx.scene.image.ImageView;
 import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
@@ -59,6 +62,34 @@ class WelcomePaneTest extends EditorFixture {
         showPage();
         robot.push(KeyCode.ESCAPE);
         assertThat(isPageShown()).isFalse();
+    }
+
+    /** A press that nothing handles would run the command with this shortcut: Cancel. */
+    @Test
+    void lateEscape_isIgnoredOnce() {
+        var presses = new AtomicInteger();
+        EventHandler<KeyEvent> counter = _ -> presses.incrementAndGet();
+        robot.interact(() -> preview().getScene().addEventHandler(KeyEvent.KEY_PRESSED, counter));
+        try {
+            showPage();
+            robot.push(KeyCode.ESCAPE);
+            robot.push(KeyCode.ESCAPE);
+            assertThat(presses).hasValue(0);
+            robot.push(KeyCode.ESCAPE);
+            assertThat(presses).hasValue(1);
+            showPage();
+            robot.interact(() -> robot.lookup("#scene-softbox").<Button>query().fire());
+            waitFor("the scene is open", () -> model().editor().document().name().equals("softbox.jen"));
+            robot.push(KeyCode.ESCAPE);
+            assertThat(presses).hasValue(1);
+            showPage();
+            robot.push(KeyCode.ESCAPE);
+            robot.push(KeyCode.SHIFT);
+            robot.push(KeyCode.ESCAPE);
+            assertThat(presses).hasValue(3);
+        } finally {
+            robot.interact(() -> preview().getScene().removeEventHandler(KeyEvent.KEY_PRESSED, counter));
+        }
     }
 
     @Test
