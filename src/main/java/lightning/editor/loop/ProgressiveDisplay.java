@@ -6,6 +6,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.LongSupplier;
 import lightning.base.work.Progress;
 import lightning.scene.Scene;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Display of an image while it is rendered. A fast update appears only when it is complete. A slow one is replaced by a coarse image of its
@@ -17,12 +18,21 @@ final class ProgressiveDisplay implements Progress {
     /** Minimum remaining time of a slow update, in nanoseconds. */
     static final long SLOW_NS = 250_000_000;
 
+    /** Inverse of the share of the work from which a newer scene no longer replaces an update that keeps its work. */
+    private static final int KEPT_SHARE = 4;
+
     /** Finished tile that is not shown yet. */
     private record FinishedTile(int number, float[][] film) {}
 
     /** Listener for whether a newer scene should replace the update, rather than wait for it. */
     interface ReplaceableListener {
         void setReplaceable(boolean isReplaceable);
+    }
+
+    /** Newer scene that waits until the work on this one is done. */
+    interface WaitingScene {
+        /** Shows a coarse image of the newest waiting scene; returns false if there is none, or it is shown already. */
+        boolean show();
     }
 
     private final Progress signal;
@@ -37,6 +47,10 @@ final class ProgressiveDisplay implements Progress {
     private final List<FinishedTile> waiting = new ArrayList<>();
     private boolean showsTiles;
     private volatile boolean showsScene;
+    /** Null if a newer scene always replaces this one. */
+    private @Nullable WaitingScene waitingScene;
+    /** True if the display shows a waiting scene. */
+    private boolean isOutdated;
 
     /**
      * @param signal      receives progress, and cancels the update
@@ -70,6 +84,12 @@ final class ProgressiveDisplay implements Progress {
         return this;
     }
 
+    /** Keeps the work from a quarter on: a newer scene is then shown coarsely, and follows as an update. */
+    ProgressiveDisplay keepingWork(WaitingScene newer) {
+        waitingScene = newer;
+        return this;
+    }
+
     @Override
     public void report(int done, int total) {
         signal.report(done, total);
@@ -83,8 +103,17 @@ final class ProgressiveDisplay implements Progress {
             }
         }
         if (showsScene) {
-            replaceable.setReplaceable(remaining(elapsed, done, total) > SLOW_NS);
+            boolean isSlow = remaining(elapsed, done, total) > SLOW_NS;
+            WaitingScene newer = KEPT_SHARE * (long) done < total ? null : waitingScene;
+            replaceable.setReplaceable(isSlow && newer == null);
+            if (isSlow && newer != null && newer.show()) {
+                endTiles();
+            }
         }
+    }
+
+    private synchronized void endTiles() {
+        isOutdated = true;
     }
 
     private static double remaining(long elapsed, int done, int total) {
@@ -99,7 +128,7 @@ final class ProgressiveDisplay implements Progress {
 
     @Override
     public synchronized void tileFinished(int tile, float[][] film) {
-        if (!canShow) {
+        if (!canShow || isOutdated) {
             return;
         }
         if (showsTiles) {

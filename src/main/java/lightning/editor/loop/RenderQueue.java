@@ -133,6 +133,12 @@ final class RenderQueue {
         return waiting.get(Slot.SCENE) instanceof Job.Render r ? r.scene() : null;
     }
 
+    /** Returns the scene that waits and has the view of another; null if none does. */
+    synchronized @Nullable Scene waitingScene(Scene sameView) {
+        Scene scene = waitingScene();
+        return scene != null && scene.hasSameView(sameView) ? scene : null;
+    }
+
     synchronized void render(Scene requested) {
         add(new Job.Render(requested));
         if (requested != rendered) {

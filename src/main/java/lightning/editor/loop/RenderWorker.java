@@ -8,6 +8,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
@@ -248,7 +249,37 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         coarse.showRest();
         editPreview.setSpeed(coarse.pixelsPerSecond());
         return new ProgressiveDisplay(signal, requested, listener, () -> {}, canReplace -> queue.setReplaceable(signal, canReplace), true)
-                .showingTiles(coarse.isShown());
+                .showingTiles(coarse.isShown()).keepingWork(new WaitingScenePreview(requested, signal));
+    }
+
+    /** Shows a coarse image of a scene that waits for a first pass, on the thread of a tile. */
+    private final class WaitingScenePreview implements ProgressiveDisplay.WaitingScene {
+        private final Scene running;
+        private final RenderQueue.CancelSignal signal;
+        private final AtomicBoolean isTracing = new AtomicBoolean();
+        private volatile @Nullable Scene shown;
+
+        WaitingScenePreview(Scene running, RenderQueue.CancelSignal signal) {
+            this.running = running;
+            this.signal = signal;
+        }
+
+        @Override
+        public boolean show() {
+            Scene waiting = queue.waitingScene(running);
+            if (waiting == null || waiting == shown || waiting == running || !isTracing.compareAndSet(false, true)) {
+                return false;
+            }
+            try {
+                int pixels = Math.max(1, CoarseSteps.of(waiting).first());
+                listener.coarseRendered(CoarsePicture.trace(RenderedScenes.of(waiting), pixels, renderer::geometryOf, 1, signal).film(),
+                        waiting);
+                shown = waiting;
+                return true;
+            } finally {
+                isTracing.set(false);
+            }
+        }
     }
 
     /** Shows a coarse image if the last update of this kind was slow, and prepares to show one if this update turns out to be slow. */

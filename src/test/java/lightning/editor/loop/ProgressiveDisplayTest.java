@@ -63,6 +63,20 @@ class ProgressiveDisplayTest {
         assertThat(events).endsWith("not replaceable");
     }
 
+    /** The display shows a scene that waits instead of further tiles, once. */
+    @Test
+    void keptWork_isNotReplacedFromAQuarterOn() {
+        List<String> waiting = new ArrayList<>(List.of("coarse"));
+        ProgressiveDisplay display = display(true).showingTiles(true)
+                .keepingWork(() -> !waiting.isEmpty() && events.add(waiting.removeFirst()));
+        finish(display, 20, 2000);
+        assertThat(events).containsExactly("tile 20", "replaceable");
+        finish(display, 24, 2500);
+        assertThat(events).endsWith("tile 24", "not replaceable", "coarse");
+        finish(display, 25, 2600);
+        assertThat(events).endsWith("coarse", "not replaceable");
+    }
+
     @Test
     void slowUpdateInOtherView_isNotShown() {
         ProgressiveDisplay display = display(false);
