@@ -9,6 +9,7 @@ import java.io.OutputStream;
 import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
 import java.nio.channels.SeekableByteChannel;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -162,9 +163,18 @@ public final class AtomicFile {
             force(folder);
             return written;
         } catch (FileSystemException e) {
-            throw withTargetName(e, temporary);
+            throw withTargetName(e);
         } finally {
+            delete(temporary);
+        }
+    }
+
+    /** Deletes the temporary file of a failed write. The failure is reported, not that of deleting it. */
+    private static void delete(Path temporary) {
+        try {
             Files.deleteIfExists(temporary);
+        } catch (IOException e) {
+            // A later write deletes it.
         }
     }
 
@@ -208,13 +218,13 @@ public final class AtomicFile {
         }
     }
 
-    /** Replaces the temporary name in an exception by the target's, the only one that the user sees. */
-    private FileSystemException withTargetName(FileSystemException e, Path temporary) {
-        if (!temporary.toString().equals(e.getFile())) {
+    /** Replaces a temporary name in an exception by the target's, the only one that the user sees. */
+    private FileSystemException withTargetName(FileSystemException e) {
+        if (e.getFile() == null || !TemporaryFile.isTemporary(Path.of(e.getFile()))) {
             return e;
         }
-        var renamed = new FileSystemException(target.toString(), null,
-                e.getReason() == null ? "cannot be written (" + e.getClass().getSimpleName() + ")" : e.getReason());
+        var renamed = e instanceof AccessDeniedException ? new AccessDeniedException(target.toString()) : new FileSystemException(target.toString(), null,
+                e.getReason() == null ? "cannot be written" : e.getReason());
         renamed.initCause(e);
         return renamed;
     }

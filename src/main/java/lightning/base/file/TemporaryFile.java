@@ -59,6 +59,11 @@ final class TemporaryFile {
         return Owner.SELF.newPath(folder);
     }
 
+    /** Returns whether a file has the name of a temporary file. */
+    static boolean isTemporary(Path file) {
+        return file.getFileName() != null && NAME_PATTERN.matcher(file.getFileName().toString()).matches();
+    }
+
     /** Removes stale temporary files, unless the folder was scanned within the last hour. Never fails. */
     static void removeStaleIn(Path folder) {
         Instant now = Instant.now();

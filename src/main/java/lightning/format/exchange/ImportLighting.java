@@ -1,6 +1,8 @@
 package lightning.format.exchange;
 
+import java.util.function.Function;
 import lightning.format.exchange.assembly.ImportedScene;
+import lightning.scene.Scene;
 
 /** Lighting of an imported scene. */
 public enum ImportLighting {
@@ -15,8 +17,13 @@ public enum ImportLighting {
     public ImportedScene apply(ImportedScene imported) {
         return switch (this) {
             case FILE -> imported;
-            case STUDIO -> imported.withLighting("lights of the file replaced by a studio", StudioBuilder.of(imported).studio());
-            case SKY -> imported.withLighting("lights of the file replaced by a sky", StudioBuilder.of(imported).sky());
+            case STUDIO -> light(imported, "lights of the file replaced by a studio", StudioBuilder::studio);
+            case SKY -> light(imported, "lights of the file replaced by a sky", StudioBuilder::sky);
         };
+    }
+
+    private static ImportedScene light(ImportedScene imported, String comment, Function<StudioBuilder, Scene> lighting) {
+        StudioBuilder builder = StudioBuilder.of(imported);
+        return imported.withLighting(comment, lighting.apply(builder), builder.notes());
     }
 }

@@ -1,9 +1,11 @@
 package lightning.format.exchange;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -15,6 +17,7 @@ import lightning.base.work.WorkerPool;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
 import lightning.scene.PictureSettings;
 import lightning.scene.ViewSettings;
 
@@ -23,7 +26,7 @@ public final class ImportPreviews {
     private final ImportedScene imported;
     private final int size;
     private final LightUnitPreviews unitPreviews;
-    private final Map<Choice, Preview> ready = new HashMap<>();
+    private final Map<Choice, Preview> ready = new LinkedHashMap<>();
 
     /** @param size longer side of the previews in pixels, at least 1 */
     public ImportPreviews(ImportedScene imported, int size) {
@@ -51,6 +54,17 @@ public final class ImportPreviews {
      * @param exposure exposure that the lights of the file need, whole stops; 0 if they need none
      */
     public record Preview(Film film, double exposure) {
+        /** Returns the displayed pixels. */
+        public int[] pixels() {
+            return ViewTransform.DEFAULT.withExposure(exposure).toPixels(film);
+        }
+
+        /** Returns whether all pixels are equal. */
+        boolean isEmpty() {
+            int[] pixels = pixels();
+            return Arrays.stream(pixels).allMatch(pixel -> pixel == pixels[0]);
+        }
+
         /** Median luminances that need no exposure. */
         private static final double MIN_MEDIAN = 1.0 / 64;
         private static final double MAX_MEDIAN = 2;
@@ -106,5 +120,12 @@ public final class ImportPreviews {
         Preview preview = choice.lighting() == ImportLighting.FILE ? Preview.exposed(film) : new Preview(film, 0);
         ready.put(choice, preview);
         return preview;
+    }
+
+    /** Returns whether the preview of a choice shows something, and no other that was rendered before it looks the same. */
+    public synchronized boolean isUseful(Choice choice) {
+        Preview preview = requireNonNull(ready.get(choice), "the preview must be rendered before");
+        return !preview.isEmpty() && ready.entrySet().stream().takeWhile(other -> !other.getKey().equals(choice))
+                .noneMatch(other -> Arrays.equals(other.getValue().pixels(), preview.pixels()));
     }
 }

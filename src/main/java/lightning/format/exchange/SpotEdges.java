@@ -13,6 +13,7 @@ import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.jen.asset.JenLimits;
 import lightning.scene.asset.IesProfile;
 import lightning.scene.light.Light;
+import lightning.scene.value.Photometry;
 
 /**
  * Soft edges of spots as glTF defines them (KHR_lights_punctual), as light profiles: full light up to the inner angle, then the square of
@@ -30,14 +31,27 @@ final class SpotEdges {
      * @param outer degrees, at most 90
      */
     Optional<IesProfile> profile(double inner, double outer) {
-        String name = "spot " + DecimalNumber.format(outer) + " inner " + DecimalNumber.format(inner) + ".ies";
-        if (!profiles.containsKey(name)) {
-            if (profiles.size() >= JenLimits.PROFILES) {
-                return Optional.empty();
-            }
-            profiles.put(name, new IesProfile(name, edge(inner, outer).photometry()));
+        // Angles in radians have no short names in degrees.
+        double shortInner = rounded(inner) < outer ? rounded(inner) : inner;
+        Photometry edge = edge(shortInner, outer).photometry();
+        String name = name(shortInner, rounded(outer));
+        IesProfile known = profiles.get(name);
+        if (known != null && !known.photometry().equals(edge)) {
+            name = name(shortInner, outer);
+            known = profiles.get(name);
         }
-        return Optional.of(profiles.get(name));
+        if (known == null && profiles.size() >= JenLimits.PROFILES) {
+            return Optional.empty();
+        }
+        return Optional.of(profiles.computeIfAbsent(name, n -> new IesProfile(n, edge)));
+    }
+
+    private static String name(double inner, double outer) {
+        return "spot " + DecimalNumber.format(outer) + " inner " + DecimalNumber.format(inner) + ".ies";
+    }
+
+    private static double rounded(double degrees) {
+        return Math.rint(1e3 * degrees) / 1e3;
     }
 
     /** Adds the files of the profiles that lights have. */

@@ -32,6 +32,7 @@ import lightning.scene.value.Placement;
  * that has a floor.
  */
 final class StudioBuilder {
+    private static final String CAMERA_BELOW = "the camera is below the ground of the lighting; another was added";
     private static final Rgb STUDIO_BACKGROUND = new Rgb(0.1, 0.11, 0.13);
     private static final Rgb SKY_BACKGROUND = new Rgb(0.4, 0.58, 0.86);
     private static final double COVE_RADIUS = 2.5;
@@ -59,19 +60,22 @@ final class StudioBuilder {
     private final UniqueNames names = new UniqueNames();
     private final boolean isRoom;
     private final boolean hasFloor;
+    private final List<String> notes;
 
     private StudioBuilder(ImportedScene imported) {
         scene = imported.unscaledScene();
         subject = imported.subject();
-        boolean hasCamera = subject.hasCamera();
+        isRoom = ClosedRoom.contains(scene);
+        hasFloor = isRoom || findFloor();
+        boolean isBelow = subject.hasCamera() && !hasFloor && scene.camera().from().y() <= subject.min().y();
+        notes = isBelow ? List.of(CAMERA_BELOW) : List.of();
+        boolean hasCamera = subject.hasCamera() && !isBelow;
         PictureSettings smooth =
                 scene.picture().sampling().isSupersampled() ? scene.picture() : scene.picture().withSampling(ImportedScene.SMOOTH);
         picture = hasCamera ? smooth : smooth.withSize(WIDTH, HEIGHT);
         camera = hasCamera ? scene.camera() : SubjectFrame.camera(subject, (double) WIDTH / HEIGHT);
         frame = new SubjectFrame(subject, camera);
         scene.stage().nodes().forEach(this::reserveNames);
-        isRoom = ClosedRoom.contains(scene);
-        hasFloor = isRoom || findFloor();
     }
 
     static StudioBuilder of(ImportedScene imported) {
@@ -103,6 +107,11 @@ final class StudioBuilder {
             return geometry.nearest(new Ray(origin, new Vec3(0, -1, 0))) >= 0 && geometry.nearest(new Ray(origin, Vec3.Y)) < 0;
         }).count();
         return hits >= 3;
+    }
+
+    /** Returns what was replaced besides the lights. */
+    List<String> notes() {
+        return notes;
     }
 
     /** Returns the scene in a studio. */

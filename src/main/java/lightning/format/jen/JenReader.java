@@ -81,6 +81,11 @@ public final class JenReader {
 
     static JenDocument read(SourceText source, AssetFolders files, Stage stage, ProblemList problems) throws JenException {
         TokenList tokens = Lexer.tokens(source.text(), problems);
+        if (!Parser.isSceneFile(tokens)) {
+            var other = new ProblemList();
+            other.add(tokens.start(0), "not a scene file, which begins with 'jen 1'; found " + tokens.describe(0));
+            throw new JenException(other.toProblems(source));
+        }
         List<Block> blocks = Parser.parseFile(tokens, problems);
         var notes = FileNotes.create();
         Optional<Scene> scene = new SceneBuilder(tokens, problems, notes, files, List.of(), stage).build(blocks);

@@ -25,6 +25,15 @@ final class Parser {
         this.properties = new PropertyParser(tokens, problems);
     }
 
+    /** Returns whether a file begins as a scene file, or as one without its version line; an empty one counts. */
+    static boolean isSceneFile(TokenList tokens) {
+        return switch (tokens.kind(0)) {
+            case WORD -> tokens.text(0).equals("jen") || BlockTypes.KEYWORDS.contains(tokens.text(0));
+            case END -> true;
+            case STRING, NUMBER, BAD_NUMBER, OPEN, CLOSE -> false;
+        };
+    }
+
     /** Parses all blocks of a file, whose tokens 0 and 1 are the version line. */
     static List<Block> parseFile(TokenList tokens, ProblemList problems) {
         var parser = new Parser(tokens, problems);

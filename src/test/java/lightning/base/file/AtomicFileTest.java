@@ -27,6 +27,7 @@ import lightning.base.text.Quote;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -350,6 +351,15 @@ class AtomicFileTest {
 
     private static void setMode(Path file, String mode) throws IOException {
         Files.setPosixFilePermissions(file, PosixFilePermissions.fromString(mode));
+    }
+
+    /** No file can be created there, although the folder looks writable. */
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void newFileInAFolderThatRefusesFiles_isNamedInTheMessage() {
+        Path file = Path.of("/proc/scene.jen");
+        assertThatIOException().isThrownBy(() -> AtomicFile.of(file).write(new byte[1])).satisfies(
+                e -> assertThat(FileErrorMessage.of(e)).startsWith("/proc/scene.jen: ").doesNotContain(".tmp"));
     }
 
     /** Returns the name of the temporary file being written. */

@@ -6,15 +6,19 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
+import lightning.format.gltf.GltfFixtures;
 import lightning.format.jen.JenReader;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
@@ -94,6 +98,62 @@ class ImportLightingTest {
             return Math.abs(p.dot(up) / -p.dot(back) / tangent);
         }).max().orElseThrow();
         assertThat(highest).isBetween(0.7, 0.95);
+    }
+
+    private static final String SOFT_SPOT = GltfFixtures.LIT_JSON.replace("'type': 'point'",
+            "'type': 'spot', 'spot': {'innerConeAngle': 0.349, 'outerConeAngle': 0.5}");
+
+    private ImportedScene readGltf(String json) throws Exception {
+        Path file = Files.write(folder.resolve("lit.gltf"), GltfFixtures.text(json, GltfFixtures.SQUARE));
+        return SceneImporter.read(file, folder.resolve("lit.jen"), LightUnits.CANDELA, Progress.NONE);
+    }
+
+    private List<String> filesBeside(ImportedScene imported) throws Exception {
+        imported.write();
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(f -> f.getFileName().toString()).filter(name -> !name.startsWith("lit.")).toList();
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(value = ImportLighting.class, names = {"STUDIO", "SKY"})
+    void profilesOfTheLightsOfTheFile_areNotWrittenWithout(ImportLighting lighting) throws Exception {
+        assertThat(filesBeside(lighting.apply(readGltf(SOFT_SPOT)))).isEmpty();
+    }
+
+    @Test
+    void profileOfASpot_hasAShortName() throws Exception {
+        assertThat(filesBeside(readGltf(SOFT_SPOT))).containsExactly("spot 28.648 inner 19.996.ies");
+    }
+
+    /** Lights that reach nothing give black pictures, in each unit the same. */
+    @Test
+    void picturesThatShowNothing_orLookAlike_areNotUseful() throws Exception {
+        ImportedScene imported = readGltf(GltfFixtures.LIT_JSON.replace("'intensity': 100", "'intensity': 0"));
+        ImportedScene dark = imported.withObjects(scene -> scene.withWorld(scene.world().withAmbience(0).withBackground(Rgb.BLACK)));
+        var previews = new ImportPreviews(dark, 40);
+        try (var workers = new WorkerPool(1)) {
+            for (ImportPreviews.Choice choice : previews.choices()) {
+                previews.render(choice, workers, Progress.NONE);
+                assertThat(previews.isUseful(choice)).as("%s", choice).isEqualTo(choice.lighting() != ImportLighting.FILE);
+            }
+        }
+    }
+
+    /** A camera below the ground would see nothing else. */
+    @ParameterizedTest
+    @EnumSource(value = ImportLighting.class, names = {"STUDIO", "SKY"})
+    void cameraBelowTheGround_isReplacedWithANote(ImportLighting lighting) throws Exception {
+        String json = GltfFixtures.LIT_JSON.replace("'children': [1]", "'children': [1, 2]")
+                .replace("{'light': 0}}}],", "{'light': 0}}}, {'camera': 0, 'translation': [0.5, -20, 0.1], "
+                        + "'rotation': [0.70710678, 0, 0, 0.70710678]}], 'cameras': [{'type': 'perspective', 'perspective': "
+                        + "{'yfov': 0.7, 'znear': 0.1}}],");
+        ImportedScene imported = readGltf(json);
+        assertThat(imported.subject().hasCamera()).isTrue();
+        ImportedScene lit = lighting.apply(imported);
+        assertThat(lit.scene().camera().from().y()).isGreaterThan(imported.subject().min().y());
+        assertThat(lit.notes()).containsKey("the camera is below the ground of the lighting; another was added");
+        assertThat(Arrays.stream(blocks(trace(lit.scene()))).max().orElseThrow()).isGreaterThan(60);
     }
 
     @ParameterizedTest

@@ -1,7 +1,9 @@
 package lightning.format.jen;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -136,6 +138,26 @@ class JenReaderTest {
                 "s.jen:8:19: light 'key': at must have 3 numbers, found 4",
                 "s.jen:8:37: light 'key': color must be a number within ±1.8e308, found '1e999'",
                 "s.jen:9:1: expected a block (bank, camera, cone, cylinder, dome, frustum, group, light, material, mesh, picture, plane, shot, sphere, world), found 'blob'");
+    }
+
+    @Test
+    void fileOfAnotherKind_isOneProblem() {
+        assertIsNoScene("import os\nfor x in [1, (2)]:\n    print(x)\n", "1:1: not a scene file, which begins with 'jen 1'; found 'import'");
+        assertIsNoScene("#!/usr/bin/python\n\nfrom x import (y)\n", "3:1: not a scene file, which begins with 'jen 1'; found 'from'");
+        assertIsNoScene("{ \"asset\": [1, 2] }", "1:1: not a scene file, which begins with 'jen 1'; found '{'");
+        assertIsNoScene("3 4", "1:1: not a scene file, which begins with 'jen 1'; found '3'");
+    }
+
+    private static void assertIsNoScene(String text, String problem) {
+        assertThatExceptionOfType(JenException.class).isThrownBy(() -> JenReader.read(text, "s.jen", Path.of(".")))
+                .satisfies(e -> assertThat(e.problems()).singleElement().asString().isEqualTo("s.jen:" + problem));
+    }
+
+    @Test
+    void pictureInPlaceOfAScene_isOneProblem(@TempDir Path folder) throws IOException {
+        Path file = Files.write(folder.resolve("a.jen"), new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', (byte) 0xe7, (byte) 0xe8});
+        assertThatExceptionOfType(JenException.class).isThrownBy(() -> JenReader.read(file))
+                .satisfies(e -> assertThat(e.problems()).singleElement().asString().contains(": not a scene file, which begins with 'jen 1'; "));
     }
 
     @ParameterizedTest

@@ -157,7 +157,13 @@ public final class FileActions {
             try (var workers = new WorkerPool(WorkerPool.processorCount())) {
                 for (ImportPreviews.Choice choice : previews.choices()) {
                     ImportPreviews.Preview preview = previews.render(choice, workers, Progress.cancellation(closed));
-                    model.files().windowExecutor().execute(() -> cards.show(choice, preview));
+                    boolean isUseful = previews.isUseful(choice);
+                    model.files().windowExecutor().execute(() -> {
+                        cards.show(choice, preview);
+                        if (!isUseful) {
+                            cards.remove(choice);
+                        }
+                    });
                 }
             } catch (CancellationException e) {
                 // The choice was made.

@@ -20,8 +20,6 @@ import lightning.format.exchange.ImportLighting;
 import lightning.format.exchange.ImportPreviews.Choice;
 import lightning.format.exchange.ImportPreviews.Preview;
 import lightning.format.exchange.assembly.LightUnits;
-import lightning.render.image.Film;
-import lightning.render.image.ViewTransform;
 import lightning.scene.PictureSettings;
 
 /**
@@ -98,6 +96,16 @@ final class ImportChooser extends VBox {
         }
     }
 
+    /** Removes a choice, unless it is the last. */
+    void remove(Choice choice) {
+        Button card = cards.get(choice);
+        if (card != null && cards.size() > 1) {
+            cards.remove(choice);
+            card.setVisible(false);
+            card.setManaged(false);
+        }
+    }
+
     /** Returns the choice, or empty. */
     Optional<Choice> chosen() {
         return chosen;
@@ -125,7 +133,6 @@ final class ImportChooser extends VBox {
     }
 
     private static Image image(Preview preview) {
-        Film film = preview.film();
-        return PixelImage.of(film.width(), film.height(), ViewTransform.DEFAULT.withExposure(preview.exposure()).toPixels(film));
+        return PixelImage.of(preview.film().width(), preview.film().height(), preview.pixels());
     }
 }

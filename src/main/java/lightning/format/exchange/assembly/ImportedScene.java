@@ -112,8 +112,9 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
      * Returns this scene with lights that replace those of the file.
      *
      * @param comment comment line that says so, if the file has lights
+     * @param furtherNotes what else was replaced
      */
-    public ImportedScene withLighting(String comment, Scene lit) {
+    public ImportedScene withLighting(String comment, Scene lit, List<String> furtherNotes) {
         List<String> newComments = new ArrayList<>(comments);
         newComments.remove(ADDED_LIGHT_COMMENT);
         if (subject.hasLights()) {
@@ -122,11 +123,18 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
         Map<String, Integer> newNotes = new HashMap<>(notes);
         newNotes.remove(ADDED_LIGHT);
         newNotes.remove(ADDED_CAMERA);
+        furtherNotes.forEach(note -> newNotes.put(note, 1));
+        boolean keepsCamera = lit.camera().equals(unscaledScene.camera());
+        Set<String> unused = references(unscaledScene);
+        unused.removeAll(references(lit));
+        Path folder = ParentFolder.of(sceneFile);
+        List<AssetCopy> usedCopies = copies.stream().filter(copy -> !unused.contains(FileNaming.nameIn(folder, copy.target()))).toList();
         // A new light may have the name of one of the file's that moved.
-        Optional<Shot> others = shot().map(s -> s.withTracks(s.tracks().stream().filter(track -> !isLighting(track.target())).toList()));
+        Optional<Shot> others = shot().map(s -> s.withTracks(s.tracks().stream()
+                .filter(track -> !isLighting(track.target()) && (keepsCamera || track.target().kind() != TrackTarget.Kind.CAMERA)).toList()));
         return new ImportedScene(lit, others.map(s -> validTracks(s, lit)), Set.of(), Set.of(), Optional.empty(), List.copyOf(newComments),
                 sceneFile,
-                copies, Map.copyOf(newNotes),
+                usedCopies, Map.copyOf(newNotes),
                 subject, closingComments);
     }
 
@@ -141,11 +149,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
      * @throws IOException if a file that cannot have another name would replace one, or one cannot be read
      */
     public ImportedScene keepingOthers(BiConsumer<String, String> renamed) throws IOException {
-        Set<String> references = new HashSet<>();
-        new FileRenaming(name -> {
-            references.add(name);
-            return name;
-        }).applyTo(unscaledScene);
+        Set<String> references = references(unscaledScene);
         var naming = new FileNaming(sceneFile);
         Path folder = ParentFolder.of(sceneFile);
         for (AssetCopy copy : copies.stream().sorted(Comparator.comparing(AssetCopy::target)).toList()) {
@@ -157,6 +161,16 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
                 newComments,
                 sceneFile,
                 naming.copies(), notes, subject, closingComments);
+    }
+
+    /** Returns the names of the files that a scene references. */
+    private static Set<String> references(Scene scene) {
+        Set<String> references = new HashSet<>();
+        new FileRenaming(name -> {
+            references.add(name);
+            return name;
+        }).applyTo(scene);
+        return references;
     }
 
     /** Returns this scene with further comment lines at the end of its file. */
