@@ -193,7 +193,8 @@ public final class EditorDialogs {
         Alert alert = notes(Messages.tr("{0} is open, but not all of its files can be used", Quote.path(file.getFileName())),
                 notes.stream().map(note -> Messages.tr("line {0}: {1}", note.line(), note.message())).toList());
         locate.ifPresent(action -> {
-            alert.getButtonTypes().setAll(COPY, LOCATE, SKIP);
+            alert.getButtonTypes().remove(ButtonType.CLOSE);
+            alert.getButtonTypes().addAll(LOCATE, SKIP);
             alert.resultProperty().addListener((_, _, answer) -> {
                 if (answer == LOCATE) {
                     Platform.runLater(action);
