@@ -37,6 +37,23 @@ class RemainingTimeTest {
         assertThat(describe("Tracing", 0.25, 12)).isEqualTo("Tracing · 6 s left");
     }
 
+    /** One tenth takes 10 s in a cold program, and each further tenth 1 s. */
+    @Test
+    void slowStart_doesNotCountTwice() {
+        describe("Tracing", 0, 0);
+        assertThat(describe("Tracing", 0.05, 5)).isEqualTo("Tracing");
+        describe("Tracing", 0.1, 10);
+        describe("Tracing", 0.15, 10.5);
+        assertThat(describe("Tracing", 0.2, 11)).isEqualTo("Tracing · 8 s left");
+        assertThat(describe("Tracing", 0.3, 12)).isEqualTo("Tracing · 7 s left");
+    }
+
+    @Test
+    void longTask_isExtrapolatedEarly() {
+        describe("Tracing", 0, 0);
+        assertThat(describe("Tracing", 0.05, 30)).isEqualTo("Tracing · 10 min left");
+    }
+
     @Test
     void otherTask_restartsEstimate() {
         describe("Tracing", 0, 0);
