@@ -74,6 +74,19 @@ class IndirectRepetitionTest {
         assertThat(share(room(), edit(room(), "ball", moved))).isBetween(0.01, 0.33);
     }
 
+    /** The boxes of glowing objects, at which rays of reflections are aimed, are padded by the extent of the whole scene. */
+    @Test
+    void objectMovedFarAway_leavesReflectionsOfGlowExact() throws JenException {
+        Scene scene = room(ROOM + """
+                material neon { glow 3 2 1  diffuse 0.1 0.1 0.1 }
+                material brass { model principled  base 0.9 0.7 0.3  metalness 1  roughness 0.4 }
+                sphere bulb { material neon  at -0.1 0.2 0.1  scale 0.1 0.1 0.1 }
+                sphere knob { material brass  at -0.4 -0.6 -0.3  scale 0.3 0.3 0.3 }
+                """);
+        Placement moved = new Placement(new Vec3(0.3, -3, -50), Vec3.ZERO, new Vec3(0.15, 0.15, 0.15));
+        assertThat(share(scene, edit(scene, "ball", moved))).isBetween(0.01, 1.0);
+    }
+
     /** All later objects have other numbers than before. */
     @Test
     void deletedObject_repeatsFewRays() throws JenException {

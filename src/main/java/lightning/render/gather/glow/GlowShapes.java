@@ -124,9 +124,13 @@ public final class GlowShapes {
         return glow;
     }
 
-    /** Returns whether these are some objects of the same scene. */
+    /**
+     * Returns whether these are some objects of the same scene, with the same boxes: rays are aimed at the boxes, whose padding depends on the extent of
+     * the whole scene.
+     */
     public boolean areSame(GlowShapes others) {
-        return (this == TOO_MANY) == (others == TOO_MANY) && Arrays.equals(primitives, others.primitives);
+        return (this == TOO_MANY) == (others == TOO_MANY) && Arrays.equals(primitives, others.primitives)
+                && Arrays.equals(centers, others.centers) && Arrays.equals(halfSides, others.halfSides);
     }
 
     /** Returns whether an edit of shapes changed any of these objects. */
