@@ -53,14 +53,18 @@ final class IndirectTracer {
         private final SurfelShader shader;
         private final ScratchColumns columns = new ScratchColumns();
 
-        SurfelTracer(Engine engine) {
-            kernel = LightKernel.diffuseOnly(geometry, engine.tracer(geometry), engine.terms(), ViewEffects.ALL);
+        SurfelTracer(Engine engine, boolean shines) {
+            kernel = LightKernel.forSurfels(geometry, engine.tracer(geometry), engine.terms(), ViewEffects.ALL, shines);
             shader = new SurfelShader(geometry.materials(), engine.sums());
         }
 
-        /** Computes the light of a block; {@code edges} is null without edge detection. */
+        /**
+         * Computes the light of a block; {@code edges} is null without edge detection.
+         *
+         * @param seen receives the light that reflections show; empty if there are none, as {@code seenEdges}
+         */
         void shade(HitRows rows, int[] numbers, WeightedLight[] edgeLights, float[][] direct, float @Nullable [][] edges, float[][] albedo,
-                float[][] glow, float[][] seen) {
+                float[][] glow, float[][] seen, float[][] seenEdges) {
             columns.reset();
             LightLayer[] layers = new LightLayer[lights.length];
             for (int l = 0; l < lights.length && !progress.isCanceled(); l++) {
@@ -72,6 +76,8 @@ final class IndirectTracer {
                     shader.writeDirectLight(rows, edgeLights, layers, numbers, edges);
                 }
                 shader.writeReflection(rows, numbers, albedo, glow, seen, (float) scene.world().ambience());
+                shader.addShownLight(rows, edgeLights, layers, numbers, seen, seenEdges);
+                shader.addShownLight(rows, lights, layers, numbers, seen, seen);
             }
         }
     }
@@ -96,11 +102,13 @@ final class IndirectTracer {
         float[][] albedo = new float[3][structure.surfelCount()];
         float[][] glow = new float[3][structure.surfelCount()];
         HitRows[] rows = structure.surfels();
-        List<EngineWorkers<SurfelTracer>> threads = EngineWorkers.perThread(workers.count(), engines, SurfelTracer::new);
+        List<EngineWorkers<SurfelTracer>> threads = EngineWorkers.perThread(workers.count(), engines,
+                engine -> new SurfelTracer(engine, settings.get().reflections()));
         float[][] seen = new float[3][structure.reflections() == null ? 0 : structure.surfelCount()];
+        float[][] seenEdges = new float[3][edges == null ? 0 : seen[0].length];
         workers.run(structure.bounces() > 0 ? rows.length : 0,
                 (worker, block) -> threads.get(worker).forTile(block).shade(rows[block], structure.numbers(block),
-                        edgeLights, direct, edges, albedo, glow, seen),
+                        edgeLights, direct, edges, albedo, glow, seen, seenEdges),
                 progress.cancellationOnly());
         gatherRays = structure.rays();
         shadowRays = threads.stream().flatMap(thread -> thread.workers().stream()).mapToLong(tracer -> tracer.kernel.shadowRays()).sum();
@@ -108,7 +116,7 @@ final class IndirectTracer {
         float[][] objects = structure.glow().shapes().glow(geometry.materials());
         BackgroundLight background = BackgroundLight.of(scene);
         return new IndirectLight(structure, solver.solve(direct, albedo, glow, objects, seen, background),
-                edges == null ? null : solver.solve(edges, albedo, glow, objects, seen, background.forEdges()));
+                edges == null ? null : solver.solve(edges, albedo, glow, objects, seenEdges, background.forEdges()));
     }
 
     /** Returns the rays cast so far. */

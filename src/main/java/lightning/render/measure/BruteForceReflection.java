@@ -138,7 +138,7 @@ final class BruteForceReflection {
             float[] sky = batch.primitive(ray) >= 0 ? null : sky(ray);
             for (int c = 0; c < 3; c++) {
                 double tint = batch.isTinted() ? batch.tint[c][ray] : 1;
-                double light = tint * (sky != null ? sky[c] : shader.albedo[c][ray] * shader.direct[c][ray] + shader.seen[c][ray]);
+                double light = tint * (sky != null ? sky[c] : shader.seen[c][ray]);
                 sum[c] += colorWeight[ray] * light;
                 sum[3 + c] += whiteWeight[ray] * light;
             }
@@ -147,7 +147,7 @@ final class BruteForceReflection {
         }
     }
 
-    /** Adds to the direct light of what rays meet that of the environment, by one random ray of each. */
+    /** Adds the light of the environment that rays meet to what they see there, by one random ray of each. */
     private void gatherSky(HitRows rows, SplittableRandom random) {
         if (!scene.world().hasEnvironment()) {
             return;
@@ -164,7 +164,8 @@ final class BruteForceReflection {
             if (gathering.primitive(row) < 0) {
                 float[] light = background.from(gathering.directionX[row], gathering.directionY[row], gathering.directionZ[row]);
                 for (int c = 0; c < 3; c++) {
-                    shader.direct[c][rows.parent[row]] += light[c] * (gathering.isTinted() ? gathering.tint[c][row] : 1);
+                    int ray = rows.parent[row];
+                    shader.seen[c][ray] += shader.albedo[c][ray] * light[c] * (gathering.isTinted() ? gathering.tint[c][row] : 1);
                 }
             }
         }

@@ -29,7 +29,7 @@ final class HitShader {
     final float[][] albedo = new float[3][RayBatch.MAX_RAYS];
     /** Light that the surface emits itself, without bulbs. */
     final float[][] glow = new float[3][RayBatch.MAX_RAYS];
-    /** Light that a picture shows of the surface without lights. */
+    /** Light that a picture shows of the surface, without the light that it gathers. */
     final float[][] seen = new float[3][RayBatch.MAX_RAYS];
 
     HitShader(Scene scene, Geometry geometry, Engine engine, Tracer tracer) {
@@ -53,6 +53,7 @@ final class HitShader {
         }
         shader.writeDirectLight(rows, lights, layers, RAYS_BY_INDEX, direct);
         shadeUnlit(rows);
+        shader.addShownLight(rows, lights, layers, RAYS_BY_INDEX, seen, seen);
     }
 
     /** Writes all columns but the lights' sum. */

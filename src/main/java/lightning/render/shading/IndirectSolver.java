@@ -28,7 +28,8 @@ import lightning.render.gather.rim.RimLinks;
  * <p>G is the light of small glowing objects, at which rays of their own are aimed ({@link GlowPaths}). The other rays that meet these
  * objects do not count their glow.
  *
- * <p>A surfel that a reflection shows sends glow + ambient light + albedo · (D + the light that its rays gather).
+ * <p>A surfel that a reflection shows sends glow + ambient light + the lights' diffuse and specular light + albedo · (the light that its rays
+ * gather).
  *
  * <p>Rays are cosine-distributed, so the plain mean is the irradiance in units of the lights' diffuse sum. Floats are added in the order
  * of the rays. All lights are added before anything is gathered, so the cost does not grow with their number.
@@ -56,7 +57,7 @@ public final class IndirectSolver {
      * @param albedo of each surfel
      * @param glow   light that each surfel emits itself
      * @param objects light of each glowing object, as {@link GlowShapes#glow}
-     * @param seen   light that each surfel emits or that does not depend on lights, as a picture shows it; read by reflections only
+     * @param seen   light of each surfel that a picture shows, without the light that it gathers; read by reflections only
      * @param background light of rays that leave the scene
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
@@ -81,7 +82,7 @@ public final class IndirectSolver {
         });
         run(points, (from, to) -> structure.filter(gathered, light, from, to));
         if (reflections != null) {
-            reflect(reflections, direct, albedo, seen, atSurfels, background, light);
+            reflect(reflections, albedo, seen, atSurfels, background, light);
         }
         return light;
     }
@@ -105,7 +106,7 @@ public final class IndirectSolver {
      *
      * @param atSurfels light that the rays of surfels gather
      */
-    private void reflect(ReflectionPaths paths, float[][] direct, float[][] albedo, float[][] seen, float[][] atSurfels,
+    private void reflect(ReflectionPaths paths, float[][] albedo, float[][] seen, float[][] atSurfels,
             BackgroundLight background, float[][] light) {
         int surfels = structure.surfelCount();
         int[] details = paths.surfelOfDetail();
@@ -116,7 +117,7 @@ public final class IndirectSolver {
             for (int s = from; s < to; s++) {
                 int gathering = s < whole ? s : details[s - whole];
                 for (int c = 0; c < 3; c++) {
-                    shown[STRIDE * s + c] = seen[c][s] + albedo[c][s] * (direct[c][s] + smooth[c][gathering]);
+                    shown[STRIDE * s + c] = seen[c][s] + albedo[c][s] * smooth[c][gathering];
                 }
             }
         });

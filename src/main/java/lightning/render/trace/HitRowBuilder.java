@@ -11,16 +11,13 @@ final class HitRowBuilder {
     private final MaterialTable materials;
     private final Tracer tracer;
     private final TexelWriter texels;
-    private final boolean hasTangents;
     private final int[] starts;
     /** Rank of the material that each ray hit, −1 for a miss. */
     private final int[] ranks = new int[RayColumns.MAX_RAYS];
     /** Created on first use. */
     private @Nullable SurfaceHit surface;
 
-    /** @param hasTangents whether rows of anisotropic materials get tangents */
-    HitRowBuilder(Geometry geometry, Tracer tracer, boolean hasTangents) {
-        this.hasTangents = hasTangents;
+    HitRowBuilder(Geometry geometry, Tracer tracer) {
         primitives = geometry.primitives();
         materials = geometry.materials();
         this.tracer = tracer;
@@ -51,7 +48,6 @@ final class HitRowBuilder {
             columns = withTexels && starts[r + 1] > 0 ? columns.or(materials.texels(materials.materialAtRank(r))) : columns;
             starts[r + 1] += starts[r];
         }
-        columns = hasTangents ? columns : columns.withoutTangents();
         rays.hitCount = starts[materials.count()];
         int clearCount = starts[materials.clearCount()];
         HitRows rows = allocator.allocate(rays.hitCount, columns, clearCount > 0);

@@ -384,7 +384,7 @@ public final class HitRows {
     }
 
     /** Returns the columns of an image that these rows have, as {@link #texel(ColumnGroup, int)}. */
-    float[][] texels(ColumnGroup group) {
+    public float[][] texels(ColumnGroup group) {
         float[][] texels = new float[group.columnCount()][];
         for (int c = 0; c < texels.length; c++) {
             texels[c] = requireNonNull(texel(group, c));

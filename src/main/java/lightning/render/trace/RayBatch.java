@@ -96,7 +96,7 @@ public final class RayBatch {
         hasPassableSurfaces =
                 materials.hasTransparent() || geometry.hasLightFaces() || Arrays.stream(mirrors).anyMatch(Objects::nonNull);
         this.tracer = tracer;
-        rowBuilder = new HitRowBuilder(geometry, tracer, false);
+        rowBuilder = new HitRowBuilder(geometry, tracer);
         rays = new RayColumns(new CameraRays(scene.camera(), scene.picture()));
         sorted = new RayColumns(new CameraRays(scene.camera(), scene.picture()));
         rays.startsAtFacets = true;

@@ -59,11 +59,6 @@ public record TexelColumns(int bits) {
         return new TexelColumns(bits & o.bits);
     }
 
-    /** Returns these without tangents. */
-    TexelColumns withoutTangents() {
-        return new TexelColumns(bits & ~TANGENTS.bits);
-    }
-
     /** Returns whether rows have the columns of a group. */
     public boolean has(ColumnGroup group) {
         return (bits >> group.ordinal() & 1) != 0;

@@ -40,7 +40,7 @@ public final class TileVisibility {
         width = scene.picture().width();
         height = scene.picture().height();
         this.tracer = tracer;
-        rowBuilder = new HitRowBuilder(geometry, tracer, true);
+        rowBuilder = new HitRowBuilder(geometry, tracer);
     }
 
     /**

@@ -35,6 +35,7 @@ import lightning.render.lobe.RoughLobes;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
+import lightning.render.trace.MaterialTable;
 import lightning.render.trace.ShapeChange;
 import lightning.render.trace.Tracer;
 import lightning.render.trace.tree.BoxSet;
@@ -59,6 +60,8 @@ public final class GatherBuilder {
     private static final int BYTES_BESIDE_ROW = 160;
     /** Bytes of the layer of an ordinary light at a surfel that it reaches. */
     private static final long BYTES_PER_LIGHT = 12;
+    /** Bytes of its highlights there. */
+    private static final long HIGHLIGHT_BYTES = 8;
 
     private final Geometry geometry;
     private final Scene scene;
@@ -117,7 +120,7 @@ public final class GatherBuilder {
     public void remember(GatherStructure old, HitRows[] rows, Geometry previous, ShapeChange shapes,
             IntFunction<Tracer> itsTracers) {
         boolean keepsReflections = settings.reflections() && shapes.hasSameIndices();
-        if (!settings.gathers() && !keepsReflections) {
+        if (!settings.gathers() && !keepsReflections || !haveSameTangents(previous.materials(), geometry.materials())) {
             return;
         }
         KnownSurfels known = KnownSurfels.of(old, rows, shapes, keys);
@@ -134,6 +137,11 @@ public final class GatherBuilder {
                             seenGlows);
         }
         knownSurfels = memo == null && reflectionMemo == null ? null : known;
+    }
+
+    /** Returns whether rows of surfels have tangents for the same materials. */
+    private static boolean haveSameTangents(MaterialTable a, MaterialTable b) {
+        return IntStream.range(0, Math.min(a.count(), b.count())).allMatch(m -> a.material(m).isAnisotropic() == b.material(m).isAnisotropic());
     }
 
     /** Returns the distance of the pixels through which candidates for gather points are traced. */
@@ -153,7 +161,8 @@ public final class GatherBuilder {
         int columns =
                 ColumnGroup.HIT.bytesPerRow() + geometry.materials().anyTexels().bytesPerRow() + ColumnGroup.OWNER.bytesPerRow()
                         + ColumnGroup.TRANSPARENT.bytesPerRow();
-        return columns + BYTES_BESIDE_ROW + BYTES_PER_LIGHT * scene.rig().effectiveLights().size();
+        return columns + BYTES_BESIDE_ROW
+                + (BYTES_PER_LIGHT + (settings.reflections() ? HIGHLIGHT_BYTES : 0)) * scene.rig().effectiveLights().size();
     }
 
     /**

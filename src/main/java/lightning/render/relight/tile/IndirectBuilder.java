@@ -39,7 +39,7 @@ final class IndirectBuilder {
     private final RenderJob job;
     private final WorkerPool workers;
     private final @Nullable PixelCache oldCache;
-    private final List<EngineWorkers<LevelWorker>> surfelWorkers;
+    private List<EngineWorkers<LevelWorker>> surfelWorkers = List.of();
     private long gatherRays;
     private @Nullable PointChanges pointChanges;
 
@@ -48,8 +48,6 @@ final class IndirectBuilder {
         this.job = job;
         this.workers = workers;
         this.oldCache = old;
-        surfelWorkers = EngineWorkers.perThread(workers.count(), job.options().engines(),
-                engine -> LevelWorker.forSurfels(job, engine));
     }
 
     /**
@@ -68,6 +66,9 @@ final class IndirectBuilder {
         if (settings.isEmpty()) {
             return null;
         }
+        boolean shines = settings.get().reflections();
+        surfelWorkers = EngineWorkers.perThread(workers.count(), job.options().engines(),
+                engine -> LevelWorker.forSurfels(job, engine, shines));
         GatherStructure structure;
         TileLevel[] surfels;
         boolean keepsPaths = paths == PathUpdate.KEEP;

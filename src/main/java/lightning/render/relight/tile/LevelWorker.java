@@ -57,12 +57,16 @@ final class LevelWorker {
         this(job, shown, engine, tracer, new LightKernel(shown.geometry(), tracer, engine.terms(), job.options().view()));
     }
 
-    /** Returns a worker for surfels, whose layers have no specular terms. */
-    static LevelWorker forSurfels(RenderJob job, Engine engine) {
+    /**
+     * Returns a worker for surfels.
+     *
+     * @param shines whether reflections show their highlights
+     */
+    static LevelWorker forSurfels(RenderJob job, Engine engine, boolean shines) {
         PreparedScene shown = job.target();
         Tracer tracer = engine.tracer(shown.geometry());
         return new LevelWorker(job, shown, engine, tracer,
-                LightKernel.diffuseOnly(shown.geometry(), tracer, engine.terms(), job.options().view()));
+                LightKernel.forSurfels(shown.geometry(), tracer, engine.terms(), job.options().view(), shines));
     }
 
     private LevelWorker(RenderJob job, PreparedScene shown, Engine engine, Tracer tracer, LightKernel kernel) {

@@ -12,6 +12,7 @@ import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.IndirectSolver;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.SurfelShader;
+import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.MaterialTable;
 
 /** Computes the light at gather points from cached layers of surfels, for any weights of the lights. Casts no ray. */
@@ -75,9 +76,14 @@ public final class SurfelSolver {
     private float[][] solve(WeightedLight[] lights, BackgroundLight background, float[][] emitted, float[][] emittedByObjects,
             float[][] shown) {
         float[][] direct = new float[3][structure.surfelCount()];
-        workers.run(blocks(), (worker, block) -> shaders.get(worker).forTile(block).writeDirectLight(surfels[block].rows(), lights,
-                surfels[block].layers(), structure.numbers(block), direct), progress);
-        return new IndirectSolver(structure, workers, progress).solve(direct, albedo, emitted, emittedByObjects, shown, background);
+        float[][] lit = new float[3][shown[0].length];
+        workers.run(blocks(), (worker, block) -> {
+            SurfelShader shader = shaders.get(worker).forTile(block);
+            LightLayer[] layers = surfels[block].layers();
+            shader.writeDirectLight(surfels[block].rows(), lights, layers, structure.numbers(block), direct);
+            shader.addShownLight(surfels[block].rows(), lights, layers, structure.numbers(block), shown, lit);
+        }, progress);
+        return new IndirectSolver(structure, workers, progress).solve(direct, albedo, emitted, emittedByObjects, lit, background);
     }
 
     /** Returns the number of blocks with lit surfels. */

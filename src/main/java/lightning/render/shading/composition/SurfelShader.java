@@ -3,30 +3,40 @@ package lightning.render.shading.composition;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
+import lightning.render.shading.BounceImages;
 import lightning.render.shading.PrincipledMaterial;
 import lightning.render.shading.PrincipledRow;
 import lightning.render.shading.ShadingMaterial;
 import lightning.render.shading.SheenLayer;
 import lightning.render.shading.SumKernel;
+import lightning.render.shading.TermKernel;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.MappedSurface;
+import lightning.scene.World;
+import lightning.scene.effects.ViewEffects;
 import lightning.render.trace.MaterialTable;
 
-/** Computes the direct light, the albedo and the glow of surfels. Holds scratch columns: use one instance per thread. */
+/** Computes the direct light, the albedo, the glow and the look of surfels. Holds scratch columns: use one instance per thread. */
 public final class SurfelShader {
     private static final float[] NO_TEXELS = {};
+    private static final World UNLIT = World.DEFAULT.withAmbience(0);
 
     private final LightSum lightSum;
     private final ShadingMaterial[] materials;
     private final MaterialTable table;
     private final PrincipledRow principledRow = new PrincipledRow();
+    /** Composes what a picture shows of the lights. */
+    private final LevelComposer composer;
+    private final float[][] colors = new float[3][TermKernel.MAX_ROWS];
 
     public SurfelShader(MaterialTable table, SumKernel sums) {
         this.table = table;
         lightSum = new LightSum(sums);
+        composer = new LevelComposer(table, sums, ViewEffects.ALL);
+        composer.setShowsGlow(false);
         materials = new ShadingMaterial[table.count()];
         Arrays.setAll(materials, m -> ShadingMaterial.of(table, m));
     }
@@ -43,6 +53,26 @@ public final class SurfelShader {
         for (int c = 0; c < 3; c++) {
             for (int row = 0; row < rows.count; row++) {
                 to[c][numbers[rows.parent[row]]] = sum[c][row];
+            }
+        }
+    }
+
+    /**
+     * Adds the lights' diffuse and specular light that a picture shows of each surfel of a block, from where the surfel was first met.
+     *
+     * @param numbers surfel of each parent
+     * @param known   other light of all surfels: red, green and blue
+     * @param to      receives the sums; nothing is done if it has no elements
+     */
+    public void addShownLight(HitRows rows, WeightedLight[] lights, LightLayer[] layers, int[] numbers, float[][] known, float[][] to) {
+        if (to[0].length == 0) {
+            return;
+        }
+        composer.compose(rows, lights, layers, null, null, UNLIT, null, BounceImages.BLACK, colors);
+        for (int c = 0; c < 3; c++) {
+            for (int row = 0; row < rows.count; row++) {
+                int surfel = numbers[rows.parent[row]];
+                to[c][surfel] = known[c][surfel] + colors[c][rows.parent[row]];
             }
         }
     }

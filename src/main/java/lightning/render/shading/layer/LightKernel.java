@@ -31,6 +31,8 @@ public final class LightKernel {
     private final TermColumnWriter columnWriter;
     private final RequiredWork requiredWork;
     private final boolean isDiffuseOnly;
+    /** Whether rows in penumbras get more samples. */
+    private final boolean refines;
     private final float[] cosine = new float[TermKernel.MAX_ROWS];
     private final int[] facing = RowBits.allocate();
     /** Rows that a cone change affects, and those of them inside the cone. */
@@ -45,29 +47,31 @@ public final class LightKernel {
     private long rowsTouched;
 
     public LightKernel(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view) {
-        this(geometry, tracer, terms, view, false);
+        this(geometry, tracer, terms, view, true, true);
     }
 
     /**
-     * Returns a kernel whose layers have no specular terms, for surfels: they send light diffusely only, and the mean over many of them needs
-     * no more samples in penumbras.
+     * Returns a kernel for surfels: the mean over many of them needs no more samples in penumbras.
+     *
+     * @param shines whether reflections show them, with their highlights; otherwise layers have no specular terms
      */
-    public static LightKernel diffuseOnly(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view) {
-        return new LightKernel(geometry, tracer, terms, view, true);
+    public static LightKernel forSurfels(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view, boolean shines) {
+        return new LightKernel(geometry, tracer, terms, view, shines, false);
     }
 
-    private LightKernel(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view, boolean diffuseOnly) {
+    private LightKernel(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view, boolean shines, boolean refines) {
         this.tracer = tracer;
         this.terms = terms;
         requiredWork = RequiredWork.of(view);
-        isDiffuseOnly = diffuseOnly;
+        isDiffuseOnly = !shines;
+        this.refines = refines;
         links = new LightLinks(geometry, tracer, view);
-        columnWriter = new TermColumnWriter(geometry.materials(), terms, requiredWork, diffuseOnly);
+        columnWriter = new TermColumnWriter(geometry.materials(), terms, requiredWork, isDiffuseOnly);
     }
 
     private AreaLightKernel areaKernel() {
         areaKernel =
-                areaKernel == null ? new AreaLightKernel(links, tracer, terms, columnWriter, requiredWork, !isDiffuseOnly) : areaKernel;
+                areaKernel == null ? new AreaLightKernel(links, tracer, terms, columnWriter, requiredWork, refines) : areaKernel;
         return areaKernel;
     }
 

@@ -1,5 +1,6 @@
 package lightning.render.shading.reference;
 
+import java.util.EnumMap;
 import java.util.Map;
 import java.util.function.Function;
 import lightning.base.work.Progress;
@@ -15,10 +16,13 @@ import lightning.render.shading.ShadingMaterial;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
+import lightning.render.trace.MappedSurface;
 import lightning.render.trace.MaterialTable;
+import lightning.render.trace.PrincipledColors;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
+import lightning.scene.material.Material;
 
 /**
  * Gathered light and blurred reflections of a scene for {@link ReferenceTracer}. Paths are those of a first build; the light that they carry is
@@ -28,9 +32,12 @@ final class ReferenceReflections {
     private final IndirectLight light;
     private final RowWeigher weigher;
 
-    /** @param directLight returns the lights' diffuse sum at a surface: red, green, blue */
+    /**
+     * @param directLight returns the lights' diffuse sum at a surface: red, green, blue
+     * @param shownLight  returns the lights' diffuse and specular light that a picture shows of a surface: red, green, blue
+     */
     ReferenceReflections(Scene scene, Geometry geometry, GatherSettings settings, BackgroundLight background,
-            Function<SurfacePoint, float[]> directLight) {
+            Function<SurfacePoint, float[]> directLight, Function<SurfacePoint, float[]> shownLight) {
         WorkerPool workers = new WorkerPool(1);
         GatherStructure structure = new GatherBuilder(geometry, scene, settings, workers,
                 _ -> new ReferenceRays(geometry), 1L << 30, Progress.NONE).build();
@@ -46,7 +53,9 @@ final class ReferenceReflections {
             for (int row = 0; row < rows.count; row++) {
                 int surfel = structure.numbers(block)[rows.parent[row]];
                 int material = rows.material(row);
-                float[] lit = directLight.apply(point(rows, row, material));
+                SurfacePoint point = point(materials, rows, row, material);
+                float[] lit = directLight.apply(point);
+                float[] shown = shownLight.apply(point);
                 for (int c = 0; c < 3; c++) {
                     float texel = materials.isTextured(material) ? rows.texel(c)[row] : 1;
                     boolean isMapped = materials.texels(material).has(ColumnGroup.GLOW_TEXEL);
@@ -56,7 +65,7 @@ final class ReferenceReflections {
                     albedo[c][surfel] = albedo(materials, rows, row, c, texel, left);
                     glow[c][surfel] = left * materials.ownGlow(material, c) * map;
                     seen[c][surfel] = left * (materials.ambient(material, c) * (float) scene.world().ambience())
-                            + left * materials.glow(material, c) * map;
+                            + left * materials.glow(material, c) * map + shown[c];
                 }
             }
         }
@@ -66,10 +75,41 @@ final class ReferenceReflections {
         weigher = new RowWeigher(structure);
     }
 
-    private static SurfacePoint point(HitRows rows, int row, int material) {
+    /** Returns the surface of a surfel's row, with the mean colors of its images. */
+    private static SurfacePoint point(MaterialTable materials, HitRows rows, int row, int material) {
+        Map<ColumnGroup, float[]> maps = new EnumMap<>(ColumnGroup.class);
+        for (ColumnGroup group : ColumnGroup.values()) {
+            if ((ColumnGroup.TEXELS.contains(group) && group != ColumnGroup.TEXEL || group == ColumnGroup.TANGENT)
+                    && materials.texels(material).has(group)) {
+                float[][] columns = rows.texels(group);
+                float[] value = new float[columns.length];
+                for (int c = 0; c < value.length; c++) {
+                    value[c] = columns[c][row];
+                }
+                maps.put(group, value);
+            }
+        }
+        float[] texel = {1, 1, 1};
+        float[] diffuse = new float[3];
+        float[] specular = new float[3];
+        Material look = materials.material(material);
+        var mapped = new MappedSurface();
+        if (look.isPrincipled()) {
+            mapped.moveTo(look, maps);
+        }
+        for (int c = 0; c < 3; c++) {
+            texel[c] = materials.isTextured(material) ? rows.texel(c)[row] : 1;
+            diffuse[c] = materials.diffuse(material, c) * texel[c];
+            specular[c] = materials.metalF0(material, c) * texel[c] + materials.specular(material, c);
+            if (look.isPrincipled() && look.surfaceMaps().changeColors()) {
+                var colors = new PrincipledColors(look);
+                diffuse[c] = colors.diffuse(c, mapped) * texel[c];
+                specular[c] = colors.f0(c, mapped, texel[c]);
+            }
+        }
         return new SurfacePoint(rows.owner[row], material, rows.px[row], rows.py[row], rows.pz[row], rows.nx[row], rows.ny[row],
-                rows.nz[row], rows.vx[row], rows.vy[row], rows.vz[row], new float[3], new float[3],
-                0, new float[3], Map.of(), null);
+                rows.nz[row], rows.vx[row], rows.vy[row], rows.vz[row], diffuse, specular,
+                look.isPrincipled() ? mapped.roughness() : look.roughness(), texel, maps, null);
     }
 
     /** Returns one channel of the share that a surfel sends back: a principled one its reflection, too. */

@@ -324,7 +324,7 @@ public final class ReferenceTracer {
 
     private ReferenceReflections reflections() {
         reflections = reflections == null ? new ReferenceReflections(scene, geometry, GatherSettings.of(scene).get(),
-                forEdges ? BackgroundLight.of(scene).forEdges() : BackgroundLight.of(scene), this::directLight) : reflections;
+                forEdges ? BackgroundLight.of(scene).forEdges() : BackgroundLight.of(scene), this::directLight, this::shownLight) : reflections;
         return reflections;
     }
 
@@ -332,6 +332,24 @@ public final class ReferenceTracer {
     private float[] directLight(SurfacePoint hit) {
         float[][] terms = terms(hit, NO_PATTERN, false);
         return new float[] {sum(terms, DIFFUSE, 0), sum(terms, DIFFUSE, 1), sum(terms, DIFFUSE, 2)};
+    }
+
+    /** Returns the lights' diffuse and specular light that a picture shows of a surface outside pixels: red, green, blue. */
+    private float[] shownLight(SurfacePoint hit) {
+        float[][] terms = terms(hit, NO_PATTERN, false);
+        PrincipledMaterial principled = PrincipledMaterial.of(materials.material(hit.material()));
+        float[] color = new float[3];
+        for (int c = 0; c < 3; c++) {
+            float diffuse = sum(terms, DIFFUSE, c);
+            float specular = sum(terms, SPECULAR, c);
+            float grazing = sum(terms, GRAZING, c);
+            color[c] = principled == null
+                    ? LightingEquation.color(0, hit.diffuse()[c], diffuse, hit.specular()[c], specular, grazing,
+                            materials.reflective(hit.material(), c), 0)
+                    : weights(principled, hit).color(principled, c, 0, hit.diffuse()[c], diffuse, hit.specular()[c],
+                            principled.colors().square(c, hit.mapped(principled.material()), hit.texel()[c]), specular, grazing, 0);
+        }
+        return color;
     }
 
     /** Returns one channel of the sum of a term over all lights. */
