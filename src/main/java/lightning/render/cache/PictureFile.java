@@ -9,6 +9,7 @@ import java.nio.ByteOrder;
 import java.nio.channels.FileChannel;
 import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
@@ -17,20 +18,21 @@ import lightning.scene.Scene;
 
 /**
  * Picture with all that was computed for it in one file, which another process can continue from. It contains what does not follow from
- * the scene, which the reader must have: rows and colors as {@link CacheSerializer} writes them, and then the lengths of both.
+ * the scene, which the reader must have: rows and colors as {@link CacheSerializer} writes them, the order of the materials' indices, and then
+ * the lengths of all three.
  */
 public final class PictureFile {
     private static final ValueLayout.OfLong LONG = ValueLayout.JAVA_LONG_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
-    private static final int LENGTHS = 2 * Long.BYTES;
+    private static final int LENGTHS = 3 * Long.BYTES;
 
     private PictureFile() {}
 
     /**
-     * Returns whether a picture of accuracy exact can be written: mirrors show the same scene, and rows and paths refer to materials and
-     * objects as they do after a first pass.
+     * Returns whether a picture of accuracy exact can be written: mirrors show the same scene, which has all materials that rows refer
+     * to, and paths refer to objects as they do after a first pass.
      */
     public static boolean canWrite(PixelCache cache) {
-        return cache.hasSameIndirectInMirrors() && cache.geometry().hasFirstMaterialIndices()
+        return cache.hasSameIndirectInMirrors() && cache.geometry().materialNames().isPresent()
                 && CacheMetadata.Paths.areSame(CacheMetadata.Paths.of(cache.indirect()),
                         CacheMetadata.Paths.ofScene(cache.geometry(), cache.scene()));
     }
@@ -45,36 +47,60 @@ public final class PictureFile {
         long rows = out.position();
         CacheSerializer.writeColors(cache, new ColumnWriter(out));
         long colors = out.position() - rows;
-        ByteBuffer lengths = ByteBuffer.allocate(LENGTHS).order(ByteOrder.LITTLE_ENDIAN).putLong(rows).putLong(colors).flip();
+        writeNames(cache.geometry().materialNames().orElseThrow(), new ColumnWriter(out));
+        long names = out.position() - rows - colors;
+        ByteBuffer lengths =
+                ByteBuffer.allocate(LENGTHS).order(ByteOrder.LITTLE_ENDIAN).putLong(rows).putLong(colors).putLong(names).flip();
         while (lengths.hasRemaining()) {
             out.write(lengths);
         }
     }
 
+    private static void writeNames(List<String> names, ColumnWriter out) throws IOException {
+        out.writeInt(names.size());
+        for (String name : names) {
+            out.writeArray(name.toCharArray());
+        }
+        out.writeChecksum();
+    }
+
+    private static List<String> readNames(ColumnReader in) throws IOException {
+        List<String> names = new ArrayList<>();
+        for (int i = in.readCount(); i > 0; i--) {
+            names.add(new String(in.readChars()));
+        }
+        in.expectEnd();
+        return names;
+    }
+
     /**
      * Reads the picture of a scene.
      *
-     * @param geometry of the scene
+     * @param geometry of the scene, with any order of materials
      * @param scene    scene whose picture was written, with equal values
      * @throws IOException if the file cannot be read or is damaged
+     * @throws IllegalArgumentException if the scene has other materials
      */
     public static PixelCache read(Path file, Geometry geometry, Scene scene) throws IOException {
         try (Arena arena = Arena.ofConfined(); FileChannel channel = FileChannel.open(file)) {
-            return read(channel.map(FileChannel.MapMode.READ_ONLY, 0, channel.size(), arena), CacheMetadata.ofScene(geometry, scene));
+            return read(channel.map(FileChannel.MapMode.READ_ONLY, 0, channel.size(), arena), geometry, scene);
         } catch (InternalError e) {
             // The disk failed to read a page of the mapping.
             throw new IOException(e.getMessage(), e);
         }
     }
 
-    private static PixelCache read(MemorySegment in, CacheMetadata metadata) throws IOException {
+    private static PixelCache read(MemorySegment in, Geometry geometry, Scene scene) throws IOException {
         long end = in.byteSize() - LENGTHS;
         long rows = end < 0 ? -1 : in.get(LONG, end);
         long colors = end < 0 ? -1 : in.get(LONG, end + Long.BYTES);
-        if (rows < 0 || colors < 0 || rows > end || colors != end - rows) {
-            throw new IOException(
-                    "expected two lengths at the end of the file, with the sum " + end + ", found " + rows + " and " + colors);
+        long names = end < 0 ? -1 : in.get(LONG, end + 2 * Long.BYTES);
+        if (rows < 0 || colors < 0 || names < 0 || rows > end || colors > end - rows || names != end - rows - colors) {
+            throw new IOException("expected three lengths at the end of the file, with the sum " + end + ", found " + rows + ", " + colors
+                    + " and " + names);
         }
+        CacheMetadata metadata =
+                CacheMetadata.ofScene(geometry.withMaterialNames(readNames(new ColumnReader(in.asSlice(rows + colors, names)))), scene);
         PixelCache read = CacheSerializer.read(metadata, new ColumnReader(in.asSlice(0, rows)), new ColumnReader(in.asSlice(rows, colors)));
         removeLayersWithoutStamp(read, metadata.lights());
         return read;

@@ -4,7 +4,10 @@ import static java.util.Objects.requireNonNull;
 
 import java.lang.ref.SoftReference;
 import java.lang.ref.WeakReference;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.WeakHashMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
@@ -301,9 +304,31 @@ public final class Geometry {
                 : seenFrom(other, newCastsReflections);
     }
 
-    /** Returns whether materials have the indices that they have in the geometry of a scene's first pass. */
-    public boolean hasFirstMaterialIndices() {
-        return surfaces.hasFirstIndices();
+    /**
+     * Returns the names of all materials that a shape has or had, in the order of their indices, which follows edits; empty if the scene lacks one of
+     * them.
+     */
+    public Optional<List<String>> materialNames() {
+        return surfaces.hasAllMaterials() ? Optional.of(surfaces.materialNames()) : Optional.empty();
+    }
+
+    /**
+     * Returns these shapes with other indices of materials, which earlier edits would have led to.
+     *
+     * @param names result of {@link #materialNames} for an equal scene
+     * @throws IllegalArgumentException if a material in use is missing, a name is there twice, or the scene lacks it
+     */
+    public Geometry withMaterialNames(List<String> names) {
+        List<String> own = surfaces.materialNames();
+        if (names.equals(own)) {
+            return this;
+        }
+        if (Set.copyOf(names).size() < names.size() || !names.containsAll(own)
+                || !scene.stage().rendered().materialsByName().keySet().containsAll(names)) {
+            throw new IllegalArgumentException("expected the materials " + own + " in any order, with others of the scene, found " + names);
+        }
+        ShapeSurfaces changed = surfaces.withMaterialNames(names);
+        return new Geometry(changed, Bvh.refitOrRebuild(changed.primitives(), all));
     }
 
     /**

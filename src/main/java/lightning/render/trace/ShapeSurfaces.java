@@ -51,9 +51,14 @@ record ShapeSurfaces(Scene scene, List<Shape> shapes, List<String> materialNames
         return of(other, others, MaterialTable.materialNames(materialNames, others), materials, castsReflections);
     }
 
-    /** Returns whether materials have the indices that they get without an edit before. */
-    boolean hasFirstIndices() {
-        return materialNames.equals(MaterialTable.materialNames(shapes));
+    /** Returns whether the scene defines all materials that a shape has or had. */
+    boolean hasAllMaterials() {
+        return scene.stage().rendered().materialsByName().keySet().containsAll(materialNames);
+    }
+
+    /** Returns the same shapes with the indices of materials in a list of names, which contains all that are in use. */
+    ShapeSurfaces withMaterialNames(List<String> names) {
+        return of(scene, shapes, names, null, castsReflections);
     }
 
     PrimitiveTable.BoxedPrimitives primitives() {

@@ -26,6 +26,7 @@ import lightning.render.cache.PixelCache;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
@@ -189,6 +190,34 @@ class KeptPicturesTest {
         Scene opened = JenReader.read(folder.resolve("part.jen")).scene();
         pictures(MANY_BYTES, "program").keep(trace(opened));
         assertThat(find(JenReader.read(folder.resolve("part.jen")).scene(), "program")).isPresent();
+    }
+
+    /** An assignment appends the material to those in use; a first pass has them in the order of objects. */
+    @Test
+    void sceneSavedAfterOtherMaterialWasAssigned_isFoundAndContinues() throws Exception {
+        String text = """
+                jen 1
+                picture { size 30 20  indirect { rays 16 } }
+                material clay { diffuse 1 1 1 }
+                material gold { diffuse 1 0.8 0.2  reflective 0.3 0.3 0.3 }
+                material steel { model principled  base 0.8 0.8 0.8  metalness 1  roughness 0.3 }
+                sphere ball { material clay  at 0 1 0 }
+                plane ground { material steel  scale 9 1 9 }
+                sphere other { material clay  at 2 1 0 }
+                light key point { at 0 3 3 }
+                """;
+        Scene first = JenReader.read(text, "a.jen", folder).scene();
+        String assigned = text.replace("ball { material clay", "ball { material gold");
+        Scene edited = JenReader.read(assigned, "a.jen", folder).scene();
+        renderer.render(first, Progress.NONE);
+        renderer.render(edited, Progress.NONE);
+        pictures(MANY_BYTES, "program").keep(renderer.cache());
+        PixelCache found = find(JenReader.read(assigned, "a.jen", folder).scene(), "program").orElseThrow();
+        Scene next = JenReader.read(assigned.replace("at 2 1 0", "at 2 1 0.5").replace("ground { material steel", "ground { material clay"),
+                "a.jen", folder).scene();
+        renderer.restore(found);
+        renderer.render(next, Progress.NONE);
+        assertThat(renderer.film().hasSameBits(new ReferenceTracer(next).trace())).isTrue();
     }
 
     private void closeWith(Consumer<RenderLoop> closing) throws Exception {
