@@ -28,9 +28,19 @@ public final class ConverterProcess {
      * @throws IOException if it cannot be started
      */
     public static int run(ProcessBuilder program, Duration limit, Progress progress) throws IOException, TimeoutException {
+        return run(program, limit, limit, progress);
+    }
+
+    /**
+     * Runs a program to its end; returns its exit code.
+     *
+     * @param cpuLimit of processor time, where the system tells it
+     * @see #run(ProcessBuilder, Duration, Progress)
+     */
+    public static int run(ProcessBuilder program, Duration limit, Duration cpuLimit, Progress progress) throws IOException, TimeoutException {
         Process process = program.start();
         try {
-            await(process, limit, progress);
+            await(process, limit, cpuLimit, progress);
             return process.exitValue();
         } finally {
             end(process);
@@ -42,14 +52,15 @@ public final class ConverterProcess {
         return PrintableText.escape(message.length() > MAX_MESSAGE ? message.substring(0, MAX_MESSAGE) + "…" : message);
     }
 
-    private static void await(Process process, Duration limit, Progress progress) throws TimeoutException {
+    private static void await(Process process, Duration limit, Duration cpuLimit, Progress progress) throws TimeoutException {
         long end = System.nanoTime() + limit.toNanos();
         try {
             while (!process.waitFor(POLL_MILLISECONDS, TimeUnit.MILLISECONDS)) {
                 if (progress.isCanceled()) {
                     throw new CancellationException("canceled while another program converted the file");
                 }
-                if (System.nanoTime() - end > 0) {
+                boolean isOverCpu = process.info().totalCpuDuration().filter(used -> used.compareTo(cpuLimit) > 0).isPresent();
+                if (isOverCpu || System.nanoTime() - end > 0) {
                     throw new TimeoutException();
                 }
             }

@@ -17,6 +17,7 @@ import lightning.base.file.ScratchFolder;
 import lightning.base.file.TemporaryFolder;
 import lightning.base.process.ConverterProcess;
 import lightning.base.process.OwnProgram;
+import lightning.base.text.Quote;
 import lightning.base.work.Progress;
 import lightning.format.mesh.MeshException;
 
@@ -26,9 +27,12 @@ public final class AssimpConverter {
     public static final String COMMAND = "convert-model";
 
     private static final Duration TIME_LIMIT = Duration.ofMinutes(10);
-    private static final long MIN_MEMORY = 1L << 30;
-    /** Bytes that a byte of a file justifies: a triangle of a text file takes 30 bytes there, and 3000 while it is converted. */
-    private static final long MEMORY_PER_BYTE = 100;
+    /** Processor time of any file, and of a byte: a second converts 300 kB on a slow machine. */
+    private static final Duration CPU_TIME = Duration.ofSeconds(10);
+    private static final Duration CPU_TIME_PER_BYTE = Duration.ofNanos(30_000);
+    private static final long MIN_MEMORY = 1L << 28;
+    /** Bytes that a byte of a file justifies: a triangle of a compressed file takes 15 bytes there, and 3000 while it is converted. */
+    private static final long MEMORY_PER_BYTE = 200;
     private static final String MESSAGES = "messages";
     private static final int MAX_MESSAGE_BYTES = 1 << 16;
 
@@ -65,23 +69,35 @@ public final class AssimpConverter {
             try {
                 Optional<String> failure = run(source, folder, glb, true, progress);
                 if (failure.isPresent() && run(source, folder, glb, false, progress).isPresent()) {
-                    throw new MeshException(source, "", "cannot be read by Assimp: " + failure.get());
+                    throw problem(source, failure.get());
                 }
                 Map<String, Integer> losses = losses(folder.resolve(MESSAGES));
                 if (failure.isPresent()) {
                     losses.put("animations, which Assimp cannot convert", 1);
                 }
                 return use.read(glb, losses);
+            } catch (MeshException e) {
+                // The user knows the source only.
+                String place = Quote.path(glb) + ": ";
+                if (e.getMessage().startsWith(place)) {
+                    throw new MeshException(source, "", "converted to glTF, " + e.getMessage().substring(place.length()));
+                }
+                throw e;
             } finally {
                 TemporaryFolder.delete(folder);
             }
         }
     }
 
-    /** Runs the process; returns why it failed. */
+    private static MeshException problem(Path source, String reason) {
+        return new MeshException(source, "", "cannot be read by Assimp: " + reason);
+    }
+
+    /** Runs the process; returns why it failed, if it may succeed without animations. */
     private static Optional<String> run(Path source, Path folder, Path glb, boolean isAnimated, Progress progress)
             throws IOException, MeshException {
         List<String> words = new ArrayList<>(OwnProgram.command());
+        Duration cpuTime = CPU_TIME.plus(CPU_TIME_PER_BYTE.multipliedBy(Files.size(source)));
         long memory = MIN_MEMORY + MEMORY_PER_BYTE * Files.size(source);
         words.addAll(
                 List.of(COMMAND, source.toAbsolutePath().toString(), glb.toString(), Long.toString(memory), Boolean.toString(isAnimated)));
@@ -90,15 +106,15 @@ public final class AssimpConverter {
         var builder = new ProcessBuilder(words).redirectOutput(folder.resolve(MESSAGES).toFile()).redirectError(errors.toFile())
                 .directory(folder.toFile());
         try {
-            int code = ConverterProcess.run(builder, TIME_LIMIT, progress);
+            int code = ConverterProcess.run(builder, TIME_LIMIT, cpuTime, progress);
             return switch (code) {
                 case 0 -> Files.exists(glb) ? Optional.empty() : Optional.of("it wrote nothing");
                 case AssimpProcess.FAILED -> Optional.of(reason(errors));
-                case AssimpProcess.OUT_OF_MEMORY -> Optional.of("it would take more than " + (memory >> 20) + " MiB of memory");
+                case AssimpProcess.OUT_OF_MEMORY -> throw problem(source, "it would take more than " + (memory >> 20) + " MiB of memory");
                 default -> Optional.of("it crashed");
             };
         } catch (TimeoutException e) {
-            throw new MeshException(source, "", "was not converted by Assimp within " + TIME_LIMIT.toSeconds() + " s");
+            throw new MeshException(source, "", "was not converted by Assimp within " + cpuTime.toSeconds() + " s of processor time");
         }
     }
 

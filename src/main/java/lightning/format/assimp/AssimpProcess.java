@@ -4,21 +4,28 @@ import static java.util.Objects.requireNonNull;
 
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
+import java.nio.IntBuffer;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.lwjgl.assimp.AIMesh;
 import org.lwjgl.assimp.AIPropertyStore;
 import org.lwjgl.assimp.AIScene;
 import org.lwjgl.assimp.Assimp;
+import org.lwjgl.system.MemoryUtil;
 
 /** Conversion of a file to glTF by Assimp, in a process of its own: native code may end it at any time. */
 public final class AssimpProcess {
     /** Smooth normals where the file has none, meters, and triangles only; lines and points become meshes of their own. */
     private static final int STEPS = Assimp.aiProcess_Triangulate | Assimp.aiProcess_JoinIdenticalVertices | Assimp.aiProcess_GlobalScale
             | Assimp.aiProcess_SortByPType | Assimp.aiProcess_GenSmoothNormals | Assimp.aiProcess_RemoveComponent;
-    private static final int POLL_MILLISECONDS = 100;
+    private static final int POLL_MILLISECONDS = 5;
+    /** Sizes of this process on Linux, in pages: reserved and in memory come first. */
+    private static final Path RESIDENT = Path.of("/proc/self/statm");
+    private static final long PAGE_BYTES = MemoryUtil.PAGE_SIZE;
     /** Angle between faces above which an edge of a mesh without normals is sharp, as other programs do. */
     private static final float MAX_SMOOTH_DEGREES = 30;
     /** Exit code of the process if the conversion fails, with the reason as a line of the error stream. */
@@ -42,6 +49,7 @@ public final class AssimpProcess {
         // Tangents follow from the coordinates, and the writer gives them a type that glTF does not have.
         int removed = Assimp.aiComponent_TANGENTS_AND_BITANGENTS;
         AIScene scene = read(file, isAnimated ? removed : removed | Assimp.aiComponent_ANIMATIONS);
+        keepTwoCoordinates(scene);
         if (Assimp.aiExportScene(scene, "glb2", output.toString(), 0) != Assimp.aiReturn_SUCCESS) {
             throw new IOException("it cannot be converted " + Assimp.aiGetErrorString());
         }
@@ -49,6 +57,16 @@ public final class AssimpProcess {
         losses.addAll(TextureLosses.of(scene));
         // The scene is not released: this process ends.
         return losses;
+    }
+
+    /** Leaves out the third component of texture coordinates, which glTF does not have. */
+    private static void keepTwoCoordinates(AIScene scene) {
+        for (int i = 0; i < scene.mNumMeshes(); i++) {
+            IntBuffer components = AIMesh.create(requireNonNull(scene.mMeshes()).get(i)).mNumUVComponents();
+            for (int k = 0; k < components.capacity(); k++) {
+                components.put(k, Math.min(components.get(k), 2));
+            }
+        }
     }
 
     /** @param removed parts of the scene to leave out, as Assimp's components */
@@ -87,10 +105,9 @@ public final class AssimpProcess {
     }
 
     private static void limitMemory(long bytes) {
-        var system = (com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
-        long start = system.getCommittedVirtualMemorySize();
+        long start = memory();
         Thread.ofPlatform().daemon().name("memory").start(() -> {
-            while (system.getCommittedVirtualMemorySize() - start < bytes) {
+            while (memory() - start < bytes) {
                 try {
                     Thread.sleep(Duration.ofMillis(POLL_MILLISECONDS));
                 } catch (InterruptedException e) {
@@ -99,5 +116,14 @@ public final class AssimpProcess {
             }
             Runtime.getRuntime().halt(OUT_OF_MEMORY);
         });
+    }
+
+    /** Returns the bytes that this process has in memory; on systems other than Linux, those it has reserved. */
+    private static long memory() {
+        try {
+            return Long.parseLong(Files.readString(RESIDENT).split(" ")[1]) * PAGE_BYTES;
+        } catch (IOException e) {
+            return ((com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean()).getCommittedVirtualMemorySize();
+        }
     }
 }

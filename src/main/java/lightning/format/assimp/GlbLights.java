@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import lightning.base.file.RegularFile;
 import lightning.base.math.Vec3;
+import lightning.base.text.TextEncoding;
 import org.lwjgl.assimp.AICamera;
 import org.lwjgl.assimp.AIColor3D;
 import org.lwjgl.assimp.AILight;
@@ -57,9 +58,10 @@ final class GlbLights {
         byte[] bytes = RegularFile.readBytes(file, "a converted file", Integer.MAX_VALUE - 8);
         ByteBuffer header = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
         int length = header.getInt(JSON_LENGTH_AT);
+        String content = TextEncoding.decode(Arrays.copyOfRange(bytes, HEADER_BYTES, HEADER_BYTES + length));
         String format = source.toString().toLowerCase(Locale.ROOT);
         var lights =
-                new GlbLights((ObjectNode) JSON.readTree(bytes, HEADER_BYTES, length), format.endsWith(".fbx"), format.endsWith(".dae"));
+                new GlbLights((ObjectNode) JSON.readTree(content), format.endsWith(".fbx"), format.endsWith(".dae"));
         // Only a hint about polygons.
         ((ArrayNode) lights.root.withArray("extensionsUsed")).removeIf(name -> name.asString("").equals("FB_ngon_encoding"));
         lights.addLights(scene);

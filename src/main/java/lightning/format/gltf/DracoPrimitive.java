@@ -1,18 +1,14 @@
 package lightning.format.gltf;
 
-import com.openize.drako.DataType;
-import com.openize.drako.Draco;
-import com.openize.drako.DracoMesh;
-import com.openize.drako.PointAttribute;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeoutException;
-import lightning.base.work.TimeLimit;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
 import tools.jackson.databind.JsonNode;
@@ -27,8 +23,8 @@ final class DracoPrimitive {
     private static final int EDGEBREAKER = 1;
     private static final int FLAGS = 9;
     private static final int METADATA_FLAG = 0x80;
-    /** Time limit: on a slow machine, a million faces take 3 s. */
-    private static final Duration TIME = Duration.ofSeconds(4);
+    /** Time limit of all primitives of a file, and what each adds to it: on a slow machine, a million faces take 3 s. */
+    static final Duration TIME = Duration.ofSeconds(4);
     private static final Duration TIME_PER_FACE = Duration.ofNanos(20_000);
 
     private final GltfFile file;
@@ -58,18 +54,28 @@ final class DracoPrimitive {
         view.get(data);
         checkCounts(compressed, data, corners / 3);
         new ExpansionLimit(file).checkBytes(4L * corners + 16L * vertices, compressed);
-        DracoMesh mesh = mesh(compressed, data, corners / 3);
-        if (mesh.getNumFaces() != corners / 3 || mesh.getNumPoints() != vertices) {
+        List<Map.Entry<String, JsonNode>> entries = compressed.get("attributes").node().properties().stream()
+                .filter(entry -> primitive.node().path("attributes").has(entry.getKey())).toList();
+        List<Integer> ids = entries.stream().map(entry -> entry.getValue().asInt(-1)).toList();
+        Object[] mesh = mesh(compressed, data, ids, corners / 3);
+        if ((int) mesh[0] != corners / 3 || (int) mesh[1] != vertices) {
             throw compressed.problem("must have " + corners / 3 + " faces of " + vertices + " vertices as its accessors say, has "
-                    + mesh.getNumFaces() + " of " + mesh.getNumPoints());
+                    + mesh[0] + " of " + mesh[1]);
         }
-        accessors.setIndices(indices, mesh.getIndices().toArray(), corners);
-        for (Map.Entry<String, JsonNode> entry : compressed.get("attributes").node().properties()) {
-            JsonValue accessor = primitive.get("attributes").get(entry.getKey());
-            if (accessor.isPresent()) {
-                PointAttribute attribute = attribute(compressed, mesh, entry.getValue().asInt(-1));
-                accessors.setValues(accessor, values(compressed, attribute, accessor, vertices), attribute.getComponentsCount());
+        accessors.setIndices(indices, (int[]) mesh[2], corners);
+        for (int i = 0; i < ids.size(); i++) {
+            int at = DracoDecoder.FIRST + DracoDecoder.PER_ATTRIBUTE * i;
+            if (!(mesh[at + 2] instanceof float[] values)) {
+                throw compressed.problem("must have an attribute " + ids.get(i) + " in its data, has none");
             }
+            JsonValue accessor = primitive.get("attributes").get(entries.get(i).getKey());
+            int largest = (int) mesh[at + 1];
+            if (largest > 0 && accessor.resolve(file.array("accessors")).get("normalized").bool(false)) {
+                for (int k = 0; k < values.length; k++) {
+                    values[k] = (float) AccessorReader.fraction((int) values[k], largest);
+                }
+            }
+            accessors.setValues(accessor, values, (int) mesh[at]);
         }
     }
 
@@ -105,70 +111,19 @@ final class DracoPrimitive {
         return v;
     }
 
-    private static DracoMesh mesh(JsonValue json, byte[] data, int faces) throws MeshException {
+    private Object[] mesh(JsonValue json, byte[] data, List<Integer> ids, int faces) throws MeshException {
         try {
-            // Some damaged data makes the decoder run forever.
-            if (TimeLimit.call("Draco", TIME.plus(TIME_PER_FACE.multipliedBy(faces)), () -> Draco.decode(data)) instanceof DracoMesh mesh) {
+            Object[] mesh = file.decodingTime().call("Draco", TIME_PER_FACE.multipliedBy(faces),
+                    () -> DracoDecoder.interruptible().apply(data, ids));
+            if (mesh != null) {
                 return mesh;
             }
         } catch (ExecutionException e) {
-            // The decoder throws arbitrary runtime exceptions for damaged data, and asks for memory for any count.
+            // The decoder throws arbitrary exceptions for damaged data, and asks for memory for any count.
             throw json.problem("must be undamaged data of Draco: " + e.getCause());
         } catch (TimeoutException e) {
-            throw json.problem("must be undamaged data of Draco: its decoder does not end");
+            throw json.problem("must be undamaged data of Draco, which is decoded in " + TIME.toSeconds() + " s for all meshes of a file");
         }
         throw json.problem("must be a mesh of Draco, is a point cloud");
-    }
-
-    private static PointAttribute attribute(JsonValue json, DracoMesh mesh, int id) throws MeshException {
-        for (int i = 0; i < mesh.getNumAttributes(); i++) {
-            if (mesh.attribute(i).getUniqueId() == id) {
-                return mesh.attribute(i);
-            }
-        }
-        throw json.problem("must have an attribute " + id + " in its data, has none");
-    }
-
-    private float[] values(JsonValue json, PointAttribute attribute, JsonValue accessor, int vertices) throws MeshException {
-        int components = attribute.getComponentsCount();
-        boolean isNormalized = accessor.resolve(file.array("accessors")).get("normalized").bool(false);
-        float[] values = new float[components * vertices];
-        try {
-            for (int v = 0; v < vertices; v++) {
-                read(attribute, attribute.mappedIndex(v), isNormalized, values, components * v, components);
-            }
-        } catch (RuntimeException e) {
-            throw json.problem("must be undamaged data of Draco: " + e);
-        }
-        return values;
-    }
-
-    private static void read(PointAttribute attribute, int index, boolean isNormalized, float[] out, int at, int components) {
-        int type = attribute.getDataType();
-        if (type == DataType.FLOAT32) {
-            float[] v = new float[components];
-            attribute.getValue(index, v);
-            System.arraycopy(v, 0, out, at, components);
-        } else if (type == DataType.UINT8 || type == DataType.INT8) {
-            byte[] v = new byte[components];
-            attribute.getValue(index, v);
-            for (int c = 0; c < components; c++) {
-                int code = type == DataType.UINT8 ? v[c] & 0xFF : v[c];
-                out[at + c] = isNormalized ? (float) AccessorReader.fraction(code, type == DataType.UINT8 ? 255 : 127) : code;
-            }
-        } else if (type == DataType.UINT16 || type == DataType.INT16) {
-            short[] v = new short[components];
-            attribute.getValue(index, v);
-            for (int c = 0; c < components; c++) {
-                int code = type == DataType.UINT16 ? v[c] & 0xFFFF : v[c];
-                out[at + c] = isNormalized ? (float) AccessorReader.fraction(code, type == DataType.UINT16 ? 65535 : 32767) : code;
-            }
-        } else {
-            int[] v = new int[components];
-            attribute.getValue(index, v);
-            for (int c = 0; c < components; c++) {
-                out[at + c] = v[c];
-            }
-        }
     }
 }

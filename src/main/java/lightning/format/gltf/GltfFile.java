@@ -13,6 +13,7 @@ import java.util.Set;
 import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
+import lightning.base.work.TimeLimit;
 import lightning.format.mesh.ByteSource;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
@@ -59,6 +60,7 @@ public final class GltfFile {
     private final boolean isBinary;
     private final byte @Nullable [] binaryChunk;
     private final Progress progress;
+    private final TimeLimit decodingTime = new TimeLimit(DracoPrimitive.TIME);
 
     private GltfFile(Path path, JsonNode root, boolean isBinary, byte @Nullable [] binaryChunk, Progress progress) {
         this.path = path;
@@ -249,6 +251,11 @@ public final class GltfFile {
 
     Progress progress() {
         return progress;
+    }
+
+    /** Returns the time for decoding all primitives. */
+    TimeLimit decodingTime() {
+        return decodingTime;
     }
 
     /** Returns true for a {@code .glb} file. */

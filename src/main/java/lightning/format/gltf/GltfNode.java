@@ -21,6 +21,11 @@ public record GltfNode(int index, String name, Transform local, int mesh, int sk
     /** Index of nodes that are copies of a node in the file. */
     static final int COPY = -1;
 
+    /** Returns this node with another transform. */
+    GltfNode withLocal(Transform other) {
+        return new GltfNode(index, name, other, mesh, skin, weights, camera, light, children);
+    }
+
     /** Returns a node that shows a mesh. */
     static GltfNode copy(String name, Transform local, int mesh) {
         return new GltfNode(COPY, name, local, mesh, -1, List.of(), -1, -1, List.of());

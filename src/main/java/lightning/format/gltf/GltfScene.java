@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
@@ -21,8 +22,10 @@ import tools.jackson.databind.JsonNode;
 
 /** Content of a glTF file except meshes: nodes, cameras, lights, materials, images. */
 public final class GltfScene {
-    /** Maximum nesting depth of nodes. */
+    /** Maximum nesting depth of nodes in a scene. Deeper ones become neighbors. */
     public static final int MAX_NESTING = 30;
+    /** Maximum nesting depth of nodes in a file. */
+    private static final int MAX_DEPTH = 500;
     private static final String LIGHTS = "KHR_lights_punctual";
 
     private final GltfFile file;
@@ -78,7 +81,7 @@ public final class GltfScene {
         }
         List<GltfNode> nodes = new ArrayList<>();
         for (int i = children.nextClearBit(0); i < all.size(); i = children.nextClearBit(i + 1)) {
-            readNode(all.element(i), i, 1).ifPresent(nodes::add);
+            nodes.addAll(readNode(all.element(i), i, 1));
         }
         return List.copyOf(nodes);
     }
@@ -86,19 +89,19 @@ public final class GltfScene {
     private List<GltfNode> readNodes(JsonValue indices, int nesting) throws IOException, MeshException {
         List<GltfNode> nodes = new ArrayList<>();
         for (int i = 0; i < indices.size(); i++) {
-            readNode(indices.element(i), indices.element(i).index(file.array("nodes")), nesting).ifPresent(nodes::add);
+            nodes.addAll(readNode(indices.element(i), indices.element(i).index(file.array("nodes")), nesting));
         }
         return List.copyOf(nodes);
     }
 
     /**
-     * Reads a node; empty if it is hidden.
+     * Reads a node; empty if it is hidden. Several if it is nested too deep for a scene: those in it come after it.
      *
      * @param reference place in the file, for messages
      */
-    private Optional<GltfNode> readNode(JsonValue reference, int index, int nesting) throws IOException, MeshException {
-        if (nesting > MAX_NESTING) {
-            throw reference.problem("nodes must be nested at most " + MAX_NESTING + " deep");
+    private List<GltfNode> readNode(JsonValue reference, int index, int nesting) throws IOException, MeshException {
+        if (nesting > MAX_DEPTH) {
+            throw reference.problem("nodes must be nested at most " + MAX_DEPTH + " deep");
         }
         if (visited[index]) {
             throw reference.problem("must be a node with a single parent, was " + index);
@@ -110,7 +113,7 @@ public final class GltfScene {
         JsonValue light = node.get("extensions").get(LIGHTS).get("light");
         if (!node.get("extensions").get("KHR_node_visibility").get("visible").bool(true)) {
             notes.add("hidden nodes (KHR_node_visibility), left out with all that is in them");
-            return Optional.empty();
+            return List.of();
         }
         String name = node.get("name").text().orElse("");
         int meshIndex = mesh.isPresent() ? mesh.index(file.array("meshes")) : -1;
@@ -118,10 +121,18 @@ public final class GltfScene {
         List<GltfNode> children = new ArrayList<>(readNodes(node.get("children"), nesting + 1));
         List<Transform> copies = meshIndex < 0 ? List.of() : instances.of(node);
         copies.forEach(copy -> children.add(GltfNode.copy(name, copy, meshIndex)));
-        return Optional.of(new GltfNode(index, name, localTransform(node), copies.isEmpty() ? meshIndex : -1,
+        Transform transform = localTransform(node);
+        List<GltfNode> neighbors = List.of();
+        if (nesting >= MAX_NESTING && !children.isEmpty()) {
+            notes.add("nodes nested more than " + MAX_NESTING + " deep, which became neighbors of those around them");
+            neighbors = children.stream().map(child -> child.withLocal(transform.times(child.local()))).toList();
+            children.clear();
+        }
+        var read = new GltfNode(index, name, transform, copies.isEmpty() ? meshIndex : -1,
                 skin.isPresent() ? skin.index(file.array("skins")) : -1, weights(node),
                 camera.isPresent() ? camera.index(file.array("cameras")) : -1,
-                light.isPresent() ? light.index(lightArray()) : -1, List.copyOf(children)));
+                light.isPresent() ? light.index(lightArray()) : -1, List.copyOf(children));
+        return Stream.concat(Stream.of(read), neighbors.stream()).toList();
     }
 
     private static List<Double> weights(JsonValue node) throws MeshException {

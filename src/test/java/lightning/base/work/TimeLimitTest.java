@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.junit.jupiter.api.Test;
 
@@ -16,31 +17,37 @@ class TimeLimitTest {
 
     @Test
     void result_isReturned() throws Exception {
-        assertThat(TimeLimit.call("test", LONG, () -> 7)).isEqualTo(7);
+        assertThat(new TimeLimit(LONG).call("test", Duration.ZERO, () -> 7)).isEqualTo(7);
     }
 
     @Test
     void failure_isThrownAsTheCause() {
-        assertThatExceptionOfType(ExecutionException.class).isThrownBy(() -> TimeLimit.call("test", LONG, () -> {
+        assertThatExceptionOfType(ExecutionException.class).isThrownBy(() -> new TimeLimit(LONG).call("test", Duration.ZERO, () -> {
             throw new IllegalStateException("no");
         })).havingCause().isInstanceOf(IllegalStateException.class);
     }
 
     @Test
-    void taskWithoutEnd_isLeft() {
-        var end = new CountDownLatch(1);
-        assertThatExceptionOfType(TimeoutException.class).isThrownBy(() -> TimeLimit.call("test", Duration.ofMillis(1), () -> {
-            end.await();
-            return 0;
+    void taskWithoutEnd_isInterruptedAndUsesUpTheLimit() throws Exception {
+        var interrupted = new CountDownLatch(1);
+        var limit = new TimeLimit(Duration.ofMillis(1));
+        assertThatExceptionOfType(TimeoutException.class).isThrownBy(() -> limit.call("test", Duration.ZERO, () -> {
+            try {
+                new CountDownLatch(1).await();
+                return 0;
+            } finally {
+                interrupted.countDown();
+            }
         }));
-        end.countDown();
+        assertThat(interrupted.await(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isTrue();
+        assertThatExceptionOfType(TimeoutException.class).isThrownBy(() -> limit.call("test", LONG, () -> 7));
     }
 
     @Test
     void interruption_cancels() {
         var end = new CountDownLatch(1);
         Thread.currentThread().interrupt();
-        assertThatExceptionOfType(CancellationException.class).isThrownBy(() -> TimeLimit.call("test", LONG, () -> {
+        assertThatExceptionOfType(CancellationException.class).isThrownBy(() -> new TimeLimit(LONG).call("test", Duration.ZERO, () -> {
             end.await();
             return 0;
         }));

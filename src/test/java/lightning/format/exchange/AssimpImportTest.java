@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
@@ -117,6 +118,57 @@ class AssimpImportTest {
     void nffOfSense8_isConverted() throws Exception {
         Scene scene = scene(read("a.nff", "nff\nversion 2.0\na\n3\n0 0 0\n1 0 0\n0 1 0\n1\n3 0 1 2\n"));
         assertThat(scene.placedShapes()).hasSize(1);
+    }
+
+    /** A triangle of AC3D in nested groups, with a subdivision. */
+    private static String ac(int groups, int subdivision) {
+        String group = "OBJECT group\nname \"g\"\nloc 0 0.5 0\nkids 1\n";
+        return "AC3Db\nMATERIAL \"m\" rgb 1 1 1  amb 0 0 0  emis 0 0 0  spec 0 0 0  shi 1  trans 0\nOBJECT world\nkids 1\n"
+                + group.repeat(groups) + "OBJECT poly\nname \"Tür\"\nsubdiv " + subdivision
+                + "\nnumvert 3\n0 0 0\n1 0 0\n0 1 0\nnumsurf 1\nSURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 1 0\n2 0 1\nkids 0\n";
+    }
+
+    @Test
+    void namesInLatin1_areKept() throws Exception {
+        Path file = Files.write(from.resolve("a.ac"), ac(0, 0).getBytes(StandardCharsets.ISO_8859_1));
+        Scene scene = scene(SceneImporter.read(file, folder.resolve("a.jen"), LightUnits.CANDELA, Progress.NONE));
+        assertThat(scene.placedShapes().getFirst().shape().name()).contains("Tür");
+    }
+
+    /** More groups than a scene can nest. */
+    @Test
+    void deepGroups_areImported() throws Exception {
+        ImportedScene imported = read("a.ac", ac(100, 0));
+        assertThat(imported.notes().toString()).contains("nested more than 30 deep");
+        Scene scene = scene(imported);
+        assertThat(scene.placedShapes().getFirst().toWorld().transformPoint(Vec3.ZERO).y()).isEqualTo(50, within(1e-4));
+    }
+
+    @Test
+    void thirdTextureCoordinate_isLeftOut() throws Exception {
+        String mesh = COLLADA.replace("<vertices id", """
+                <source id="t"><float_array id="ta" count="9">0 0 0 1 0 0.5 0 1 0</float_array><technique_common>
+                <accessor source="#ta" count="3" stride="3"><param name="S" type="float"/><param name="T" type="float"/>
+                <param name="P" type="float"/></accessor></technique_common></source><vertices id""")
+                .replace("<p>0 1 2</p>", "<input semantic=\"TEXCOORD\" source=\"#t\" offset=\"1\" set=\"0\"/><p>0 0 1 1 2 2</p>");
+        Solid.TriangleMesh solid = (Solid.TriangleMesh) scene(read("a.dae", mesh)).placedShapes().getFirst().shape().solid();
+        assertThat(solid.mesh().coordinates()).hasSize(6);
+    }
+
+    /** What a small file says it contains takes no more memory than its size justifies. */
+    @Test
+    void hugeContentOfSmallFile_isRefused() {
+        assertThatThrownBy(() -> read("a.off", "OFF\n60000000 60000000 0\n0 0 0\n")).isInstanceOf(MeshException.class)
+                .hasMessageEndingWith("a.off: cannot be read by Assimp: it would take more than 256 MiB of memory");
+        assertThatThrownBy(() -> read("a.ac", ac(0, 13))).isInstanceOf(MeshException.class)
+                .hasMessageEndingWith("a.ac: cannot be read by Assimp: it would take more than 256 MiB of memory");
+    }
+
+    /** The user knows the source only, not the file that it is converted to. */
+    @Test
+    void tooDeepGroups_areRefusedWithTheSource() {
+        assertThatThrownBy(() -> read("a.ac", ac(600, 0))).isInstanceOf(MeshException.class).message()
+                .contains("a.ac: converted to glTF, ", "nested at most 500 deep").doesNotContain("converted.glb");
     }
 
     @Test

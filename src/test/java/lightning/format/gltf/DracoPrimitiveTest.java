@@ -7,11 +7,16 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Base64;
+import java.util.Collections;
 import java.util.Random;
+import java.util.concurrent.TimeoutException;
+import lightning.base.work.Await;
 import lightning.base.work.Progress;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
+import lightning.sample.Slow;
 import lightning.sample.TryFolder;
 import lightning.scene.node.Mesh;
 import net.jqwik.api.ForAll;
@@ -29,19 +34,31 @@ class DracoPrimitiveTest {
             "RFJBQ08CAgEBAAAABQQABAAAAm8B/wERAf8AAAEACQMAAAIBAQEADwfNDCs1MwPy34L///8fAPz//r8AgPj/AIAAAAD4/wIAAAAAAP8/"
                     + "AAAAAAAAAAAAAAAAAAAAAIA/Dg==";
 
+    /** Damaged: its decoder reads attributes without end. */
+    private static final String ENDLESS =
+            "RFJBQ0/hAgAAAAAEBQEAAQQBAgQCAwQDAAQBAQAJAwAAAgABAQAPA2kmzQwrzQwDBfWdiIT/v/8PAAAAAAAA/z+sAAAAAAAAAAAA8wAAAAAAgD8O";
+
     @TempDir
     private Path folder;
 
     private static byte[] file(byte[] data, int faces, int vertices) {
+        return file(data, faces, vertices, 1);
+    }
+
+    private static byte[] file(byte[] data, int faces, int vertices, int primitives) {
+        String primitive = """
+                {'attributes': {'POSITION': 0}, 'indices': 1,
+                 'extensions': {'KHR_draco_mesh_compression': {'bufferView': 0, 'attributes': {'POSITION': 0}}}}
+                """;
         String json = """
                 {'asset': {'version': '2.0'}, 'scenes': [{'nodes': [0]}], 'nodes': [{'mesh': 0}],
                  'extensionsRequired': ['KHR_draco_mesh_compression'],
-                 'meshes': [{'primitives': [{'attributes': {'POSITION': 0}, 'indices': 1,
-                  'extensions': {'KHR_draco_mesh_compression': {'bufferView': 0, 'attributes': {'POSITION': 0}}}}]}],
+                 'meshes': [{'primitives': [PRIMITIVES]}],
                  'accessors': [{'componentType': 5126, 'count': VERTICES, 'type': 'VEC3'},
                   {'componentType': 5125, 'count': CORNERS, 'type': 'SCALAR'}],
                  'bufferViews': [{'buffer': 0, 'byteLength': LENGTH}], 'buffers': [{'byteLength': LENGTH}]}
-                """.replace("VERTICES", "" + vertices).replace("CORNERS", "" + 3 * faces).replace("LENGTH", "" + data.length);
+                """.replace("PRIMITIVES", String.join(",", Collections.nCopies(primitives, primitive)))
+                .replace("VERTICES", "" + vertices).replace("CORNERS", "" + 3 * faces).replace("LENGTH", "" + data.length);
         return GltfFixtures.binary(json, data);
     }
 
@@ -83,6 +100,18 @@ class DracoPrimitiveTest {
                 .withMessageEndingWith("must have 4 faces of 6 vertices as its accessors say, has 4 of 5");
         assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(folder.resolve("a.glb"), file(new byte[40], 4, 5)))
                 .withMessageEndingWith("must be data of Draco, is not");
+    }
+
+    /** All primitives of a file share one limit of 4 s, and nothing goes on after it. */
+    @Test
+    @Slow
+    void endlessData_endsByTheLimitOfTheFile() throws Exception {
+        byte[] data = Base64.getDecoder().decode(ENDLESS);
+        GltfFile file = GltfFile.read(Files.write(folder.resolve("a.glb"), file(data, 4, 5, 8)), Progress.NONE);
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> GltfMeshReader.read(file, new ConversionNotes()))
+                .withMessageEndingWith("must be undamaged data of Draco, which is decoded in 4 s for all meshes of a file");
+        assertThatExceptionOfType(TimeoutException.class).isThrownBy(() -> file.decodingTime().call("test", Duration.ofDays(1), () -> 7));
+        Await.untilThreadEnded("Draco");
     }
 
     @Property
