@@ -21,14 +21,14 @@ FAILED = 2
 def main(arguments: list[str]) -> int:
     """Returns the exit code: 0, FAILED, or NO_OCIO without opencolorio."""
     source, folder, memory = arguments[0], Path(arguments[1]), int(arguments[2])
-    threading.Thread(target=end_with_input, daemon=True).start()
+    end_with_input()
     limit_memory(memory)
     try:
         import PyOpenColorIO  # noqa: F401
     except ImportError:
         return NO_OCIO
     from configuration import Configuration, ConfigurationError
-    from table import Table
+    from table import NoNumberError, Table
 
     try:
         configuration = Configuration.read(source)
@@ -43,6 +43,8 @@ def main(arguments: list[str]) -> int:
         return 0
     except ConfigurationError as error:
         message = str(error)
+    except NoNumberError:
+        message = "this view has results that are no finite numbers, such as those of a matrix with NaN"
     except (MemoryError, RecursionError):
         message = "needs more memory than the converter has"
     except UnicodeDecodeError:
@@ -55,6 +57,19 @@ def main(arguments: list[str]) -> int:
 
 def end_with_input() -> None:
     """Ends this process when the other end of the standard input is closed."""
+    try:
+        import fcntl
+
+        # Threads of Python stand still while OpenColorIO works, such as when it opens a file that never ends. Then a signal ends the process.
+        fcntl.fcntl(0, fcntl.F_SETOWN, os.getpid())
+        fcntl.fcntl(0, fcntl.F_SETFL, fcntl.fcntl(0, fcntl.F_GETFL) | os.O_ASYNC)
+    except (ImportError, AttributeError, OSError):
+        pass
+    threading.Thread(target=await_end, daemon=True).start()
+
+
+def await_end() -> None:
+    """Waits until the other end of the standard input is closed, and ends this process."""
     try:
         while os.read(0, 1):
             pass

@@ -26,6 +26,10 @@ LEAST, MOST = -1.0, 2.0
 """Bounds of the stored values. Displays show 0 to 1; values outside keep the interpolation next to 0 and 1 smooth."""
 
 
+class NoNumberError(Exception):
+    """A conversion gives NaN or infinity for light."""
+
+
 @dataclass
 class Table:
     """A lattice over stops around middle gray, with its error in codes of 8 bits."""
@@ -141,7 +145,15 @@ def light_of(stops: array) -> array:
 
 
 def exact(processor, light: array, least: float = 0.0, most: float = 1.0) -> array:
-    """Returns the values that a conversion gives, limited; NaN becomes 0."""
+    """Returns the values that a conversion gives, limited; NaN, which a logarithm may give for black, becomes 0.
+
+    Raises:
+        NoNumberError: NaN or infinity for a color without black channels
+    """
     shown = array("f", light)
     processor.applyRGB(shown)
+    if not all(map(math.isfinite, shown)):
+        for i in range(0, len(shown), 3):
+            if min(light[i:i + 3]) > 0 and not all(map(math.isfinite, shown[i:i + 3])):
+                raise NoNumberError
     return array("f", (min(max(v, least), most) if not math.isnan(v) else 0.0 for v in shown))

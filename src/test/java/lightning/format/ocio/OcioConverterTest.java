@@ -9,9 +9,13 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
+import lightning.base.work.Await;
 import lightning.base.work.Progress;
+import lightning.sample.PythonPrograms;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -57,5 +61,22 @@ class OcioConverterTest {
     void folder_isNoConfiguration() {
         assertThatThrownBy(() -> convert(folder.toString(), "", Duration.ofMinutes(1))).isInstanceOf(IOException.class)
                 .hasMessage(folder + ": is a folder, expected an OpenColorIO configuration");
+    }
+
+    /** Native code that holds Python's lock, as OpenColorIO does, keeps all of Python's threads from running. */
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void converterInNativeCode_endsWithItsInput() throws Exception {
+        String python = PythonPrograms.require("ctypes");
+        String script = "import runpy, ctypes; runpy.run_path('src/main/python/lightning_ocio/__main__.py', run_name='converter')"
+                + "['end_with_input'](); print('ready', flush=True); ctypes.PyDLL(None).pause()";
+        Process process = new ProcessBuilder(python, "-B", "-c", script).start();
+        try {
+            assertThat(process.inputReader().readLine()).isEqualTo("ready");
+            process.getOutputStream().close();
+            assertThat(process.waitFor(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isTrue();
+        } finally {
+            process.destroyForcibly();
+        }
     }
 }

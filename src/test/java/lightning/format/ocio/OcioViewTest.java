@@ -22,8 +22,11 @@ import lightning.sample.PythonPrograms;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tables of views, compared with OpenColorIO's own conversion. */
@@ -139,6 +142,44 @@ class OcioViewTest {
         Path file = config("ocio_profile_version: 2\n  bad: [\n");
         assertThatThrownBy(() -> bake(file.toString(), "")).isInstanceOf(IOException.class)
                 .hasMessage(file + ": cannot be read by OpenColorIO: yaml-cpp: error at line 2, column 6: illegal map value");
+    }
+
+    /** A view whose only color space has a transform. */
+    private Path configWith(String transform) throws IOException {
+        return config("""
+                ocio_profile_version: 2
+                search_path: .
+                roles: {default: lin, scene_linear: lin}
+                displays:
+                  TV:
+                    - !<View> {name: Film, colorspace: film}
+                colorspaces:
+                  - !<ColorSpace> {name: lin}
+                  - !<ColorSpace>
+                    name: film
+                    from_scene_reference: TRANSFORM
+                """.replace("TRANSFORM", transform));
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "!<FileTransform> {src: none.cube} | this view cannot be used: The specified file reference 'none.cube' could not be located",
+        "!<FileTransform> {src: tables} | its table 'tables' is a folder, expected a file",
+        "!<GroupTransform> {children: [!<FileTransform> {src: tables}]} | its table 'tables' is a folder, expected a file",
+        "!<MatrixTransform> {matrix: [.nan, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]} | this view has results that are no finite numbers",
+        "!<MatrixTransform> {matrix: [.inf, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]} | this view has results that are no finite numbers"})
+    void viewThatCannotBeBaked_isOneSentence(String transform, String sentence) throws IOException {
+        Path file = configWith(transform);
+        Files.createDirectory(file.resolveSibling("tables"));
+        assertThatThrownBy(() -> bake(file.toString(), "TV/Film")).isInstanceOf(IOException.class).hasMessageStartingWith(file + ": " + sentence);
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void deviceAsTable_isRefused() throws IOException {
+        Path file = configWith("!<FileTransform> {src: /dev/zero}");
+        assertThatThrownBy(() -> bake(file.toString(), "TV/Film")).isInstanceOf(IOException.class)
+                .hasMessage(file + ": its table '/dev/zero' is a pipe or device, expected a file");
     }
 
     @Test
