@@ -5,11 +5,12 @@ import static java.util.Objects.requireNonNull;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.IntBuffer;
-import java.nio.file.Files;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import lightning.base.file.RegularFile;
 import org.jspecify.annotations.Nullable;
 import org.lwjgl.assimp.AIMesh;
 import org.lwjgl.assimp.AIPropertyStore;
@@ -25,6 +26,7 @@ public final class AssimpProcess {
     private static final int POLL_MILLISECONDS = 5;
     /** Sizes of this process on Linux, in pages: reserved and in memory come first. */
     private static final Path RESIDENT = Path.of("/proc/self/statm");
+    private static final int MAX_SIZES = 1000;
     private static final long PAGE_BYTES = MemoryUtil.PAGE_SIZE;
     /** Angle between faces above which an edge of a mesh without normals is sharp, as other programs do. */
     private static final float MAX_SMOOTH_DEGREES = 30;
@@ -121,7 +123,7 @@ public final class AssimpProcess {
     /** Returns the bytes that this process has in memory; on systems other than Linux, those it has reserved. */
     private static long memory() {
         try {
-            return Long.parseLong(Files.readString(RESIDENT).split(" ")[1]) * PAGE_BYTES;
+            return Long.parseLong(new String(RegularFile.readBytes(RESIDENT, "sizes", MAX_SIZES), StandardCharsets.US_ASCII).split(" ")[1]) * PAGE_BYTES;
         } catch (IOException e) {
             return ((com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean()).getCommittedVirtualMemorySize();
         }
