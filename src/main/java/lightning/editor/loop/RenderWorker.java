@@ -249,18 +249,23 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         coarse.showRest();
         editPreview.setSpeed(coarse.pixelsPerSecond());
         return new ProgressiveDisplay(signal, requested, listener, () -> {}, canReplace -> queue.setReplaceable(signal, canReplace), true)
-                .showingTiles(coarse.isShown()).keepingWork(new WaitingScenePreview(requested, signal));
+                .showingTiles(coarse.isShown()).keepingWork(new WaitingScenePreview(requested, coarse.pixelsPerSecond() / renderer.options().threads(), signal));
     }
 
     /** Shows a coarse image of a scene that waits for a first pass, on the thread of a tile. */
     private final class WaitingScenePreview implements ProgressiveDisplay.WaitingScene {
+        /** Time for the image, in seconds. */
+        private static final double SECONDS = 0.5;
+
         private final Scene running;
+        private final double pixelsPerSecond;
         private final RenderQueue.CancelSignal signal;
         private final AtomicBoolean isTracing = new AtomicBoolean();
         private volatile @Nullable Scene shown;
 
-        WaitingScenePreview(Scene running, RenderQueue.CancelSignal signal) {
+        WaitingScenePreview(Scene running, double pixelsPerSecond, RenderQueue.CancelSignal signal) {
             this.running = running;
+            this.pixelsPerSecond = pixelsPerSecond;
             this.signal = signal;
         }
 
@@ -271,7 +276,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
                 return false;
             }
             try {
-                int pixels = Math.max(1, CoarseSteps.of(waiting).first());
+                int pixels = CoarseSteps.of(waiting).during(SECONDS, pixelsPerSecond);
                 listener.coarseRendered(CoarsePicture.trace(RenderedScenes.of(waiting), pixels, renderer::geometryOf, 1, signal).film(),
                         waiting);
                 shown = waiting;

@@ -262,6 +262,10 @@ public final class FileActions {
 
     /** Prompts for a missing file, copies it and its neighbors that are missing too, and opens the scene again. */
     private void locate(OpenDocument document, String missing) {
+        if (document != editor.document()) {
+            // Another scene was opened while the list was shown.
+            return;
+        }
         prompt.missingFileToOpen(missing, model.fileImporter().folder()).ifPresent(
                 chosen -> confirmClose(() -> read(document.file(), () -> document.withMissingFiles(missing, chosen))));
     }
