@@ -146,6 +146,8 @@ public final class EditorDialogs {
         Alert alert = alert(Alert.AlertType.CONFIRMATION, Messages.tr("{0} was changed by another program", name),
                 "", OVERWRITE, SAVE_AS, RELOAD, ButtonType.CANCEL);
         alert.getDialogPane().setContent(comparison);
+        // The theme limits the width of alerts.
+        alert.getDialogPane().setStyle("-fx-max-width: 10000px");
         alert.setResizable(true);
         return alert.showAndWait();
     }

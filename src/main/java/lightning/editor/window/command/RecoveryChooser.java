@@ -26,6 +26,7 @@ final class RecoveryChooser extends ListView<RecoveryFolder.RecoverableScene> {
         getItems().setAll(scenes);
         setCellFactory(_ -> new SceneCell());
         setPrefSize(WIDTH, ROW_HEIGHT * Math.min(MAX_ROWS, scenes.size()) + 2);
+        setMinHeight(USE_PREF_SIZE);
         getSelectionModel().selectFirst();
     }
 

@@ -87,7 +87,8 @@ final class TextDifferenceView extends VBox {
         private int characters() {
             var digit = new Text("0");
             digit.setFont(mine.getFont());
-            double width = Math.max(WIDTH, getListView().getWidth()) - CELL_INSETS - GAP;
+            double listWidth = getListView().getWidth();
+            double width = (listWidth > 0 ? listWidth : WIDTH) - CELL_INSETS - GAP;
             return (int) (width / 2 / digit.getLayoutBounds().getWidth());
         }
 
