@@ -131,7 +131,8 @@ final class ReviewCommand implements Callable<Integer> {
         }
         console.print("%s: %s%s%s, %d x %d pixels, %.1f MB", file, shown, Console.count(content.lights().size(), "light"),
                 looks.isEmpty() ? "" : ", " + Console.count(looks.size(), "look"), size.width(), size.height(), Files.size(file) / 1e6);
-        console.report().setResult(new ReviewReport(file.toString(), Files.size(file), content.lightNames(), frames, looks, null, List.of()));
+        console.report()
+                .setResult(new ReviewReport(file.toString(), Files.size(file), content.lightNames(), frames, looks, null, List.of()));
     }
 
     private void apply(JenDocument document, Path file) throws Exception {

@@ -223,8 +223,9 @@ public final class AtomicFile {
         if (e.getFile() == null || !TemporaryFile.isTemporary(Path.of(e.getFile()))) {
             return e;
         }
-        var renamed = e instanceof AccessDeniedException ? new AccessDeniedException(target.toString()) : new FileSystemException(target.toString(), null,
-                e.getReason() == null ? "cannot be written" : e.getReason());
+        var renamed = e instanceof AccessDeniedException ? new AccessDeniedException(target.toString())
+                : new FileSystemException(target.toString(), null,
+                        e.getReason() == null ? "cannot be written" : e.getReason());
         renamed.initCause(e);
         return renamed;
     }

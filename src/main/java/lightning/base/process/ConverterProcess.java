@@ -37,7 +37,8 @@ public final class ConverterProcess {
      * @param cpuLimit of processor time, where the system tells it
      * @see #run(ProcessBuilder, Duration, Progress)
      */
-    public static int run(ProcessBuilder program, Duration limit, Duration cpuLimit, Progress progress) throws IOException, TimeoutException {
+    public static int run(ProcessBuilder program, Duration limit, Duration cpuLimit, Progress progress)
+            throws IOException, TimeoutException {
         Process process = program.start();
         try {
             await(process, limit, cpuLimit, progress);

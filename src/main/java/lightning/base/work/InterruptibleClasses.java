@@ -77,7 +77,8 @@ public final class InterruptibleClasses extends ClassLoader {
                 code.invokestatic(THREAD, "currentThread", MethodTypeDesc.of(THREAD))
                         .invokevirtual(THREAD, "isInterrupted", MethodTypeDesc.of(ConstantDescs.CD_boolean))
                         .ifThen(block -> block.new_(ERROR).dup().loadConstant("interrupted")
-                                .invokespecial(ERROR, ConstantDescs.INIT_NAME, MethodTypeDesc.of(ConstantDescs.CD_void, ConstantDescs.CD_String))
+                                .invokespecial(ERROR, ConstantDescs.INIT_NAME,
+                                        MethodTypeDesc.of(ConstantDescs.CD_void, ConstantDescs.CD_String))
                                 .athrow());
             }
             code.with(element);

@@ -249,7 +249,8 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         coarse.showRest();
         editPreview.setSpeed(coarse.pixelsPerSecond());
         return new ProgressiveDisplay(signal, requested, listener, () -> {}, canReplace -> queue.setReplaceable(signal, canReplace), true)
-                .showingTiles(coarse.isShown()).keepingWork(new WaitingScenePreview(requested, coarse.pixelsPerSecond() / renderer.options().threads(), signal));
+                .showingTiles(coarse.isShown())
+                .keepingWork(new WaitingScenePreview(requested, coarse.pixelsPerSecond() / renderer.options().threads(), signal));
     }
 
     /** Shows a coarse image of a scene that waits for a first pass, on the thread of a tile. */

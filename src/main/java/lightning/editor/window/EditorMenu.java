@@ -41,11 +41,12 @@ final class EditorMenu extends MenuBar {
     EditorMenu(EditorModel model, FileActions files) {
         this.model = model;
         items = CommandMenuItems.forMenuBar(model.commands());
-        Menu file = menu(Messages.tr("File"), Command.NEW_SCENE, Command.LOAD_FILE, Command.WELCOME, Command.RELOAD, Command.RECOVER, SEPARATOR,
-                Command.SAVE_SCENE,
-                Command.SAVE_SCENE_AS,
-                Command.SAVE_IMAGE, Command.OPEN_REVIEW, Command.LIVE_REVIEW,
-                SEPARATOR, Command.QUIT);
+        Menu file =
+                menu(Messages.tr("File"), Command.NEW_SCENE, Command.LOAD_FILE, Command.WELCOME, Command.RELOAD, Command.RECOVER, SEPARATOR,
+                        Command.SAVE_SCENE,
+                        Command.SAVE_SCENE_AS,
+                        Command.SAVE_IMAGE, Command.OPEN_REVIEW, Command.LIVE_REVIEW,
+                        SEPARATOR, Command.QUIT);
         file.getItems().add(2, recent(files));
         file.getItems().add(file.getItems().size() - 4, export(files));
         Menu edit = menu(Messages.tr("Edit"), Command.UNDO, Command.REDO, SEPARATOR, Command.UNDO_LIGHT, Command.REDO_LIGHT,

@@ -123,9 +123,11 @@ public final class AssimpProcess {
     /** Returns the bytes that this process has in memory; on systems other than Linux, those it has reserved. */
     private static long memory() {
         try {
-            return Long.parseLong(new String(RegularFile.readBytes(RESIDENT, "sizes", MAX_SIZES), StandardCharsets.US_ASCII).split(" ")[1]) * PAGE_BYTES;
+            return Long.parseLong(new String(RegularFile.readBytes(RESIDENT, "sizes", MAX_SIZES), StandardCharsets.US_ASCII).split(" ")[1])
+                    * PAGE_BYTES;
         } catch (IOException e) {
-            return ((com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean()).getCommittedVirtualMemorySize();
+            return ((com.sun.management.OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean())
+                    .getCommittedVirtualMemorySize();
         }
     }
 }

@@ -107,7 +107,8 @@ public final class ReferencedFiles {
         Set<Path> existing = new HashSet<>();
         for (Scene scene : scenes) {
             texturesAndProfiles(scene).distinct().forEach(name -> findExisting(textures, name).ifPresent(existing::add));
-            meshes(scene.nodes()).map(Solid.TriangleMesh::file).distinct().forEach(name -> findExisting(meshes, name).ifPresent(existing::add));
+            meshes(scene.nodes()).map(Solid.TriangleMesh::file).distinct()
+                    .forEach(name -> findExisting(meshes, name).ifPresent(existing::add));
         }
         return existing;
     }

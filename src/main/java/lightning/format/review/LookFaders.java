@@ -86,7 +86,8 @@ final class LookFaders {
                 stops = 0;
             }
             ObjectNode light =
-                    lights.addObject().put("name", part.name(page)).put("mute", isMuted(part, shining)).put("solo", false).put("stops", stops);
+                    lights.addObject().put("name", part.name(page)).put("mute", isMuted(part, shining)).put("solo", false).put("stops",
+                            stops);
             ArrayNode tint = light.putArray("tint");
             for (double ratio : ratios) {
                 tint.add(max > 0 ? ratio / max : 1);

@@ -23,7 +23,8 @@ public record Review(String scene, String reviewer, double exposure, List<LightC
      * @param intensity intensity when the page was written, ≥ 0
      * @param color     color when the page was written; empty for the environment
      */
-    public record LightChange(String name, boolean isEnvironment, Optional<Double> stops, List<Double> tint, double intensity, List<Double> color, boolean mute,
+    public record LightChange(String name, boolean isEnvironment, Optional<Double> stops, List<Double> tint, double intensity,
+            List<Double> color, boolean mute,
             boolean solo) {}
 
     /**

@@ -46,9 +46,10 @@ public final class ReviewReader {
         for (JsonNode node : json.array(root, "lights")) {
             String at = "lights[" + lights.size() + "].";
             List<Double> color = node.has("color") && !node.get("color").isNull() ? json.numbers(node, at, "color", 0, 1e6) : List.of();
-            lights.add(new Review.LightChange(json.text(node, at, "name", 1000), node.has("environment") && json.flag(node, at, "environment"),
-                    stops(node, at), json.numbers(node, at, "tint", 0, 1e6),
-                    json.number(node, at, "intensity", 0, 1e30), color, json.flag(node, at, "mute"), json.flag(node, at, "solo")));
+            lights.add(
+                    new Review.LightChange(json.text(node, at, "name", 1000), node.has("environment") && json.flag(node, at, "environment"),
+                            stops(node, at), json.numbers(node, at, "tint", 0, 1e6),
+                            json.number(node, at, "intensity", 0, 1e30), color, json.flag(node, at, "mute"), json.flag(node, at, "solo")));
         }
         List<Review.GroupChange> groups = new ArrayList<>();
         for (JsonNode node : json.array(root, "groups")) {

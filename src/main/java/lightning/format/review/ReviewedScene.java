@@ -64,7 +64,8 @@ public record ReviewedScene(Scene scene, List<String> notes) {
         List<Double> tint = change.tint();
         boolean isOn = !change.mute() && change.stops().isPresent();
         return MatchedScene
-                .multiplied(shown, new LightFactor(Contribution.of(light), factor * tint.get(0), factor * tint.get(1), factor * tint.get(2)))
+                .multiplied(shown,
+                        new LightFactor(Contribution.of(light), factor * tint.get(0), factor * tint.get(1), factor * tint.get(2)))
                 .withOn(isOn).withSolo(change.solo());
     }
 

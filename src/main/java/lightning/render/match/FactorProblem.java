@@ -152,7 +152,8 @@ final class FactorProblem {
                 Unknown u = solved.get(i);
                 if (!u.isStep()) {
                     double resemblance = FEW
-                            * IntStream.range(0, count).filter(j -> solved.get(j).overlaps(u)).mapToDouble(j -> Math.abs(asked[j])).max().orElse(0);
+                            * IntStream.range(0, count).filter(j -> solved.get(j).overlaps(u)).mapToDouble(j -> Math.abs(asked[j])).max()
+                                    .orElse(0);
                     linear.add(i, 0, asked[i] > 0 ? -resemblance : resemblance);
                     least[i] = asked[i] > 0 ? 1 : 0;
                     most[i] = asked[i] > 0 ? Double.POSITIVE_INFINITY : 1;

@@ -79,9 +79,10 @@ record LightParameter(Contribution light, double scale, double min, double max, 
         if (settings.changes().contains(MatchChange.POSITIONS) && LightAttribute.POSITION.appliesTo(light.type())) {
             double distance = light.position().minus(scene.camera().to()).length();
             for (Vec3 axis : List.of(new Vec3(1, 0, 0), Vec3.Y, new Vec3(0, 0, 1))) {
-                parameters.add(new LightParameter(Contribution.of(light), POSITION_SCALE * (distance > 0 ? distance : 1), Double.NEGATIVE_INFINITY,
-                        Double.POSITIVE_INFINITY, false,
-                        ofLight(light.name(), (l, v) -> l.withPosition(l.position().plus(axis.times(v))))));
+                parameters.add(
+                        new LightParameter(Contribution.of(light), POSITION_SCALE * (distance > 0 ? distance : 1), Double.NEGATIVE_INFINITY,
+                                Double.POSITIVE_INFINITY, false,
+                                ofLight(light.name(), (l, v) -> l.withPosition(l.position().plus(axis.times(v))))));
             }
         }
         if (settings.changes().contains(MatchChange.DIRECTIONS) && LightAttribute.DIRECTION.appliesTo(light.type())) {

@@ -81,7 +81,8 @@ public final class MatchContributions {
     /** Returns the contributions to the picture of an edited scene, of lights of which nothing but values differ. */
     private Map<Contribution, float[][]> scaledTo(Scene edited) {
         Map<Contribution, float[][]> scaled = new HashMap<>();
-        if (edited.camera().equals(scene.camera()) && edited.picture().equals(scene.picture()) && edited.stage().equals(scene.stage()) && edited.hasSameShapes(scene)
+        if (edited.camera().equals(scene.camera()) && edited.picture().equals(scene.picture()) && edited.stage().equals(scene.stage())
+                && edited.hasSameShapes(scene)
                 && withoutDome(edited.world()).equals(withoutDome(scene.world()))) {
             for (Contribution part : Contribution.shining(edited)) {
                 double[] factors = images.containsKey(part) ? factors(edited, part) : UNKNOWN;

@@ -17,7 +17,8 @@ import lightning.scene.Contribution;
  * @param unseen  contributions that are black
  * @param skipped cells that do not count
  */
-record MatchImages(PixelMeans grid, List<Contribution> names, List<float[][]> lights, float[][] rest, List<Contribution> unseen, BitSet skipped) {
+record MatchImages(PixelMeans grid, List<Contribution> names, List<float[][]> lights, float[][] rest, List<Contribution> unseen,
+        BitSet skipped) {
     // Arrays in a record: written once by their creator, never after.
 
     /**

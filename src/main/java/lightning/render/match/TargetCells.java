@@ -26,7 +26,8 @@ record TargetCells(float[][] values, double[] weights, double total) {
      * @throws IllegalArgumentException if no cell counts
      */
     static List<TargetCells> all(ReferenceImage reference, PixelMeans grid, BitSet skipped) {
-        TargetCells counting = of(reference, grid, skipped).orElseThrow(() -> new IllegalArgumentException("no pixel of the reference counts"));
+        TargetCells counting =
+                of(reference, grid, skipped).orElseThrow(() -> new IllegalArgumentException("no pixel of the reference counts"));
         Optional<TargetCells> staying = reference.stays().length == 0 ? Optional.empty()
                 : of(new ReferenceImage(reference.film(), reference.stays()), grid, skipped);
         return Stream.concat(Stream.of(counting), staying.stream()).toList();

@@ -113,7 +113,8 @@ public record LightContributions(List<LightContribution> lights, Optional<LightC
         }
         Film filmOff = LightShares.withoutEnvironment(renderer, cache, progress);
         return Optional
-                .of(new LightContribution(Contribution.ENVIRONMENT.name(scene), scene.world().environments().stream().anyMatch(e -> e.on() && e.intensity() > 0),
+                .of(new LightContribution(Contribution.ENVIRONMENT.name(scene),
+                        scene.world().environments().stream().anyMatch(e -> e.on() && e.intensity() > 0),
                         LightShares.ofLoss(filmOff, picture, Region.ofFilm(picture)),
                         LightShares.ofLoss(filmOff, picture, region), LightContribution.FilmChange.between(picture, filmOff, view)));
     }

@@ -249,7 +249,8 @@ class AtomicFileTest {
         try (ExecutorService threads = Executors.newFixedThreadPool(2)) {
             for (int pair = 0; pair < 200; pair++) {
                 FileState state = FileState.of(Files.writeString(file, "state " + pair));
-                List<Future<Boolean>> saves = List.of(threads.submit(() -> saves(file, state, "a")), threads.submit(() -> saves(file, state, "b")));
+                List<Future<Boolean>> saves =
+                        List.of(threads.submit(() -> saves(file, state, "a")), threads.submit(() -> saves(file, state, "b")));
                 assertThat(saves.get(0).get()).isNotEqualTo(saves.get(1).get());
                 assertThat(file).hasContent(saves.get(0).get() ? "a" : "b");
             }

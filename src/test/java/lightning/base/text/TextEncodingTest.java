@@ -19,7 +19,8 @@ class TextEncodingTest {
     void otherBytes_areWindows1252() {
         assertThat(TextEncoding.decode("Tür".getBytes(StandardCharsets.ISO_8859_1))).isEqualTo("Tür");
         assertThat(TextEncoding.decode(new byte[] {(byte) 0x80, 'a', (byte) 0xE9})).isEqualTo("€aé");
-        assertThat(TextEncoding.decode(new byte[] {(byte) 0xC3, (byte) 0xBC, (byte) 0xFC, ' ', (byte) 0xE2, (byte) 0x82})).isEqualTo("üü â‚");
+        assertThat(TextEncoding.decode(new byte[] {(byte) 0xC3, (byte) 0xBC, (byte) 0xFC, ' ', (byte) 0xE2, (byte) 0x82}))
+                .isEqualTo("üü â‚");
     }
 
     @Property

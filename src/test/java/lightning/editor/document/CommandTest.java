@@ -315,7 +315,8 @@ class CommandTest {
             }
         }
         assertThat(heldBack).containsExactlyInAnyOrder(Command.LOAD_FILE, Command.LOAD_RECENT, Command.RELOAD, Command.RECOVER,
-                Command.SAVE_SCENE, Command.SAVE_SCENE_AS, Command.UNDO, Command.REDO, Command.UNDO_LIGHT, Command.REDO_LIGHT, Command.PASTE_SETTINGS,
+                Command.SAVE_SCENE, Command.SAVE_SCENE_AS, Command.UNDO, Command.REDO, Command.UNDO_LIGHT, Command.REDO_LIGHT,
+                Command.PASTE_SETTINGS,
                 Command.ADD_LIGHT, Command.ADD_BLOCKER, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, Command.RENAME_LIGHT,
                 Command.SHOW_SHAPE,
                 Command.HIDE_SHAPE,

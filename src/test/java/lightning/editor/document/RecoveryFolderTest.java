@@ -162,7 +162,8 @@ class RecoveryFolderTest {
 
     @Test
     void reusedProcessId_isACrash() throws IOException {
-        new RecoveryFolder(recoveryFile(), ProcessHandle.current().pid() + "-1").store(folder.resolve("a.jen"), FileState.MISSING, DeskScene.TEXT);
+        new RecoveryFolder(recoveryFile(), ProcessHandle.current().pid() + "-1").store(folder.resolve("a.jen"), FileState.MISSING,
+                DeskScene.TEXT);
         assertThat(new RecoveryFolder(recoveryFile()).list()).hasSize(1);
     }
 

@@ -93,7 +93,8 @@ class ExternalChangesTest extends EditorFixture {
     @Test
     void longLines_showTheirDifference() throws IOException, JenException {
         String lamp = "light lamp point { at -2 2.2 0.5  intensity 1 }";
-        String longLamp = "light lamp point { color 1 0.9 0.8  attenuation 1 0.0000000000001 0.0000000000001  at -2 2.2 0.5  intensity 0.75 }";
+        String longLamp =
+                "light lamp point { color 1 0.9 0.8  attenuation 1 0.0000000000001 0.0000000000001  at -2 2.2 0.5  intensity 0.75 }";
         String notes = "# note\n".repeat(80);
         otherText = otherText.replace("jen 1\n", "jen 1\n" + notes).replace(lamp, longLamp);
         Files.writeString(file, otherText.replace("0.75", "0.5"));

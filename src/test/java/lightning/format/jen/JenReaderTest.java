@@ -142,7 +142,8 @@ class JenReaderTest {
 
     @Test
     void fileOfAnotherKind_isOneProblem() {
-        assertIsNoScene("import os\nfor x in [1, (2)]:\n    print(x)\n", "1:1: not a scene file, which begins with 'jen 1'; found 'import'");
+        assertIsNoScene("import os\nfor x in [1, (2)]:\n    print(x)\n",
+                "1:1: not a scene file, which begins with 'jen 1'; found 'import'");
         assertIsNoScene("#!/usr/bin/python\n\nfrom x import (y)\n", "3:1: not a scene file, which begins with 'jen 1'; found 'from'");
         assertIsNoScene("{ \"asset\": [1, 2] }", "1:1: not a scene file, which begins with 'jen 1'; found '{'");
         assertIsNoScene("3 4", "1:1: not a scene file, which begins with 'jen 1'; found '3'");
@@ -155,9 +156,11 @@ class JenReaderTest {
 
     @Test
     void pictureInPlaceOfAScene_isOneProblem(@TempDir Path folder) throws IOException {
-        Path file = Files.write(folder.resolve("a.jen"), new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', (byte) 0xe7, (byte) 0xe8});
+        Path file = Files.write(folder.resolve("a.jen"),
+                new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', (byte) 0xe7, (byte) 0xe8});
         assertThatExceptionOfType(JenException.class).isThrownBy(() -> JenReader.read(file))
-                .satisfies(e -> assertThat(e.problems()).singleElement().asString().contains(": not a scene file, which begins with 'jen 1'; "));
+                .satisfies(e -> assertThat(e.problems()).singleElement().asString()
+                        .contains(": not a scene file, which begins with 'jen 1'; "));
     }
 
     @ParameterizedTest

@@ -171,7 +171,8 @@ class OcioViewTest {
     void viewThatCannotBeBaked_isOneSentence(String transform, String sentence) throws IOException {
         Path file = configWith(transform);
         Files.createDirectory(file.resolveSibling("tables"));
-        assertThatThrownBy(() -> bake(file.toString(), "TV/Film")).isInstanceOf(IOException.class).hasMessageStartingWith(file + ": " + sentence);
+        assertThatThrownBy(() -> bake(file.toString(), "TV/Film")).isInstanceOf(IOException.class)
+                .hasMessageStartingWith(file + ": " + sentence);
     }
 
     @Test

@@ -17,14 +17,12 @@ import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.sample.IndirectScenes;
+import lightning.sample.JenScenes;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
-import lightning.scene.Contribution;
-import lightning.sample.JenScenes;
 import lightning.scene.AntialiasMode;
+import lightning.scene.Contribution;
 import lightning.scene.SamplingSettings;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
@@ -32,6 +30,8 @@ import lightning.scene.value.Attenuation;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 @Slow
 class LightMatchTest {
@@ -141,8 +141,9 @@ class LightMatchTest {
         Scene scene = StudioScene.withFourLights(40, 32);
         Light fill = scene.light("fill").orElseThrow();
         Film reference = film(scene.withLight(fill.withIntensity(2)));
-        MatchResult result = match(scene, reference, new MatchSettings(Optional.of(Set.of(light("sun"))), Set.of(), MatchSettings.Reference.FIXED,
-                MatchSettings.Reference.FIXED, 0));
+        MatchResult result =
+                match(scene, reference, new MatchSettings(Optional.of(Set.of(light("sun"))), Set.of(), MatchSettings.Reference.FIXED,
+                        MatchSettings.Reference.FIXED, 0));
         assertThat(result.factors()).extracting(LightFactor::light).containsExactly(light("sun"));
     }
 
@@ -156,7 +157,8 @@ class LightMatchTest {
         Scene twins = scene.withLights(lights);
         MatchResult result = match(twins, film(twins.withLight(fill.withIntensity(3 * fill.intensity()))), MatchSettings.DEFAULT);
         assertThat(result.alike()).containsExactly(new MatchResult.LightPair(light("fill"), light("twin")));
-        double sum = result.factors().stream().filter(f -> Set.of(light("fill"), light("twin")).contains(f.light())).mapToDouble(LightFactor::red).sum();
+        double sum = result.factors().stream().filter(f -> Set.of(light("fill"), light("twin")).contains(f.light()))
+                .mapToDouble(LightFactor::red).sum();
         assertThat(sum).isCloseTo(4, within(1e-3));
     }
 

@@ -153,7 +153,8 @@ class LightSearchTest {
         return match(start, reference, change, Optional.of(Set.of(new Contribution.OfLight(light))), Progress.NONE);
     }
 
-    private static MatchResult match(Scene start, Scene reference, MatchChange change, Optional<Set<Contribution>> lights, Progress progress) {
+    private static MatchResult match(Scene start, Scene reference, MatchChange change, Optional<Set<Contribution>> lights,
+            Progress progress) {
         MatchSettings settings =
                 new MatchSettings(lights, Set.of(change), MatchSettings.Reference.FIXED, MatchSettings.Reference.FIXED, 0);
         try (Renderer renderer = new Renderer(OPTIONS)) {

@@ -121,8 +121,9 @@ class IndirectRepetitionTest {
     @Test
     void textureOfLight_repeatsPathsOnlyIfItsFaceIsVisible() throws JenException {
         for (boolean visible : new boolean[] {false, true}) {
-            String text = ROOM + "light screen rect { at -0.9 0 0  direction 1 0 0  width 0.5 height 0.5  visible " + (visible ? "yes" : "no")
-                    + "  texture \"%s.png\" }\n";
+            String text =
+                    ROOM + "light screen rect { at -0.9 0 0  direction 1 0 0  width 0.5 height 0.5  visible " + (visible ? "yes" : "no")
+                            + "  texture \"%s.png\" }\n";
             Scene scene = room(String.format(text, "wood"));
             try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(2)); WorkerPool workers = new WorkerPool(2)) {
                 long all = renderer.render(scene, Progress.NONE).rays().gather();

@@ -46,7 +46,9 @@ class LargeEditTest {
 
     private static Scene room(boolean indirect, boolean fog, boolean mirror) {
         try {
-            return JenReader.read(String.format(ROOM, indirect ? "indirect { rays 16 bounces 1 }" : "", indirect ? "" : "sky yes", fog ? "fog 0.05" : "", mirror ? "tiles" : "white"),
+            return JenReader.read(
+                    String.format(ROOM, indirect ? "indirect { rays 16 bounces 1 }" : "", indirect ? "" : "sky yes", fog ? "fog 0.05" : "",
+                            mirror ? "tiles" : "white"),
                     "room.jen", Path.of("")).scene();
         } catch (Exception e) {
             throw new IllegalStateException(e);
@@ -68,7 +70,8 @@ class LargeEditTest {
         Scene scene = room(true, false, false);
         Shape tube = (Shape) scene.nodes().getLast();
         Placement at = tube.placement();
-        Scene moved = scene.withNode("tube", tube.withPlacement(new Placement(at.position().plus(new Vec3(0.1, 0, 0)), at.rotation(), at.scale())));
+        Scene moved = scene.withNode("tube",
+                tube.withPlacement(new Placement(at.position().plus(new Vec3(0.1, 0, 0)), at.rotation(), at.scale())));
         try (Renderer session = new Renderer(OPTIONS); Renderer fresh = new Renderer(OPTIONS)) {
             session.render(scene, Progress.NONE);
             long again = session.render(moved, Progress.NONE).rays().gather();
@@ -78,7 +81,8 @@ class LargeEditTest {
     }
 
     @Property(tries = 6)
-    void editOfObjects_castsNoMoreRaysThanANewTrace(@ForAll long seed, @ForAll boolean indirect, @ForAll boolean fog, @ForAll boolean mirror) {
+    void editOfObjects_castsNoMoreRaysThanANewTrace(@ForAll long seed, @ForAll boolean indirect, @ForAll boolean fog,
+            @ForAll boolean mirror) {
         Random random = new Random(seed);
         Scene scene = room(indirect, fog, mirror);
         try (Renderer session = new Renderer(OPTIONS); WorkerPool workers = new WorkerPool(1)) {
@@ -91,7 +95,8 @@ class LargeEditTest {
                     assertThat(rays.gather()).isLessThanOrEqualTo(all.gather());
                     assertThat(rays.total()).isLessThanOrEqualTo(all.total());
                 }
-                FilmAssert.assertSameBits(session.film(), new TraditionalTracer(scene).trace(workers, Progress.NONE).film(), "edit " + edit);
+                FilmAssert.assertSameBits(session.film(), new TraditionalTracer(scene).trace(workers, Progress.NONE).film(),
+                        "edit " + edit);
             }
         }
     }

@@ -133,7 +133,7 @@ public record SightPlacement(Light light, Optional<String> blocker, Change chang
                 picker.occluders(hit, direction, placing.startLight().shadowCasters(), isShadow ? MAX_SURFACES : 1);
         return placing.goal() instanceof Goal.Shadow(Vec3 thrower) ? behindCaster(hit, thrower, surfaces)
                 : surfaces.isEmpty() ? new Free(0, Double.POSITIVE_INFINITY, null)
-                        : new Free(0, distance(hit, surfaces.getFirst()), surfaces.getFirst().shape());
+                : new Free(0, distance(hit, surfaces.getFirst()), surfaces.getFirst().shape());
     }
 
     /** Returns the part behind the last surface of the caster up to the next object. */

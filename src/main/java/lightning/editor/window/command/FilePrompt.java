@@ -124,7 +124,8 @@ public interface FilePrompt {
 
             @Override
             public Optional<Path> missingFileToOpen(String name, Path folder) {
-                return path(chooser(Messages.tr("Locate {0}", name), folder, filter(name, name.substring(Math.max(0, name.lastIndexOf('.'))))),
+                return path(
+                        chooser(Messages.tr("Locate {0}", name), folder, filter(name, name.substring(Math.max(0, name.lastIndexOf('.'))))),
                         c -> c.showOpenDialog(owner));
             }
 

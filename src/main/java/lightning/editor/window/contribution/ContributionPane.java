@@ -299,7 +299,8 @@ public final class ContributionPane extends VBox {
         for (int l = 0; l < shares.scene().lights().size(); l++) {
             fractions.put(shares.scene().lights().get(l).name(), total > 0 ? LightThumbnails.brightness(shares.lightImage(l)) / total : 0);
         }
-        fractions.put(Contribution.ENVIRONMENT.name(shares.scene()), total > 0 ? LightThumbnails.brightness(shares.environmentImage()) / total : 0);
+        fractions.put(Contribution.ENVIRONMENT.name(shares.scene()),
+                total > 0 ? LightThumbnails.brightness(shares.environmentImage()) / total : 0);
         return fractions;
     }
 

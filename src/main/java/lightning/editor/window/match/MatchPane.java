@@ -298,14 +298,15 @@ public final class MatchPane extends VBox {
 
     private List<MenuItem> lightItems() {
         CommandMenuItems items = CommandMenuItems.forMenu(model.commands());
-        return candidates().map(part -> items.checkBoxValue(Command.MATCH_REFERENCE, part.name(editor.scene()), !kept.contains(part), 0, on -> {
-            if (on) {
-                kept.remove(part);
-            } else {
-                kept.add(part);
-            }
-            showLightCount();
-        })).toList();
+        return candidates()
+                .map(part -> items.checkBoxValue(Command.MATCH_REFERENCE, part.name(editor.scene()), !kept.contains(part), 0, on -> {
+                    if (on) {
+                        kept.remove(part);
+                    } else {
+                        kept.add(part);
+                    }
+                    showLightCount();
+                })).toList();
     }
 
     private List<MenuItem> changeItems() {

@@ -159,7 +159,8 @@ final class PixelMenu {
                     Light added = editor.scene().lights().getLast();
                     editor.selection().selectLight(added.name());
                     picker.findOccluder(hit, added)
-                            .ifPresent(blocker -> editor.message().show(Messages.tr("{0} blocks the light at this point", blocker.shape())));
+                            .ifPresent(
+                                    blocker -> editor.message().show(Messages.tr("{0} blocks the light at this point", blocker.shape())));
                 }
             });
             item.setGraphic(new FontIcon(LightTypes.icon(type)));

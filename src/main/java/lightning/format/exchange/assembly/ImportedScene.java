@@ -131,7 +131,8 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
         List<AssetCopy> usedCopies = copies.stream().filter(copy -> !unused.contains(FileNaming.nameIn(folder, copy.target()))).toList();
         // A new light may have the name of one of the file's that moved.
         Optional<Shot> others = shot().map(s -> s.withTracks(s.tracks().stream()
-                .filter(track -> !isLighting(track.target()) && (keepsCamera || track.target().kind() != TrackTarget.Kind.CAMERA)).toList()));
+                .filter(track -> !isLighting(track.target()) && (keepsCamera || track.target().kind() != TrackTarget.Kind.CAMERA))
+                .toList()));
         return new ImportedScene(lit, others.map(s -> validTracks(s, lit)), Set.of(), Set.of(), Optional.empty(), List.copyOf(newComments),
                 sceneFile,
                 usedCopies, Map.copyOf(newNotes),

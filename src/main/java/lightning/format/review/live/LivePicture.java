@@ -43,7 +43,8 @@ record LivePicture(byte[] data, Map<String, byte[]> layers) {
             Light light = part.light().light(base).orElse(null);
             Rgb color = light == null ? Rgb.WHITE : light.color();
             node.put("group", light == null ? "" : light.lightGroup()).put("environment", light == null);
-            node.put("intensity", light == null ? base.world().firstIntensity() : light.intensity() * LightWeights.groupIntensity(base, light));
+            node.put("intensity",
+                    light == null ? base.world().firstIntensity() : light.intensity() * LightWeights.groupIntensity(base, light));
             node.putArray("color").add(color.r()).add(color.g()).add(color.b());
         }
         data.put("rest", layers.rest().id());

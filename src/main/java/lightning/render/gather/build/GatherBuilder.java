@@ -141,7 +141,8 @@ public final class GatherBuilder {
 
     /** Returns whether rows of surfels have tangents for the same materials. */
     private static boolean haveSameTangents(MaterialTable a, MaterialTable b) {
-        return IntStream.range(0, Math.min(a.count(), b.count())).allMatch(m -> a.material(m).isAnisotropic() == b.material(m).isAnisotropic());
+        return IntStream.range(0, Math.min(a.count(), b.count()))
+                .allMatch(m -> a.material(m).isAnisotropic() == b.material(m).isAnisotropic());
     }
 
     /** Returns the distance of the pixels through which candidates for gather points are traced. */

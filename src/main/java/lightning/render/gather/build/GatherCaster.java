@@ -2,7 +2,6 @@ package lightning.render.gather.build;
 
 import lightning.render.gather.cell.CellKeys;
 import lightning.render.gather.cell.DirectionTable;
-import lightning.render.gather.cell.SurfaceColumns;
 import lightning.render.gather.glow.GlowShapes;
 import lightning.render.gather.ray.InverseLengths;
 import lightning.render.gather.ray.RayLinks;

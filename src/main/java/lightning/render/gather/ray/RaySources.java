@@ -4,9 +4,9 @@ import static java.util.Objects.requireNonNull;
 
 import java.io.IOException;
 import java.util.Arrays;
+import lightning.base.math.Vec3;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
-import lightning.base.math.Vec3;
 import lightning.render.gather.cell.CellKeys;
 import lightning.render.gather.cell.DirectionTable;
 import lightning.render.gather.cell.SurfaceColumns;

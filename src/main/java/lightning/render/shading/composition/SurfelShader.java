@@ -15,9 +15,9 @@ import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.MappedSurface;
+import lightning.render.trace.MaterialTable;
 import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
-import lightning.render.trace.MaterialTable;
 
 /** Computes the direct light, the albedo, the glow and the look of surfels. Holds scratch columns: use one instance per thread. */
 public final class SurfelShader {

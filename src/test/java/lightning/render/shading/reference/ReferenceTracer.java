@@ -324,7 +324,8 @@ public final class ReferenceTracer {
 
     private ReferenceReflections reflections() {
         reflections = reflections == null ? new ReferenceReflections(scene, geometry, GatherSettings.of(scene).get(),
-                forEdges ? BackgroundLight.of(scene).forEdges() : BackgroundLight.of(scene), this::directLight, this::shownLight) : reflections;
+                forEdges ? BackgroundLight.of(scene).forEdges() : BackgroundLight.of(scene), this::directLight, this::shownLight)
+                : reflections;
         return reflections;
     }
 

@@ -32,7 +32,8 @@ class FacetNormalsTest {
         Mesh mesh = SampleMeshes.ball(16, 32, true);
         float[] means = FacetNormals.of(mesh);
         for (int v = 0; v < mesh.vertexCount(); v++) {
-            assertThat(cosine(means, Objects.requireNonNull(mesh.normals()), v)).as("vertex %d", v).isGreaterThan(Math.cos(Math.toRadians(4)));
+            assertThat(cosine(means, Objects.requireNonNull(mesh.normals()), v)).as("vertex %d", v)
+                    .isGreaterThan(Math.cos(Math.toRadians(4)));
         }
     }
 
