@@ -120,13 +120,11 @@ final class SceneSession {
             return JsonLines.JSON.createObjectNode();
         }
         update(request, 0);
-        SceneReview open = last;
-        if (last == null || isChosen && last.allowsEdits() != allowsEdits) {
-            open = new SceneReview(this, request.client(), allowsEdits, Optional.ofNullable(last));
-            review = open;
-            if (last != null) {
-                last.close();
-            }
+        SceneReview open = last != null && (!isChosen || last.allowsEdits() == allowsEdits) ? last
+                : new SceneReview(this, request.client(), allowsEdits, Optional.ofNullable(last));
+        review = open;
+        if (last != null && last != open) {
+            last.close();
         }
         open.showPicture();
         return open.describe();

@@ -79,8 +79,9 @@ public final class AssimpConverter {
             } catch (MeshException e) {
                 // The user knows the source only.
                 String place = Quote.path(glb) + ": ";
-                if (e.getMessage().startsWith(place)) {
-                    throw new MeshException(source, "", "converted to glTF, " + e.getMessage().substring(place.length()));
+                String message = String.valueOf(e.getMessage());
+                if (message.startsWith(place)) {
+                    throw new MeshException(source, "", "converted to glTF, " + message.substring(place.length()));
                 }
                 throw e;
             } finally {

@@ -14,7 +14,7 @@ import lightning.base.work.InterruptibleClasses;
  *
  * <p>{@link #interruptible} is an object of a copy of this class and of the library's, so that arguments and results are of types that
  * copies share: from data and ids of attributes, the number of faces, that of points, the indices, and for each attribute its components and its values;
- * null instead of the values of one that is missing, and instead of all if the data is no mesh.
+ * null instead of the values of one that is missing, and nothing at all if the data is no mesh.
  */
 final class DracoDecoder implements BiFunction<byte[], List<Integer>, Object[]> {
     /** Results before those of attributes, and results for each attribute. */
@@ -46,7 +46,7 @@ final class DracoDecoder implements BiFunction<byte[], List<Integer>, Object[]> 
     @Override
     public Object[] apply(byte[] data, List<Integer> ids) {
         try {
-            return Draco.decode(data) instanceof DracoMesh mesh ? results(mesh, ids) : null;
+            return Draco.decode(data) instanceof DracoMesh mesh ? results(mesh, ids) : new Object[0];
         } catch (DrakoException e) {
             throw new IllegalArgumentException(e);
         }

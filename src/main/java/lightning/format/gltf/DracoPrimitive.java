@@ -115,7 +115,7 @@ final class DracoPrimitive {
         try {
             Object[] mesh = file.decodingTime().call("Draco", TIME_PER_FACE.multipliedBy(faces),
                     () -> DracoDecoder.interruptible().apply(data, ids));
-            if (mesh != null) {
+            if (mesh.length > 0) {
                 return mesh;
             }
         } catch (ExecutionException e) {
