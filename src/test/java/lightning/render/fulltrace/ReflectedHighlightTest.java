@@ -16,13 +16,13 @@ class ReflectedHighlightTest {
     private static final int SIZE = 24;
     private static final String WALL = """
             jen 1
-            picture { size %d %d  depth 0 }
+            picture { size 24 24  depth 0 }
             world { ambience 0  background 0 0 0 }
             material wall { model principled  base 1 1 1  metalness 1  roughness 0.7 }
             material floor { model principled  base 1 1 1  metalness 1  roughness 0.15 }
             plane wall { material wall  at 0 4 -2  rotate 90 0 0  scale 10 1 10 }
             light key spot { at 0 3 2  direction 0 -2.6666667 -4  angle 12 }
-            """.formatted(SIZE, SIZE);
+            """;
 
     private static double mean(String scene) throws JenException {
         Film film;

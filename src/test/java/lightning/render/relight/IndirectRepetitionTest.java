@@ -123,11 +123,11 @@ class IndirectRepetitionTest {
         for (boolean visible : new boolean[] {false, true}) {
             String text =
                     ROOM + "light screen rect { at -0.9 0 0  direction 1 0 0  width 0.5 height 0.5  visible " + (visible ? "yes" : "no")
-                            + "  texture \"%s.png\" }\n";
-            Scene scene = room(String.format(text, "wood"));
+                            + "  texture \"IMAGE.png\" }\n";
+            Scene scene = room(text.replace("IMAGE", "wood"));
             try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(2)); WorkerPool workers = new WorkerPool(2)) {
                 long all = renderer.render(scene, Progress.NONE).rays().gather();
-                Scene edited = room(String.format(text, "checker"));
+                Scene edited = room(text.replace("IMAGE", "checker"));
                 RayCounts rays = renderer.render(edited, Progress.NONE).rays();
                 assertThat(rays.gather()).isBetween(visible ? 1L : 0, visible ? all : 0);
                 assertThat(visible || rays.total() == 0).isTrue();

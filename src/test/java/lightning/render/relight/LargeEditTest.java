@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Random;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
@@ -47,7 +48,8 @@ class LargeEditTest {
     private static Scene room(boolean indirect, boolean fog, boolean mirror) {
         try {
             return JenReader.read(
-                    String.format(ROOM, indirect ? "indirect { rays 16 bounces 1 }" : "", indirect ? "" : "sky yes", fog ? "fog 0.05" : "",
+                    String.format(Locale.ROOT, ROOM, indirect ? "indirect { rays 16 bounces 1 }" : "", indirect ? "" : "sky yes",
+                            fog ? "fog 0.05" : "",
                             mirror ? "tiles" : "white"),
                     "room.jen", Path.of("")).scene();
         } catch (Exception e) {

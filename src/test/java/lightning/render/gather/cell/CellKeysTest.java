@@ -17,8 +17,8 @@ class CellKeysTest {
         Scene scene = JenReader.read("""
                 jen 1
                 picture { size 400 300  indirect { bounces 2 } }
-                camera { from 0 0 0  to 0 0 -1  fov %s }
-                """.formatted(fov), "view.jen", Path.of("")).scene();
+                camera { from 0 0 0  to 0 0 -1  fov FOV }
+                """.replace("FOV", String.valueOf(fov)), "view.jen", Path.of("")).scene();
         return new CellKeys(scene, GatherSettings.of(scene).orElseThrow());
     }
 
