@@ -28,6 +28,8 @@ public final class MatchContributions {
     /** Memory for all contributions; with many lights, cells are larger than pixels. */
     private static final long MAX_BYTES = 512L << 20;
 
+    /** Largest share of the light of a contribution that may be in pixels that do not count: the others must show how bright it is. */
+    private static final double MAX_HIDDEN = 0.95;
     private static final double[] UNKNOWN = {Double.NaN, Double.NaN, Double.NaN};
 
     private final Scene scene;
@@ -56,13 +58,36 @@ public final class MatchContributions {
         Scene scene = cache.scene();
         Film whole = cache.film();
         PixelMeans grid = grid(whole, Contribution.shining(scene).size() + 2);
-        boolean omitsFinerSamples = grid.columns() == whole.width() && cache.tileCount() > 0
-                && 2L * finerPixels(cache).cardinality() <= (long) whole.width() * whole.height();
+        BitSet finer = finerPixels(cache);
+        if (grid.columns() == whole.width() && cache.tileCount() > 0 && 2L * finer.cardinality() <= (long) whole.width() * whole.height()) {
+            MatchContributions centers = compose(cache, grid, true, options, earlier, progress);
+            if (centers.images.values().stream().noneMatch(image -> isHidden(image, finer))) {
+                return centers;
+            }
+        }
+        return compose(cache, grid, false, options, earlier, progress);
+    }
+
+    private static MatchContributions compose(PixelCache cache, PixelMeans grid, boolean omitsFinerSamples, RenderOptions options,
+            Optional<MatchContributions> earlier, Progress progress) {
+        Scene scene = cache.scene();
         Map<Contribution, float[][]> images = earlier.filter(e -> e.grid.equals(grid) && e.omitsFinerSamples == omitsFinerSamples)
                 .map(e -> e.scaledTo(scene)).orElseGet(HashMap::new);
         LightFilms.forEach(omitsFinerSamples ? withoutFinerSamples(cache) : cache, options, part -> !images.containsKey(part), progress,
                 (part, film) -> images.put(part, grid.of(film)));
         return new MatchContributions(scene, grid, Map.copyOf(images), omitsFinerSamples);
+    }
+
+    /** Returns whether much of a contribution is in cells that would not count, such as that of a light that shines on thin things alone. */
+    private static boolean isHidden(float[][] image, BitSet omitted) {
+        double all = 0;
+        double hidden = 0;
+        for (int i = 0; i < image[0].length; i++) {
+            double light = (double) image[0][i] + image[1][i] + image[2][i];
+            all += light;
+            hidden += omitted.get(i) ? light : 0;
+        }
+        return hidden > MAX_HIDDEN * all;
     }
 
     /** Returns cells of so many pixels that all images fit into the memory. */

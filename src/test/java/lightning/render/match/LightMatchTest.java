@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
@@ -13,6 +14,8 @@ import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
@@ -287,6 +290,25 @@ class LightMatchTest {
         MatchResult result = match(scene, film(studio.withWorld(studio.world().withIntensity(3))), MatchSettings.DEFAULT);
         assertThat(result.factors()).allSatisfy(
                 f -> assertThat(f.red()).isCloseTo(f.light().equals(Contribution.ENVIRONMENT) ? 3 : 1, within(1e-3)));
+    }
+
+    /** Each pixel that the light reaches is on an edge and has finer samples. */
+    @Test
+    void lightOnThinThingsAlone_isMatchedInAntialiasedPicture() throws JenException {
+        StringBuilder text = new StringBuilder("""
+                jen 1
+                picture { size 40 32  antialias edges  depth 0 }
+                camera { from 0 0 10  to 0 0 0  fov 20 }
+                world { ambience 0  background 0.2 0.2 0.2 }
+                material white { diffuse 0.8 0.8 0.8 }
+                light key directional { direction 0 0 -1 }
+                """);
+        for (int i = 0; i < 5; i++) {
+            text.append("cylinder stick" + i + " { material white  at " + (0.6 * i - 1.2) + " 0 0  scale 0.03 4 0.03 }\n");
+        }
+        Scene scene = JenReader.read(text.toString(), "sticks.jen", Path.of("")).scene();
+        Scene dimmed = scene.withLight(scene.light("key").orElseThrow().withIntensity(0.5));
+        assertThat(match(scene, film(dimmed), MatchSettings.DEFAULT).factors()).allSatisfy(f -> assertThat(f.red()).isCloseTo(0.5, within(1e-3)));
     }
 
     @Test
