@@ -223,10 +223,15 @@ final class RenderQueue {
 
     /** Drops all pending work, running work and the cache for another document. */
     synchronized void open(Scene requested, long number) {
-        boolean keepsFirst = waiting.containsKey(Slot.KEEPING) || waiting.get(Slot.DROP) instanceof Job.DropPicture d && d.keepsFirst();
+        boolean keepsFirst = isKeepingRequested();
         cancel();
         add(new Job.DropPicture(number, keepsFirst));
         render(requested);
+    }
+
+    /** Returns whether the current image waits to be kept, alone or before it is dropped. */
+    private boolean isKeepingRequested() {
+        return waiting.containsKey(Slot.KEEPING) || waiting.get(Slot.DROP) instanceof Job.DropPicture d && d.keepsFirst();
     }
 
     synchronized void changeOptions(RenderOptions requested) {
@@ -252,7 +257,7 @@ final class RenderQueue {
 
     /** Ends {@link #take}, after a requested keeping of the image. */
     synchronized void close() {
-        boolean keeps = waiting.containsKey(Slot.KEEPING);
+        boolean keeps = isKeepingRequested();
         cancel();
         waiting.clear();
         if (keeps) {
