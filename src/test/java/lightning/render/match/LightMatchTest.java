@@ -308,7 +308,8 @@ class LightMatchTest {
         }
         Scene scene = JenReader.read(text.toString(), "sticks.jen", Path.of("")).scene();
         Scene dimmed = scene.withLight(scene.light("key").orElseThrow().withIntensity(0.5));
-        assertThat(match(scene, film(dimmed), MatchSettings.DEFAULT).factors()).allSatisfy(f -> assertThat(f.red()).isCloseTo(0.5, within(1e-3)));
+        assertThat(match(scene, film(dimmed), MatchSettings.DEFAULT).factors())
+                .allSatisfy(f -> assertThat(f.red()).isCloseTo(0.5, within(1e-3)));
     }
 
     @Test
