@@ -333,13 +333,17 @@ public final class RayBatch {
         return surface.hasShadingNormal() ? surface.geometricNormal() : null;
     }
 
-    /** Moves the start of a ray to the surface that it hit, on the side that it came from. Vertex normals do not lift it. */
-    public void moveToSurface(int ray) {
-        computeSurface(ray, rays.primitive[ray]);
+    /**
+     * Moves the start of a ray to the surface that it hit, on the side that it came from. Vertex normals do not lift it. Returns the normal, as
+     * {@link #geometricNormal}.
+     */
+    public @Nullable Vec3 moveToSurface(int ray) {
+        Vec3 normal = geometricNormal(ray);
         surface.computeFacetPoint();
         startX[ray] = surface.facetX;
         startY[ray] = surface.facetY;
         startZ[ray] = surface.facetZ;
+        return normal;
     }
 
     /**

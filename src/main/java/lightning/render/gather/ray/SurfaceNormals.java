@@ -50,9 +50,8 @@ public final class SurfaceNormals {
             for (int probe = 0; probe < count; probe++) {
                 int p = probed[probe];
                 if (batch.primitive(probe) == points.surface.primitive[p]) {
-                    Vec3 normal = batch.geometricNormal(probe);
+                    Vec3 normal = batch.moveToSurface(probe);
                     if (normal != null) {
-                        batch.moveToSurface(probe);
                         points.setFacet(p, normal, batch.startX[probe], batch.startY[probe], batch.startZ[probe]);
                     }
                 } else if (batch.primitive(probe) >= 0) {

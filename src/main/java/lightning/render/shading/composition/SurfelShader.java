@@ -18,6 +18,7 @@ import lightning.render.trace.MappedSurface;
 import lightning.render.trace.MaterialTable;
 import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
+import org.jspecify.annotations.Nullable;
 
 /** Computes the direct light, the albedo, the glow and the look of surfels. Holds scratch columns: use one instance per thread. */
 public final class SurfelShader {
@@ -28,15 +29,15 @@ public final class SurfelShader {
     private final ShadingMaterial[] materials;
     private final MaterialTable table;
     private final PrincipledRow principledRow = new PrincipledRow();
-    /** Composes what a picture shows of the lights. */
-    private final LevelComposer composer;
-    private final float[][] colors = new float[3][TermKernel.MAX_ROWS];
+    private final SumKernel sumKernel;
+    /** Composes what a picture shows of the lights. Created on first use: only pictures with blurred reflections need it. */
+    private @Nullable LevelComposer composer;
+    private float[][] colors = {};
 
     public SurfelShader(MaterialTable table, SumKernel sums) {
         this.table = table;
         lightSum = new LightSum(sums);
-        composer = new LevelComposer(table, sums, ViewEffects.ALL);
-        composer.setShowsGlow(false);
+        sumKernel = sums;
         materials = new ShadingMaterial[table.count()];
         Arrays.setAll(materials, m -> ShadingMaterial.of(table, m));
     }
@@ -68,13 +69,24 @@ public final class SurfelShader {
         if (to[0].length == 0) {
             return;
         }
-        composer.compose(rows, lights, layers, null, null, UNLIT, null, BounceImages.BLACK, colors);
+        composer().compose(rows, lights, layers, null, null, UNLIT, null, BounceImages.BLACK, colors);
         for (int c = 0; c < 3; c++) {
             for (int row = 0; row < rows.count; row++) {
                 int surfel = numbers[rows.parent[row]];
                 to[c][surfel] = known[c][surfel] + colors[c][rows.parent[row]];
             }
         }
+    }
+
+    private LevelComposer composer() {
+        if (composer != null) {
+            return composer;
+        }
+        LevelComposer created = new LevelComposer(table, sumKernel, ViewEffects.ALL);
+        created.setShowsGlow(false);
+        colors = new float[3][TermKernel.MAX_ROWS];
+        composer = created;
+        return created;
     }
 
     /**
