@@ -3,6 +3,9 @@ package lightning.format.review.live;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.net.HttpURLConnection;
+import java.net.URI;
+import java.net.URL;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
@@ -74,7 +77,12 @@ class LivePageTest {
         }
     }
 
-    private Browser open() {
+    /** Opens the page when it has a picture: before, the browser reports that it is missing. */
+    private Browser open() throws Exception {
+        URL picture = URI.create(review.url() + "data").toURL();
+        while (((HttpURLConnection) picture.openConnection()).getResponseCode() != HttpURLConnection.HTTP_OK) {
+            TimeUnit.MILLISECONDS.sleep(20);
+        }
         return Browser.open(review.url(), folder, 1280, 800);
     }
 
