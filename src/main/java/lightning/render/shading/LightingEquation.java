@@ -41,14 +41,16 @@ public final class LightingEquation {
     private double lz;
     /** 1 for a directional light. */
     private double distance = 1;
-    private final @Nullable AngularMask angularMask;
+    /** Computed on first use, because most samples of an area light are not lit. */
+    private @Nullable AngularMask angularMask;
+    private final boolean hasAngularMask;
     private float px;
     private float py;
     private float pz;
 
     public LightingEquation(LightSource source) {
         this.source = source;
-        angularMask = AngularMask.of(source);
+        hasAngularMask = AngularMask.isActive(source);
     }
 
     /** Moves to a row: its point and its unit normal. At distance 0 the light is straight above. */
@@ -217,6 +219,9 @@ public final class LightingEquation {
     }
 
     private double maskFactor() {
+        if (hasAngularMask && angularMask == null) {
+            angularMask = AngularMask.of(source);
+        }
         return angularMask == null ? 1 : angularMask.factor(px, py, pz);
     }
 

@@ -3,6 +3,7 @@ package lightning.render.shading.reference;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import lightning.base.math.Ray;
@@ -62,7 +63,15 @@ public final class ReferenceTracer {
     private final ShadowRayTarget[] targets;
     /** Shadow ray targets of area light samples. */
     private final Map<Vec3, ShadowRayTarget> sampleTargets = new HashMap<>();
+    /** Geometry that casts the shadows of a light. */
+    private final Map<Light, Geometry> casters = new IdentityHashMap<>();
+    /** Whether a light illuminates each primitive. */
+    private final Map<Light, boolean[]> linked = new IdentityHashMap<>();
+    /** Gain of a light on each shape by its name. */
+    private final Map<Light, Map<String, Float>> gains = new IdentityHashMap<>();
     private final ReferenceTracer mirrorTracer;
+    /** Created on first use. */
+    private ReferenceTracer edgeTracer;
     /** Computed on first use; null if the scene has none. */
     private ReferenceIndirect indirect;
     /** The same for scenes with blurred reflections. */
@@ -122,7 +131,10 @@ public final class ReferenceTracer {
     }
 
     private ReferenceTracer edgeTracer() {
-        return new ReferenceTracer(scene, mirrorTracer.scene, true);
+        if (edgeTracer == null) {
+            edgeTracer = new ReferenceTracer(scene, mirrorTracer.scene, true);
+        }
+        return edgeTracer;
     }
 
     /** Returns the linear color at the center of one pixel, {@code float[3]}. */
@@ -280,11 +292,13 @@ public final class ReferenceTracer {
         float[][] terms = terms(hit, pattern);
         float[] diffuse = diffuse(hit, terms);
         PrincipledMaterial principled = PrincipledMaterial.of(materials.material(material));
+        boolean hasReflections = principled != null && GatherSettings.of(scene).map(GatherSettings::reflections).orElse(false);
+        float[] light = hasReflections && !materials.isClear(material) ? reflections().at(hit) : new float[9];
         for (int c = 0; c < 3; c++) {
             float specular = sum(terms, SPECULAR, c);
             float grazing = sum(terms, GRAZING, c);
             color[c] = materials.isClear(material) ? clearColor(hit, c, diffuse[c], specular, grazing, mirrored, refracted)
-                    : principled != null ? principledColor(hit, principled, c, diffuse[c], specular, grazing, mirrored[c])
+                    : principled != null ? principledColor(hit, principled, c, diffuse[c], specular, grazing, mirrored[c], light)
                     : LightingEquation.color(emitted(hit, c), hit.diffuse()[c], diffuse[c],
                             hit.specular()[c], specular, grazing, materials.reflective(material, c), mirrored[c]);
             for (EmittedLight kind : EmittedLight.values()) {
@@ -386,7 +400,8 @@ public final class ReferenceTracer {
             LightSource source = lights[l].source();
             terms[l] = source.isArea() ? meanTerms(source, hit, pattern, refines) : terms(source, hit, targets[l], HighlightFactor.NONE);
             if (!source.light().contribution().gains().isNone()) {
-                float gain = gain(source.light(), geometry.shape(hit.primitive()).name());
+                float gain = gains.computeIfAbsent(source.light(), _ -> new HashMap<>())
+                        .computeIfAbsent(geometry.shape(hit.primitive()).name(), name -> gain(source.light(), name));
                 for (int c = DIFFUSE_FACTOR; c < TERMS; c++) {
                     terms[l][c] *= gain;
                 }
@@ -536,9 +551,8 @@ public final class ReferenceTracer {
 
     /** Returns one channel of the color of a principled surface. */
     private float principledColor(SurfacePoint hit, PrincipledMaterial material, int c, float diffuse, float specular, float grazing,
-            float mirrored) {
+            float mirrored, float[] light) {
         PrincipledWeights weights = weights(material, hit);
-        float[] light = GatherSettings.of(scene).map(GatherSettings::reflections).orElse(false) ? reflections().at(hit) : new float[9];
         float shine = specular + light[3 + c] * weights.reflected(material);
         boolean isFrosted = material.material().isFrosted();
         float graze = grazing + light[isFrosted ? 3 + c : 6 + c] * weights.reflectedGrazing(material);
@@ -574,13 +588,13 @@ public final class ReferenceTracer {
 
     /** Returns whether a light illuminates the shape at a point. */
     private boolean isLinked(LightSource source, SurfacePoint hit) {
-        return geometry.linkedPrimitives(source.light().illuminates())[hit.primitive()];
+        return linked.computeIfAbsent(source.light(), light -> geometry.linkedPrimitives(light.illuminates()))[hit.primitive()];
     }
 
     /** Returns whether no shape that casts shadows from the light is between it and a point. */
     private boolean isVisible(LightSource source, ShadowRayTarget target, SurfacePoint hit) {
         Vec3 point = new Vec3(hit.px(), hit.py(), hit.pz());
-        Geometry casting = geometry.shadowGeometry(source.light().shadowCasters());
+        Geometry casting = casters.computeIfAbsent(source.light(), light -> geometry.shadowGeometry(light.shadowCasters()));
         return source.type().hasPosition()
                 ? !casting.isBlockedBruteForce(point, target)
                 : !casting.isBlockedBruteForce(new Ray(point, source.position()), Double.POSITIVE_INFINITY);
