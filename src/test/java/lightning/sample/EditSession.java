@@ -2,6 +2,8 @@ package lightning.sample;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.StreamSupport;
 import lightning.format.jen.JenWriter;
 import lightning.scene.Scene;
 import net.jqwik.api.Arbitraries;
@@ -65,6 +67,22 @@ public final class EditSession {
     /** Returns the first scene and the scene after each edit. */
     public List<Scene> scenes() {
         return scenes;
+    }
+
+    /**
+     * Returns the indexes of these scenes, for a loop that renders them. It ends early when the {@link TestBudget} of a session is spent, but
+     * not before the second scene.
+     */
+    public Iterable<Integer> steps() {
+        return () -> {
+            var budget = new TestBudget();
+            return IntStream.range(0, scenes.size()).takeWhile(step -> step < 2 || !budget.isSpent()).iterator();
+        };
+    }
+
+    /** Returns the scenes of {@link #steps}. */
+    public Iterable<Scene> timedScenes() {
+        return () -> StreamSupport.stream(steps().spliterator(), false).map(scenes::get).iterator();
     }
 
     /** Returns the first scene as a file, then the edits. */

@@ -26,7 +26,7 @@ public final class IndirectArbitraries {
 
     /** Returns the scenes of {@link SceneArbitraries} with indirect light and at most four samples per pixel. */
     public static Arbitrary<Scene> scenes() {
-        return Combinators.combine(settings(), SceneArbitraries.scenes()).as(IndirectArbitraries::withIndirect);
+        return Combinators.combine(settings(), SceneArbitraries.scenes()).as(IndirectArbitraries::withIndirect).map(TestBudget::limit);
     }
 
     /** Returns the scenes of {@link SceneArbitraries}, of which a small share has indirect light. */
@@ -50,7 +50,7 @@ public final class IndirectArbitraries {
                     materials.addAll(room.materials());
                     List<SceneNode> nodes = new ArrayList<>(room.nodes());
                     added.stream().limit(3).filter(node -> !room.isNameUsed(node.name())).forEach(nodes::add);
-                    return room.withMaterials(materials).withNodes(nodes);
+                    return TestBudget.limit(room.withMaterials(materials).withNodes(nodes));
                 });
     }
 
@@ -60,7 +60,7 @@ public final class IndirectArbitraries {
                 DomeArbitraries.domes().optional(0.4)).as(
                         (room, map, indirect, domes) -> room
                                 .withWorld(room.world().withEnvironment(Optional.of(map)).withDomes(domes.orElse(List.of())))
-                                .withPicture(room.picture().withIndirect(indirect)));
+                                .withPicture(room.picture().withIndirect(indirect))).map(TestBudget::limit);
     }
 
     /** Returns sequences of one to eight edits, mostly of the environment. */

@@ -43,7 +43,8 @@ public final class SceneArbitraries {
         Arbitrary<Scene> alone = Combinators.combine(LightArbitraries.lights().list().ofMinSize(0).ofMaxSize(6), NodeArbitraries.nodes(),
                 pictures(), frames(), materials, worlds(), views(), shifts()).as(SceneArbitraries::assemble);
         return Arbitraries.frequencyOf(Tuple.of(2, alone), Tuple.of(1, Combinators.combine(alone, LightArbitraries.lightGroupNames("b0"),
-                LightArbitraries.lightGroupNames("b1"), Arbitraries.integers().between(1, 1 << 12)).as(SceneArbitraries::withLightGroups)));
+                LightArbitraries.lightGroupNames("b1"), Arbitraries.integers().between(1, 1 << 12)).as(SceneArbitraries::withLightGroups)))
+                .map(TestBudget::limit);
     }
 
     /** @param members two bits for each light: its group, or none */

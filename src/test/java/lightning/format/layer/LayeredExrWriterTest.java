@@ -73,7 +73,7 @@ class LayeredExrWriterTest {
     void layers_sumToTheImageBitForBit(@ForAll("sessions") EditSession session, @ForAll Accuracy accuracy,
             @ForAll ReflectionMode reflections, @ForAll MirrorStorage storage, @ForAll boolean indirect) throws IOException {
         try (Renderer renderer = new Renderer(new RenderOptions(accuracy, reflections, storage, 2))) {
-            for (Scene scene : session.scenes()) {
+            for (Scene scene : session.timedScenes()) {
                 renderer.render(indirect ? IndirectScenes.withBackground(scene) : scene, Progress.NONE);
             }
             ExrValues file = writeFile(renderer, ExrType.FLOAT);
@@ -113,7 +113,7 @@ class LayeredExrWriterTest {
     void layersOfALight_sumToItsContribution(@ForAll("sessions") EditSession session, @ForAll ReflectionMode reflections,
             @ForAll boolean indirect) throws IOException {
         try (Renderer renderer = new Renderer(new RenderOptions(Accuracy.EXACT, reflections, MirrorStorage.FULL_ROWS, 2))) {
-            for (Scene scene : session.scenes()) {
+            for (Scene scene : session.timedScenes()) {
                 renderer.render(indirect ? IndirectScenes.withBackground(scene) : scene, Progress.NONE);
             }
             Scene scene = renderer.scene();

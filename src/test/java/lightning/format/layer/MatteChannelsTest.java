@@ -58,7 +58,7 @@ class MatteChannelsTest {
     void coverages_areThoseOfTheSamples(@ForAll("sessions") EditSession session, @ForAll AntialiasMode mode,
             @ForAll @IntRange(min = 2, max = 5) int grid) throws IOException {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(2))) {
-            for (Scene scene : session.scenes()) {
+            for (Scene scene : session.timedScenes()) {
                 renderer.render(scene.withPicture(scene.picture().withSampling(new SamplingSettings(mode, grid))), Progress.NONE);
             }
             Mattes mattes = new Mattes(renderer, 64);

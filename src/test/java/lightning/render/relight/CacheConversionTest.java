@@ -54,7 +54,7 @@ class CacheConversionTest {
             @ForAll @IntRange(min = 1, max = 2) int threads) {
         RenderOptions options = EXACT.withReflections(reflections).withThreads(threads);
         try (Renderer renderer = new Renderer(options.withAccuracy(accuracies.getLast()))) {
-            for (int step = 0; step < session.scenes().size(); step++) {
+            for (int step : session.steps()) {
                 renderer.setOptions(options.withAccuracy(accuracies.get(step)));
                 UpdateResult update = renderer.render(session.scenes().get(step), Progress.NONE);
                 if (accuracies.get(step) == Accuracy.EXACT) {
@@ -69,7 +69,7 @@ class CacheConversionTest {
     void accuracySwitch_castsNoRays(@ForAll("directSessions") EditSession session, @ForAll boolean toRatio) {
         Scene last = session.scenes().getLast();
         try (Renderer renderer = new Renderer(toRatio ? EXACT : RATIO)) {
-            for (Scene scene : session.scenes()) {
+            for (Scene scene : session.timedScenes()) {
                 renderer.render(scene, Progress.NONE);
             }
             renderer.setOptions(toRatio ? RATIO : EXACT);

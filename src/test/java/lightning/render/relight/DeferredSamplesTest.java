@@ -55,7 +55,7 @@ class DeferredSamplesTest {
         RenderOptions options = new RenderOptions(accuracy, reflections, storage, 2);
         int followed = 0;
         try (Renderer immediate = new Renderer(options); Renderer later = new Renderer(options)) {
-            for (int step = 0; step < session.scenes().size(); step++) {
+            for (int step : session.steps()) {
                 Scene scene = edges ? sampled(session.scenes().get(step), new SamplingSettings(AntialiasMode.EDGES, 2))
                         : session.scenes().get(step);
                 immediate.render(scene, Progress.NONE);

@@ -99,7 +99,7 @@ class ExactnessTest {
         try (Renderer renderer = new Renderer(options)) {
             Scene before = session.scenes().getFirst();
             Scene mirrored = before;
-            for (int step = 0; step < session.scenes().size(); step++) {
+            for (int step : session.steps()) {
                 Scene scene = session.scenes().get(step);
                 UpdateResult update = renderer.render(scene, Progress.NONE);
                 // Forced effects may change how normals are bent.
@@ -174,7 +174,7 @@ class ExactnessTest {
             Scene rendered = session.scenes().getFirst();
             renderer.render(rendered, Progress.NONE);
             Film film = renderer.film().copy();
-            for (Scene edited : session.scenes()) {
+            for (Scene edited : session.timedScenes()) {
                 renderer.plan(edited);
             }
             UpdateResult update = renderer.render(copy(rendered), Progress.NONE);

@@ -52,7 +52,7 @@ class FogExactnessTest {
     void fogInOutdatedMirrors_equalsReferenceOfBothScenes(@ForAll("sessions") EditSession session, @ForAll MirrorStorage storage,
             @ForAll @IntRange(min = 1, max = 4) int refreshEach, @ForAll long engines) {
         try (Renderer renderer = new Renderer(options(ReflectionMode.STALE, storage, 1, engines))) {
-            for (int step = 0; step < session.scenes().size(); step++) {
+            for (int step : session.steps()) {
                 UpdateResult update = renderer.render(session.scenes().get(step), Progress.NONE);
                 SessionAssert.assertSameBits(renderer.film(), ReferenceCheck.referenceFilm(renderer.cache()), "fog-in-outdated-mirrors",
                         session, step, update.plan().description());

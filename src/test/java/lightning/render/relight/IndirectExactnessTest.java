@@ -82,7 +82,7 @@ class IndirectExactnessTest {
         try (Renderer renderer = new Renderer(options)) {
             Scene before = session.scenes().getFirst();
             Scene mirrored = before;
-            for (int step = 0; step < session.scenes().size(); step++) {
+            for (int step : session.steps()) {
                 Scene scene = session.scenes().get(step);
                 UpdateResult update = renderer.render(scene, Progress.NONE);
                 mirrored = ExactnessTest.refreshesReflections(before, scene) ? scene : mirrored;

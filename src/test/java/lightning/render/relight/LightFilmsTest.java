@@ -43,7 +43,7 @@ class LightFilmsTest {
     @Property(edgeCases = EdgeCasesMode.NONE)
     void contributionsAndLightlessPicture_addUpToThePicture(@ForAll("sessions") EditSession session) {
         try (Renderer renderer = new Renderer(OPTIONS); Renderer lightless = new Renderer(OPTIONS)) {
-            for (Scene scene : session.scenes()) {
+            for (Scene scene : session.timedScenes()) {
                 Scene single = withoutEdges(scene);
                 renderer.render(single, Progress.NONE);
                 lightless.restore(renderer.cache());
@@ -57,7 +57,7 @@ class LightFilmsTest {
     @Property(edgeCases = EdgeCasesMode.NONE)
     void contributions_needNoFinerSamples(@ForAll("sessions") EditSession session) {
         try (Renderer renderer = new Renderer(OPTIONS)) {
-            for (Scene scene : session.scenes()) {
+            for (Scene scene : session.timedScenes()) {
                 renderer.render(scene, Progress.NONE);
                 PixelCache cache = renderer.cache();
                 Map<Contribution, Film> films = films(cache);

@@ -47,7 +47,7 @@ class LightImageTest {
     void lightImage_matchesReferenceOfSingleLight(@ForAll("sessions") EditSession session, @ForAll ReflectionMode reflections,
             @ForAll @IntRange(min = 1, max = 2) int threads) {
         try (Renderer renderer = new Renderer(new RenderOptions(Accuracy.EXACT, reflections, MirrorStorage.FULL_ROWS, threads))) {
-            for (int step = 0; step < session.scenes().size(); step++) {
+            for (int step : session.steps()) {
                 Scene scene = session.scenes().get(step);
                 renderer.render(scene, Progress.NONE);
                 Film picture = renderer.film().copy();
@@ -79,7 +79,7 @@ class LightImageTest {
             @ForAll ReflectionMode reflections, @ForAll @IntRange(min = 1, max = 2) int threads) {
         try (Renderer renderer = new Renderer(new RenderOptions(Accuracy.EXACT, reflections, MirrorStorage.FULL_ROWS, threads));
                 WorkerPool workers = new WorkerPool(1)) {
-            for (int step = 0; step < session.scenes().size(); step++) {
+            for (int step : session.steps()) {
                 Scene scene = IndirectScenes.withBackground(IndirectScenes.withoutEdges(session.scenes().get(step)));
                 renderer.render(scene, Progress.NONE);
                 if (scene.lights().isEmpty() || aimsAtGlow(renderer.scene()) || aimsAtGlow(renderer.cache().mirrored().scene())) {

@@ -36,7 +36,7 @@ class LightThumbnailsTest {
             @ForAll @IntRange(min = 1, max = 70) int height, @ForAll boolean indirect) {
         RenderOptions options = new RenderOptions(accuracy, reflections, MirrorStorage.FULL_ROWS, 1);
         try (Renderer renderer = new Renderer(options); Renderer direct = new Renderer(options)) {
-            for (Scene drawn : session.scenes()) {
+            for (Scene drawn : session.timedScenes()) {
                 Scene scene = drawn.picture().sampling().antialias() == AntialiasMode.EVERY ? drawn
                         : drawn.withPicture(drawn.picture().withSampling(lightning.scene.SamplingSettings.DEFAULT));
                 Scene shown = indirect ? IndirectScenes.with(scene) : scene;

@@ -47,7 +47,7 @@ class PictureFileTest {
         RenderOptions options = OPTIONS.withEngines(new MixedEngineChoice(engines));
         Path file = Files.createTempFile("lightning", ".picture");
         try (Renderer renderer = new Renderer(options)) {
-            for (int step = 0; step < session.scenes().size(); step++) {
+            for (int step : session.steps()) {
                 Scene scene = session.scenes().get(step);
                 UpdateResult update = renderer.render(scene, Progress.NONE);
                 SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(), "picture-file", session, step,

@@ -55,7 +55,7 @@ class RatioTest {
         RenderOptions options = new RenderOptions(Accuracy.RATIO, reflections, storage, threads);
         try (Renderer renderer = new Renderer(options)) {
             boolean differs = false;
-            for (int step = 0; step < session.scenes().size(); step++) {
+            for (int step : session.steps()) {
                 UpdateResult update = renderer.render(session.scenes().get(step), Progress.NONE);
                 differs |= !ReferenceCheck.assertGuarantee(renderer, update, "after edit " + step).isNone();
             }
@@ -76,7 +76,7 @@ class RatioTest {
         try (Renderer renderer = new Renderer(new RenderOptions(Accuracy.RATIO, reflections, MirrorStorage.FULL_ROWS, 1))) {
             renderer.setView(exposure, DisplayCurve.SRGB);
             boolean differs = false;
-            for (int step = 0; step < session.scenes().size(); step++) {
+            for (int step : session.steps()) {
                 UpdateResult update = renderer.render(session.scenes().get(step), Progress.NONE);
                 differs |= !ReferenceCheck.assertGuarantee(renderer, update, "after edit " + step).isNone();
             }

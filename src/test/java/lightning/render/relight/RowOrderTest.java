@@ -39,7 +39,7 @@ class RowOrderTest {
     void editedCache_hasRowsOfFirstPass(@ForAll("sessions") EditSession session) {
         RenderOptions options = new RenderOptions(Accuracy.EXACT, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1);
         try (Renderer edited = new Renderer(options); Renderer fresh = new Renderer(options)) {
-            for (Scene scene : session.scenes()) {
+            for (Scene scene : session.timedScenes()) {
                 edited.render(scene, Progress.NONE);
             }
             fresh.render(session.scenes().getLast(), Progress.NONE);

@@ -25,7 +25,7 @@ final class SessionAssert {
      */
     static void assertExactAfterEveryEdit(String name, EditSession session, RenderOptions options, Function<Scene, Film> reference) {
         try (Renderer renderer = new Renderer(options)) {
-            for (int step = 0; step < session.scenes().size(); step++) {
+            for (int step : session.steps()) {
                 Scene scene = session.scenes().get(step);
                 UpdateResult update = renderer.render(scene, Progress.NONE);
                 assertSameBits(renderer.film(), reference.apply(scene), name, session, step, update.plan().description());

@@ -47,7 +47,7 @@ class StoredCacheTest {
         RenderOptions options = new RenderOptions(Accuracy.EXACT, reflections, MirrorStorage.FULL_ROWS, 1);
         try (Renderer kept = new Renderer(options); Renderer stored = new Renderer(options)) {
             int step = 0;
-            for (Scene scene : session.scenes()) {
+            for (Scene scene : session.timedScenes()) {
                 UpdateResult expected = kept.render(scene, Progress.NONE);
                 UpdateResult update = stored.render(scene, Progress.NONE);
                 if (++step % refreshEach == 0) {

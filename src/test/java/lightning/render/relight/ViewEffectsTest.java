@@ -68,7 +68,7 @@ class ViewEffectsTest {
     void hiddenEffects_equalSceneWithoutThem(@ForAll("sessions") EditSession session,
             @ForAll("hidden") List<Set<RenderEffect>> hidden) {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT).withThreads(1))) {
-            for (int step = 0; step < session.scenes().size(); step++) {
+            for (int step : session.steps()) {
                 Set<RenderEffect> hides = new HashSet<>();
                 hides.addAll(hidden.get(step));
                 hides.remove(RenderEffect.SHADOWS);
