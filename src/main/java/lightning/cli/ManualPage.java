@@ -68,7 +68,7 @@ final class ManualPage {
         out.append(".SH ").append(title.toUpperCase(Locale.ROOT)).append('\n');
         for (ArgSpec argument : arguments) {
             out.append(".TP\n").append(label(argument)).append('\n')
-                    .append(Stream.of(argument.renderedDescription()).map(ManualPage::line).collect(Collectors.joining("\n.br\n")))
+                    .append(Stream.of(argument.description()).map(ManualPage::line).collect(Collectors.joining("\n.br\n")))
                     .append('\n');
         }
     }

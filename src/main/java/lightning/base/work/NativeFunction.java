@@ -10,6 +10,7 @@ final class NativeFunction {
     private NativeFunction() {}
 
     /** Looks up a Linux function; empty on other systems, or if Java may not call native code. */
+    @SuppressWarnings("restricted")
     static Optional<MethodHandle> findOnLinux(String name, FunctionDescriptor type) {
         if (!System.getProperty("os.name").equals("Linux") || !NativeFunction.class.getModule().isNativeAccessEnabled()) {
             return Optional.empty();

@@ -8,6 +8,7 @@ import org.jfree.chart.labels.ItemLabelPosition;
 import org.jfree.chart.labels.StandardCategoryItemLabelGenerator;
 import org.jfree.chart.plot.CategoryPlot;
 import org.jfree.chart.renderer.category.LineAndShapeRenderer;
+import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.chart.ui.TextAnchor;
 import org.jfree.data.category.CategoryDataset;
 import org.jfree.data.category.DefaultCategoryDataset;
@@ -48,7 +49,7 @@ final class MemoryFloorChart {
         dots.setSeriesItemLabelFont(1, ChartSvg.FONT);
         dots.setSeriesItemLabelPaint(1, PlotColor.TEXT.color());
         dots.setSeriesPositiveItemLabelPosition(1, new ItemLabelPosition(ItemLabelAnchor.OUTSIDE3, TextAnchor.CENTER_LEFT));
-        dots.setItemLabelAnchorOffset(6);
+        dots.setItemLabelInsets(new RectangleInsets(6, 6, 6, 6));
         plot.setDataset(data);
         plot.setRenderer(dots);
         return ChartSvg.of(PlotStyle.chart(plot), WIDTH, AXIS + ROW * rows.size(), label);

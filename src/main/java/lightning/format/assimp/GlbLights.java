@@ -63,7 +63,7 @@ final class GlbLights {
         var lights =
                 new GlbLights((ObjectNode) JSON.readTree(content), format.endsWith(".fbx"), format.endsWith(".dae"));
         // Only a hint about polygons.
-        ((ArrayNode) lights.root.withArray("extensionsUsed")).removeIf(name -> name.asString("").equals("FB_ngon_encoding"));
+        lights.root.withArray("extensionsUsed").removeIf(name -> name.asString("").equals("FB_ngon_encoding"));
         lights.addLights(scene);
         lights.addCameras(scene);
         byte[] json = JSON.writeValueAsBytes(lights.root);

@@ -10,7 +10,6 @@ import lightning.base.math.Transform;
  * @param name name in the file; empty if absent
  * @param local transform from its own space to its parent's
  * @param mesh index of its mesh; −1 for none
- * @param camera index of its camera; −1 for none
  * @param skin index of the skin of its mesh; −1 for none
  * @param weights weights of its mesh's morph targets; empty for those of the mesh
  * @param camera index of its camera; −1 for none

@@ -129,14 +129,16 @@ public final class ContributionPane extends VBox {
         table.setAccessibleText(Messages.tr("light contributions"));
         table.setPlaceholder(placeholder);
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
+        TableColumn<LightContribution, Double> impact = column(Messages.tr("Impact If Removed"),
+                c -> c.shines() ? impact(c.changeWhenOff()) : -1.0, Object::toString, 240);
         table.getColumns().setAll(List.of(
                 column(Messages.tr("Light"), LightContribution::light, Function.identity(), 130),
                 column(Messages.tr("Whole Frame"), LightContribution::imageShare, PercentText::format, 120),
                 column(Messages.tr("Region"), LightContribution::regionShare, PercentText::format, 80),
                 column(Messages.tr("Cursor"), c -> sharesAtPointer.getOrDefault(c.light(), Double.NaN),
                         p -> p.isNaN() ? "–" : PercentText.format(p), 80),
-                column(Messages.tr("Impact If Removed"), c -> c.shines() ? impact(c.changeWhenOff()) : -1.0, Object::toString, 240)));
-        ((TableColumn<LightContribution, Double>) table.getColumns().get(4)).setCellFactory(_ -> new TableCell<>() {
+                impact));
+        impact.setCellFactory(_ -> new TableCell<>() {
             {
                 setTooltip(new Tooltip(Messages.tr(
                         "Share of the displayed pixels that change noticeably (by 4 of 255 levels or more), and the largest change there")));

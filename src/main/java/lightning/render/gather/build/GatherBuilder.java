@@ -254,7 +254,7 @@ public final class GatherBuilder {
         PictureSettings picture = scene.picture();
         int tilesX = Film.tilesAlong(picture.width());
         @SuppressWarnings("unchecked")
-        List<SeenSurfaces>[] levels = new List[tilesX * Film.tilesAlong(picture.height())];
+        List<SeenSurfaces>[] levels = (List<SeenSurfaces>[]) new List<?>[tilesX * Film.tilesAlong(picture.height())];
         workers.run(levels.length,
                 (worker, tile) -> levels[tile] =
                         candidateTracers[worker].trace(tile % tilesX * Film.TILE_SIZE, tile / tilesX * Film.TILE_SIZE),

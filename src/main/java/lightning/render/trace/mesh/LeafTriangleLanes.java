@@ -59,13 +59,12 @@ final class LeafTriangleLanes {
      */
     void computeDistances(MeshTree tree, int leaf, int h, int mask) {
         IntVector s = IntVector.fromArray(EIGHT_INTS, slot, h);
-        IntVector last = ((IntVector) s.selectFrom(IntVector.fromArray(EIGHT_INTS, tree.triangle, W * leaf))).and(3);
+        IntVector last = s.selectFrom(IntVector.fromArray(EIGHT_INTS, tree.triangle, W * leaf)).and(3);
         lastIsFirst = (int) last.compare(EQ, 0).toLong();
         lastIsSecond = (int) last.compare(EQ, 1).toLong();
         for (int k = 0; k < 9; k++) {
             int at = MeshTree.LEAF_FLOATS * leaf + MeshTree.AXIS_FLOATS * (k % 3) + MeshTree.CORNER_FLOATS * (k / 3);
-            FloatVector chosen = ((IntVector) s.selectFrom(FloatVector.fromArray(EIGHT, tree.vertex, at).reinterpretAsInts()))
-                    .reinterpretAsFloats();
+            FloatVector chosen = s.selectFrom(FloatVector.fromArray(EIGHT, tree.vertex, at).reinterpretAsInts()).reinterpretAsFloats();
             for (int part = 0; part < RAYS; part += DoubleLanes.COUNT) {
                 ((DoubleVector) chosen.convertShape(F2D, SPECIES, part / DoubleLanes.COUNT)).intoArray(vertex, W * k + part);
             }

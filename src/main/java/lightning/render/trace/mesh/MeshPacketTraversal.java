@@ -320,7 +320,7 @@ public final class MeshPacketTraversal {
         if (accepted == 0) {
             return 0;
         }
-        IntVector ids = (IntVector) IntVector.fromArray(SLOTS, leafTriangles.slot, h)
+        IntVector ids = IntVector.fromArray(SLOTS, leafTriangles.slot, h)
                 .selectFrom(IntVector.fromArray(SLOTS, tree.triangle, MeshTree.WIDTH * leaf));
         ids = ids.lanewise(ASHR, MeshTree.CORNER_BITS);
         IntVector.fromArray(SLOTS, triangle, h).blend(ids, VectorMask.fromLong(SLOTS, accepted)).intoArray(triangle, h);
