@@ -41,6 +41,59 @@ class BenchmarkScriptsTest {
         assertThat(problems.getDiagnostics()).filteredOn(problem -> problem.getKind() == Diagnostic.Kind.ERROR).isEmpty();
     }
 
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void windowOfWrongFolder_isOneSentence() throws Exception {
+        Path build = Files.createDirectory(classes.resolve("build"));
+        assertThat(runWindow(build, "true", "true")).isEqualTo("window: " + build
+                + ": expected a folder like target/lightning, found none of its files lib/lightning.jar and bin/java.options\n");
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void windowOfOtherVersion_namesTheFirstCompilerError() throws Exception {
+        String compiler = "for i in 1 2; do echo \"A.java:$i: error: cannot find symbol $i\" >&2; done; exit 1";
+        assertThat(runWindow(build(), compiler, "true")).hasLineCount(1).contains("is of another version")
+                .endsWith("A.java:1: error: cannot find symbol 1\n");
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void windowWithoutDisplay_namesTheReason() throws Exception {
+        String java = "echo 'java.lang.UnsupportedOperationException: Unable to load glass GTK library.' >&2; exit 1";
+        assertThat(runWindow(build(), "true", java)).hasLineCount(2).contains("making an archive\n", "the measurement 'empty' failed: "
+                + "Unable to load glass GTK library.", "libgtk-3-0");
+    }
+
+    /** Creates a program folder whose archive is never made. */
+    private Path build() throws IOException {
+        Path build = classes.resolve("build");
+        Files.createFile(Files.createDirectories(build.resolve("lib")).resolve("lightning.jar"));
+        Files.writeString(Files.createDirectories(build.resolve("bin")).resolve("java.options"), "-Xmx1g\n");
+        writeProgram(build.resolve("bin/make-archive"), "true");
+        return build;
+    }
+
+    /** Returns what benchmarks/window prints, with shell commands in place of the compiler and of Java. */
+    private String runWindow(Path build, String compiler, String java) throws Exception {
+        Path home = classes.resolve("java");
+        Files.createDirectories(home.resolve("bin"));
+        Files.writeString(home.resolve("release"), "JAVA_VERSION=\"25.0.1\"\n");
+        writeProgram(home.resolve("bin/javac"), compiler);
+        writeProgram(home.resolve("bin/java"), java);
+        var script = new ProcessBuilder("benchmarks/window", build.toString(), "1", "scene.jen").redirectErrorStream(true);
+        script.environment().put("JAVA_HOME", home.toString());
+        Process process = script.start();
+        String out = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(process.waitFor()).as(out).isIn(1, 2);
+        return out;
+    }
+
+    private static void writeProgram(Path file, String commands) throws IOException {
+        Files.writeString(file, "#!/usr/bin/env bash\n" + commands + "\n");
+        assertThat(file.toFile().setExecutable(true)).isTrue();
+    }
+
     /** Neither JAVA_HOME nor JAVA25_HOME is set; Java is in a standard location. */
     @Test
     @DisabledOnOs(OS.WINDOWS)
