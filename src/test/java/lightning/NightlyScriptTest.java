@@ -125,7 +125,7 @@ class NightlyScriptTest {
                 echo 1 >once
                 """);
         assertThat(nightly("mutation-jen", "mutation-jen")).isZero();
-        assertThat(lastRow()).endsWith(" | turn 2 of 8: 2 mutants, 1 survived, 0 not covered |");
+        assertThat(lastRow()).endsWith(" | turn 2 of 8: 2 mutants, 1 survived, 0 not covered, 0 timed out |");
         assertThat(document).content().contains("| jen | 2 of 8 | 4 | 1 | 1 | 50.0 % |\n");
         assertThat(folder.resolve("arguments")).content().isEqualTo("-Dmutated.jen=lightning.format.jen.C0,lightning.format.jen.C0$*,"
                 + "lightning.format.jen.C8,lightning.format.jen.C8$*\n-Dmutated.jen=lightning.format.jen.C1,lightning.format.jen.C1$*,"
