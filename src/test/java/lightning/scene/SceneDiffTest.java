@@ -12,6 +12,8 @@ import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
+import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
@@ -98,5 +100,65 @@ class SceneDiffTest {
     @Test
     void changeBelowDisplayPrecision_isALittle() {
         assertThat(diffTo(scene.withLight(sun.withIntensity(sun.intensity() + 1e-9)))).isEqualTo("sun: small change");
+    }
+
+    @Test
+    void firstLightMovedToTheEnd_isAChangeOfOrder() {
+        List<Light> moved = new ArrayList<>(scene.lights().subList(1, scene.lights().size()));
+        moved.add(scene.lights().getFirst());
+        assertThat(diffTo(scene.withLights(moved))).isEqualTo("order of lights");
+    }
+
+    @Test
+    void materialsOfOtherNames_areNotDescribed() {
+        List<Material> more = new ArrayList<>(scene.materials());
+        more.add(scene.material("mirror").orElseThrow().withName("spare"));
+        assertThat(diffTo(scene.withMaterials(more).withLight(sun.withIntensity(1)))).isEqualTo("sun: intensity 0.3 → 1, the scene");
+    }
+
+    @Test
+    void upToThreeNodes_areDescribed() {
+        Scene brighter = scene.withLight(sun.withIntensity(1));
+        assertThat(diffTo(brighter.withNodes(withBalls(3)))).isEqualTo("sun: intensity 0.3 → 1, add ball0, add ball1, add ball2");
+        assertThat(diffTo(brighter.withNodes(withBalls(4)))).isEqualTo("sun: intensity 0.3 → 1, the scene");
+    }
+
+    @Test
+    void deletedNodes_betweenOthers_areNamed() {
+        Scene before = scene.withNodes(withBalls(4));
+        List<SceneNode> rest = new ArrayList<>(before.nodes());
+        rest.subList(2, 4).clear();
+        assertThat(SceneDiff.describe(before, scene.withNodes(rest))).isEqualTo("delete ball0, delete ball1");
+    }
+
+    @Test
+    void shapeInGroup_showsBothValues() {
+        Shape ball = (Shape) scene.stage().node("ball").orElseThrow();
+        Placement p = ball.placement();
+        NodeGroup group = new NodeGroup("pair", Placement.IDENTITY, List.of(ball.withName("left"), ball.withName("right")));
+        Scene before = scene.replaceNode("ball", List.of(group));
+        Shape turned = ball.withName("right").withMaterial("mirror")
+                .withPlacement(new Placement(p.position(), new Vec3(0, 45, 0), new Vec3(2, 1, 1)));
+        Scene after = scene.replaceNode("ball", List.of(group.withChildren(List.of(ball.withName("left"), turned))));
+        assertThat(SceneDiff.describe(before, after)).isEqualTo("right: material " + ball.material()
+                + " → mirror, rotation 0 0 0 → 0 45 0, scale 1 1 1 → 2 1 1");
+    }
+
+    @Test
+    void shapeThatBecomesAGroup_isNotDescribed() {
+        Scene brighter = scene.withLight(sun.withIntensity(1));
+        assertThat(diffTo(brighter.replaceNode("ball", List.of(new NodeGroup("ball", Placement.IDENTITY, List.of())))))
+                .isEqualTo("sun: intensity 0.3 → 1, the scene");
+        assertThat(diffTo(brighter.replaceNode("ball", List.of(((Shape) scene.stage().node("ball").orElseThrow())
+                .withSolid(new Solid.Cone(true)))))).isEqualTo("sun: intensity 0.3 → 1, the scene");
+    }
+
+    private List<SceneNode> withBalls(int count) {
+        Shape ball = (Shape) scene.stage().node("ball").orElseThrow();
+        List<SceneNode> nodes = new ArrayList<>(scene.nodes());
+        for (int i = 0; i < count; i++) {
+            nodes.add(ball.withName("ball" + i));
+        }
+        return nodes;
     }
 }
