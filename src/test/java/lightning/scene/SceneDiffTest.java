@@ -153,6 +153,24 @@ class SceneDiffTest {
                 .withSolid(new Solid.Cone(true)))))).isEqualTo("sun: intensity 0.3 → 1, the scene");
     }
 
+    @Test
+    void otherSolidInGroup_isNotDescribed() {
+        Shape ball = (Shape) scene.stage().node("ball").orElseThrow();
+        NodeGroup group = new NodeGroup("g", Placement.IDENTITY, List.of(ball));
+        Scene before = scene.replaceNode("ball", List.of(group));
+        Scene after = before.replaceNode("ball", List.of(ball.withSolid(new Solid.Cone(true)))).withLight(sun.withIntensity(1));
+        assertThat(SceneDiff.describe(before, after)).isEqualTo("sun: intensity 0.3 → 1, the scene");
+    }
+
+    /** Scenes of so many nodes share the blocks of nodes that an edit leaves unchanged. */
+    @Test
+    void editAmongManyNodes_isDescribed() {
+        Scene before = scene.withNodes(withBalls(10_000));
+        Shape ball = (Shape) before.stage().node("ball5000").orElseThrow();
+        assertThat(SceneDiff.describe(before, before.withNode("ball5000", ball.withName("globe")))).isEqualTo("ball5000: name ball5000 → globe");
+        assertThat(SceneDiff.describe(before, before.replaceNode("ball5000", List.of()))).isEqualTo("delete ball5000");
+    }
+
     private List<SceneNode> withBalls(int count) {
         Shape ball = (Shape) scene.stage().node("ball").orElseThrow();
         List<SceneNode> nodes = new ArrayList<>(scene.nodes());
