@@ -46,7 +46,7 @@ class Table:
         """Makes the table of a conversion from linear light; measures its error."""
         low, high = used_range(processor)
         axis = [0.0] + [MIDDLE_GRAY * 2 ** (low + (high - low) * i / (SIZE - 1)) for i in range(1, SIZE)]
-        light = array("f", (v for b in axis for g in axis for r in axis for v in (r, g, b)))
+        light = array("f", [v for b in axis for g in axis for r in axis for v in (r, g, b)])
         table = Table(low, high, exact(processor, light, LEAST, MOST))
         table.measure(processor)
         return table
@@ -99,10 +99,8 @@ class Table:
                  *([f"# Note: {note}"] if note else []),
                  f"# LIGHTNING_SHAPER log2:{self.low},{self.high}",
                  f"LUT_3D_SIZE {SIZE}"]
-        values = iter(self.colors)
         with open(file, "w", encoding="ascii", newline="\n") as out:
-            out.write("\n".join(lines) + "\n")
-            out.writelines(f"{r:.7g} {g:.7g} {b:.7g}\n" for r, g, b in zip(values, values, values))
+            out.write("\n".join(lines) + "\n" + "%.7g %.7g %.7g\n" * (len(self.colors) // 3) % tuple(self.colors))
 
 
 def used_range(processor) -> tuple[float, float]:
@@ -156,4 +154,5 @@ def exact(processor, light: array, least: float = 0.0, most: float = 1.0) -> arr
         for i in range(0, len(shown), 3):
             if min(light[i:i + 3]) > 0 and not all(map(math.isfinite, shown[i:i + 3])):
                 raise NoNumberError
-    return array("f", (min(max(v, least), most) if not math.isnan(v) else 0.0 for v in shown))
+    # Comparisons with NaN are false.
+    return array("f", [v if least <= v <= most else most if v > most else least if v < least else 0.0 for v in shown])

@@ -1,4 +1,7 @@
-"""Reads a stage: `python reader.py PARENT shot.usda folder [memory triangles] [options]`; ends with its parent.
+"""Describes a USD stage for Lightning: `python reader.py shot.usda folder [memory triangles] [options]`.
+
+Writes `stage.json` and `arrays.bin` into the folder, or `error.txt` with one sentence. Needs the package usd-core. The options `--camera=NAME`,
+`--frame=TIME` and `--variant=SET=NAME` choose what is read. `converter.py` limits time and memory.
 
 Files that the stage names must be in its folder, or in one of LIGHTNING_USD_FOLDERS.
 """
@@ -13,25 +16,20 @@ import sys
 from pathlib import Path
 
 from choice import Choice, message
+from output import Output, StageError
+from stage import describe
 
-NO_USD = 3
 FAILED = 2
 FOLDERS = "LIGHTNING_USD_FOLDERS"
 
 
-def main(parent: int, source: str, folder: str, max_triangles: int, choice: Choice = Choice()) -> int:
-    """Returns the exit code: 0, FAILED, or NO_USD without usd-core."""
-    end_with(parent)
-    try:
-        from pxr import Usd  # noqa: F401
-    except ImportError:
-        return NO_USD
-    from output import Output, StageError
-    from stage import describe
-
+def main(arguments: list[str]) -> int:
+    """Returns the exit code: 0 or FAILED."""
+    given = parsed(arguments)
+    source, folder = given.source, given.folder
     roots = [str(Path(source).parent), *filter(None, os.environ.get(FOLDERS, "").split(os.pathsep))]
     try:
-        describe(source, choice, Output(Path(folder), roots, max_triangles))
+        describe(source, Choice(given.camera, given.frame, tuple(given.variant)), Output(Path(folder), roots, given.triangles))
         return 0
     except StageError as error:
         message = str(error)
@@ -50,19 +48,6 @@ def main(parent: int, source: str, folder: str, max_triangles: int, choice: Choi
     return FAILED
 
 
-def end_with(parent: int) -> None:
-    """Lets the system end this process with its parent, where it can."""
-    try:
-        import ctypes
-
-        pr_set_pdeathsig, sigkill = 1, 9
-        ctypes.CDLL(None).prctl(pr_set_pdeathsig, sigkill)
-    except (OSError, AttributeError, TypeError):
-        return
-    if os.getppid() != parent:
-        sys.exit(FAILED)
-
-
 def reason(error: Exception) -> str:
     """Returns the last sentence of an error of usd-core, without the place in its own sources; another one's kind says nothing to a user."""
     last = message(error).split("Error in '")[-1]
@@ -74,7 +59,6 @@ def reason(error: Exception) -> str:
 def parsed(words: list[str]) -> argparse.Namespace:
     """Returns the arguments."""
     parser = argparse.ArgumentParser(allow_abbrev=False)
-    parser.add_argument("parent", type=int)
     parser.add_argument("source")
     parser.add_argument("folder")
     parser.add_argument("memory", nargs="?")
@@ -86,5 +70,4 @@ def parsed(words: list[str]) -> argparse.Namespace:
 
 
 if __name__ == "__main__":
-    given = parsed(sys.argv[1:])
-    sys.exit(main(given.parent, given.source, given.folder, given.triangles, Choice(given.camera, given.frame, tuple(given.variant))))
+    sys.exit(main(sys.argv[1:]))

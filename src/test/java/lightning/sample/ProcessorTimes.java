@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.junit.platform.engine.TestExecutionResult;
 import org.junit.platform.engine.support.descriptor.ClassSource;
 import org.junit.platform.launcher.TestExecutionListener;
@@ -20,22 +21,22 @@ import org.junit.platform.launcher.TestPlan;
  * {@code sort -rn target/processor-times/*} lists the slowest first.
  *
  * <p>{@code seconds} is the processor time of the whole Java process, with its compilers and its garbage collector, and of the programs
- * that the class started and that have ended. {@code programs} is the share of the programs; 0 on systems other than Linux.
+ * that it started. {@code programs} is the share of the programs; 0 on systems other than Linux.
  * {@code elapsed} is the wall time, which depends on what else runs.
  */
 public final class ProcessorTimes implements TestExecutionListener {
     private static final OperatingSystemMXBean SYSTEM = ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
-    private static final Path STATUS = Path.of("/proc/self/stat");
-    /** Fields after the name of the program: processor time of ended programs in user mode and in the kernel; proc_pid_stat(5). */
-    private static final int PROGRAMS_USER = 13;
-    private static final int PROGRAMS_KERNEL = 14;
+    /** Fields after the name of the program: processor time in user mode and in the kernel, and that of ended programs; proc_pid_stat(5). */
+    private static final int OWN = 11;
+    private static final int ENDED = 13;
+    private static final int END = 15;
     private static final double TICKS_PER_SECOND = 100;
 
     /**
      * Times since the start of the process, seconds.
      *
      * @param own processor time of this process
-     * @param programs processor time of the programs that have ended
+     * @param programs processor time of the programs
      * @param elapsed wall time since an arbitrary moment
      */
     private record Times(double own, double programs, double elapsed) {
@@ -44,15 +45,18 @@ public final class ProcessorTimes implements TestExecutionListener {
         }
 
         private static double ofPrograms() {
-            if (!Files.isReadable(STATUS)) {
-                return 0;
-            }
+            ProcessHandle self = ProcessHandle.current();
+            return (ticks(self, ENDED) + self.descendants().mapToLong(p -> ticks(p, OWN)).sum()) / TICKS_PER_SECOND;
+        }
+
+        /** Returns the sum of the fields from one on; 0 if the process has ended just now, or the system has none. */
+        private static long ticks(ProcessHandle process, int first) {
             try {
-                String line = Files.readString(STATUS);
+                String line = Files.readString(Path.of("/proc/" + process.pid() + "/stat"));
                 String[] fields = line.substring(line.lastIndexOf(')') + 2).split(" ");
-                return (Long.parseLong(fields[PROGRAMS_USER]) + Long.parseLong(fields[PROGRAMS_KERNEL])) / TICKS_PER_SECOND;
+                return IntStream.range(first, END).mapToLong(i -> Long.parseLong(fields[i])).sum();
             } catch (IOException e) {
-                throw new UncheckedIOException(e);
+                return 0;
             }
         }
     }

@@ -3,12 +3,21 @@ package lightning.sample;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
+import lightning.base.process.PythonConverter;
+import lightning.base.process.PythonPackage;
+import lightning.base.work.Progress;
 import org.junit.jupiter.api.Assumptions;
 
 /**
@@ -20,6 +29,7 @@ public final class PythonPrograms {
     private static final String INTERPRETER = System.getenv().getOrDefault("LIGHTNING_PYTHON", "python3");
     private static final Set<String> NEEDED = Set.of(System.getenv().getOrDefault("LIGHTNING_NEEDS_PYTHON", "").split(","));
     private static final long MAX_SECONDS = 120;
+    private static final Map<String, Boolean> INSTALLED = new ConcurrentHashMap<>();
 
     private PythonPrograms() {}
 
@@ -33,7 +43,7 @@ public final class PythonPrograms {
      */
     public static String require(String... modules) {
         for (String module : modules) {
-            boolean isThere = isInstalled(module);
+            boolean isThere = INSTALLED.computeIfAbsent(module, PythonPrograms::isInstalled);
             assertThat(isThere || !NEEDED.contains(module)).as("Python module " + module).isTrue();
             Assumptions.assumeTrue(isThere, "no Python module " + module);
         }
@@ -42,7 +52,7 @@ public final class PythonPrograms {
 
     private static boolean isInstalled(String module) {
         try {
-            return run(Path.of("."), List.of("-c", "import " + module)).exit() == 0;
+            return runScript(Path.of(""), List.of("-c", "import " + module)).exit() == 0;
         } catch (IOException e) {
             return false;
         }
@@ -71,6 +81,45 @@ public final class PythonPrograms {
             throw new IOException(e);
         }
         return new Result(process.exitValue(), text);
+    }
+
+    /**
+     * Runs a script and asserts that it ends without an error. It runs in a fork of a process that has imported packages already, so it must
+     * not depend on a process of its own.
+     *
+     * @param folder    working directory
+     * @param arguments {@code -c} and a program, or a file, and its arguments
+     * @return its output
+     */
+    public static String script(Path folder, List<String> arguments) throws IOException {
+        Result result = runScript(folder, arguments);
+        assertThat(result.exit()).as(result.text()).isZero();
+        return result.text();
+    }
+
+    private static Result runScript(Path folder, List<String> arguments) throws IOException {
+        List<String> options = new ArrayList<>(List.of("0"));
+        options.addAll(arguments);
+        return Scripts.CONVERTER.convert(folder.toAbsolutePath().toString(), options, "output.txt", Progress.NONE, IOException::new,
+                written -> new Result(Files.exists(written.resolve("failed")) ? 1 : 0, Files.readString(written.resolve("output.txt"))));
+    }
+
+    /** Runs scripts. */
+    private static final class Scripts {
+        static final PythonConverter CONVERTER = converter();
+
+        private static PythonConverter converter() {
+            try {
+                Path folder = Files.createDirectories(Path.of("target", "python-scripts", Long.toString(ProcessHandle.current().pid())));
+                for (Path file : List.of(Path.of("src/main/python/converter.py"), Path.of("src/test/python/scripts/reader.py"))) {
+                    Files.copy(file, folder.resolve(file.getFileName()), StandardCopyOption.REPLACE_EXISTING);
+                }
+                return new PythonConverter(Path.of(INTERPRETER), folder.toAbsolutePath().resolve("."), Duration.ofSeconds(MAX_SECONDS),
+                        new PythonPackage("Python", "scripts"));
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
     }
 
     /** Runs the interpreter and asserts that it ends without an error. Returns its output. */

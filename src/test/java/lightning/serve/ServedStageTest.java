@@ -30,11 +30,13 @@ class ServedStageTest {
         PythonPrograms.require("pxr");
     }
 
-    private List<ProcessHandle> converters() {
-        return ProcessHandle.current().descendants().filter(p -> p.info().commandLine().orElse("").contains(folder.toString())).toList();
+    /** Returns the converter that reads a stage, and its reader. Others may wait for a stage. */
+    private static List<ProcessHandle> converters() {
+        return ProcessHandle.current().children().filter(p -> p.info().commandLine().orElse("").contains("lightning_usd"))
+                .filter(p -> p.children().findAny().isPresent()).flatMap(p -> Stream.concat(Stream.of(p), p.children())).toList();
     }
 
-    private List<ProcessHandle> startedConverters() throws InterruptedException {
+    private static List<ProcessHandle> startedConverters() throws InterruptedException {
         List<ProcessHandle> started = converters();
         while (started.size() < 2) {
             Thread.sleep(20);

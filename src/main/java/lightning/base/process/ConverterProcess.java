@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.stream.Stream;
@@ -23,29 +24,15 @@ public final class ConverterProcess {
      * Runs a program to its end; returns its exit code. Its input stays open: when this process ends in any way, the system closes it, and the
      * program should end.
      *
+     * @param cpuLimit of processor time, where the system tells it
      * @throws TimeoutException if it takes longer than a limit
      * @throws CancellationException if {@code progress} requested cancellation
      * @throws IOException if it cannot be started
      */
-    public static int run(ProcessBuilder program, Duration limit, Progress progress) throws IOException, TimeoutException {
-        return run(program, limit, limit, progress);
-    }
-
-    /**
-     * Runs a program to its end; returns its exit code.
-     *
-     * @param cpuLimit of processor time, where the system tells it
-     * @see #run(ProcessBuilder, Duration, Progress)
-     */
     public static int run(ProcessBuilder program, Duration limit, Duration cpuLimit, Progress progress)
             throws IOException, TimeoutException {
         Process process = program.start();
-        try {
-            await(process, limit, cpuLimit, progress);
-            return process.exitValue();
-        } finally {
-            end(process);
-        }
+        return await(process, process.onExit(), limit, cpuLimit, progress).exitValue();
     }
 
     /** Returns a message of a program, printable on one line and of at most 300 characters. */
@@ -53,21 +40,33 @@ public final class ConverterProcess {
         return PrintableText.escape(message.length() > MAX_MESSAGE ? message.substring(0, MAX_MESSAGE) + "…" : message);
     }
 
-    private static void await(Process process, Duration limit, Duration cpuLimit, Progress progress) throws TimeoutException {
+    /** Waits for a result of a process, which is ended if there is none. */
+    static <T> T await(Process process, Future<T> result, Duration limit, Duration cpuLimit, Progress progress)
+            throws IOException, TimeoutException {
         long end = System.nanoTime() + limit.toNanos();
         try {
-            while (!process.waitFor(POLL_MILLISECONDS, TimeUnit.MILLISECONDS)) {
-                if (progress.isCanceled()) {
-                    throw new CancellationException("canceled while another program converted the file");
-                }
-                boolean isOverCpu = process.info().totalCpuDuration().filter(used -> used.compareTo(cpuLimit) > 0).isPresent();
-                if (isOverCpu || System.nanoTime() - end > 0) {
-                    throw new TimeoutException();
+            while (true) {
+                try {
+                    return result.get(POLL_MILLISECONDS, TimeUnit.MILLISECONDS);
+                } catch (TimeoutException e) {
+                    if (progress.isCanceled()) {
+                        throw new CancellationException("canceled while another program converted the file");
+                    }
+                    boolean isOverCpu = process.info().totalCpuDuration().filter(used -> used.compareTo(cpuLimit) > 0).isPresent();
+                    if (isOverCpu || System.nanoTime() - end > 0) {
+                        throw e;
+                    }
                 }
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new CancellationException("interrupted while another program converted the file");
+        } catch (ExecutionException e) {
+            throw new IOException(e);
+        } finally {
+            if (!result.isDone()) {
+                end(process);
+            }
         }
     }
 

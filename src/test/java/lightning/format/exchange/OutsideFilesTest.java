@@ -125,7 +125,7 @@ class OutsideFilesTest {
         Path file = Files.writeString(input.resolve("a.usda"), "#usda 1.0\ndef \"x\" ( references = @../secret/a.usda@</hidden> ) {}\n"
                 + MATERIAL.replace("%s", secret.resolve("a.png").toString()));
         Path described = Files.createDirectory(folder.resolve("described"));
-        var builder = new ProcessBuilder(python, "-B", "src/main/python/lightning_usd", file.toString(), described.toString());
+        var builder = new ProcessBuilder(python, "-B", "src/main/python/lightning_usd/reader.py", file.toString(), described.toString());
         builder.environment().put("LIGHTNING_USD_FOLDERS", "/nowhere" + System.getProperty("path.separator") + secret);
         assertThat(builder.start().waitFor()).isZero();
         assertThat(described.resolve("stage.json")).content().contains("cube")

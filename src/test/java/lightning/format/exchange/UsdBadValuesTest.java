@@ -160,7 +160,7 @@ class UsdBadValuesTest {
 
     @Test
     void fullTemporaryFolder_isOneSentence() throws Exception {
-        String output = PythonPrograms.output(folder, List.of("-c", """
+        String output = PythonPrograms.script(folder, List.of("-c", """
                 import errno, pathlib, sys
                 sys.path.insert(0, sys.argv[1])
                 import output, reader, os
@@ -170,7 +170,7 @@ class UsdBadValuesTest {
                 stage = pathlib.Path("full.usda")
                 stage.write_text("#usda 1.0\\ndef Cube \\"c\\" {}\\n")
                 os.mkdir("described")
-                print(reader.main(os.getppid(), str(stage.absolute()), "described", 0))
+                print(reader.main([str(stage.absolute()), "described"]))
                 print(pathlib.Path("described/error.txt").read_text())
                 """, Path.of("src/main/python/lightning_usd").toAbsolutePath().toString()));
         assertThat(output).contains("2\n").contains("needs more space than the temporary folder has");

@@ -80,7 +80,7 @@ class UsdHiddenLightTest {
         export = LightExport.toUsd(document.text(), document.animatedScene().withScene(edited), file, layer);
         Files.write(layer, export.bytes());
         Files.writeString(folder.resolve("composed.usda"), "#usda 1.0\n(\nsubLayers = [@lights.usda@, @shot.usda@]\n)\n");
-        return PythonPrograms.output(folder, List.of("visible.py", "composed.usda")).lines().toList();
+        return PythonPrograms.script(folder, List.of("visible.py", "composed.usda")).lines().toList();
     }
 
     @Test

@@ -78,7 +78,7 @@ class UsdRoundTripTest {
                     metersPerUnit = 0.01
                 )
                 """);
-        return PythonPrograms.output(folder, List.of("compare_lights.py", "rig.usda", "composed.usda"));
+        return PythonPrograms.script(folder, List.of("compare_lights.py", "rig.usda", "composed.usda"));
     }
 
     @Test

@@ -57,7 +57,7 @@ class UsdSparseExportTest {
     private String opinions(JenDocument document) throws IOException {
         Path layer = folder.resolve("lights.usda");
         Files.write(layer, LightExport.toUsd(document.text(), document.animatedScene(), folder.resolve("sparse.jen"), layer).bytes());
-        return PythonPrograms.output(folder, List.of("opinions.py", "lights.usda"));
+        return PythonPrograms.script(folder, List.of("opinions.py", "lights.usda"));
     }
 
     private String opinions(String light, UnaryOperator<Light> edit) throws Exception {
@@ -82,7 +82,7 @@ class UsdSparseExportTest {
                     metersPerUnit = 0.01
                 )
                 """);
-        return PythonPrograms.output(folder, List.of("light_places.py", stage));
+        return PythonPrograms.script(folder, List.of("light_places.py", stage));
     }
 
     @Test

@@ -46,7 +46,7 @@ class UsdValidationTest {
     private void assertValid(List<String> files) throws IOException {
         List<String> arguments = new ArrayList<>(List.of("validate.py"));
         arguments.addAll(files);
-        assertThat(PythonPrograms.output(folder, arguments).lines().toList()).isEqualTo(Collections.nCopies(files.size(), "checked"));
+        assertThat(PythonPrograms.script(folder, arguments).lines().toList()).isEqualTo(Collections.nCopies(files.size(), "checked"));
     }
 
     private String exported(String name, String text, AnimatedScene scene, Path sceneFile) throws IOException {

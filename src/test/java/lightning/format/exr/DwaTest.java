@@ -123,7 +123,7 @@ class DwaTest {
     @Test
     void colorsOfOpenExrLibrary_areReadAsByIt() throws IOException {
         PythonPrograms.require("OpenEXR");
-        PythonPrograms.output(folder, List.of("-c", WRITE));
+        PythonPrograms.script(folder, List.of("-c", WRITE));
         for (int n = 0; n < 36; n++) {
             assertClose(values(folder.resolve(n + ".exr")), words(folder.resolve(n + ".words")));
         }
@@ -176,7 +176,7 @@ class DwaTest {
         for (int[] size : new int[][] {{1, 1}, {37, 45}, {100, 70}}) {
             var header = new ExrHeader(size[0], size[1], CHANNELS, Map.of(), ExrCompression.DWAA, new ExrWindow(0, 0, size[0], size[1]));
             float[] written = write(folder.resolve("a.exr"), header, new Random(3));
-            PythonPrograms.output(folder, List.of("-c", READ));
+            PythonPrograms.script(folder, List.of("-c", READ));
             float[] library = words(folder.resolve("a.words"));
             assertClose(values(folder.resolve("a.exr")), library);
             int pixels = size[0] * size[1];

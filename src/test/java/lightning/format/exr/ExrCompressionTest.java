@@ -57,7 +57,7 @@ class ExrCompressionTest {
 
     private List<Path> files() throws IOException {
         PythonPrograms.require("OpenEXR");
-        PythonPrograms.output(folder, List.of("-c", WRITE));
+        PythonPrograms.script(folder, List.of("-c", WRITE));
         try (var all = Files.list(folder)) {
             return all.filter(file -> file.toString().endsWith(".exr")).sorted().toList();
         }

@@ -55,7 +55,7 @@ class ExrPartsTest {
     @BeforeAll
     static void writeFiles() throws IOException {
         PythonPrograms.require("OpenEXR");
-        PythonPrograms.output(folder, List.of("-c", WRITE));
+        PythonPrograms.script(folder, List.of("-c", WRITE));
     }
 
     private static Path file(String name) {

@@ -170,7 +170,7 @@ class CompositingTest {
         Optional<FrameTime> time = Optional.of(new FrameTime(17, 29.97));
         write(scene, new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, false, 6), time, file);
         JsonNode header = new JsonMapper()
-                .readTree(PythonPrograms.output(folder, List.of(SCRIPTS.resolve("read_compositing.py").toString(), file.toString())));
+                .readTree(PythonPrograms.script(folder, List.of(SCRIPTS.resolve("read_compositing.py").toString(), file.toString())));
         Map<String, ExrAttribute> written = SceneMetadata.of(scene, time);
         assertThat(header.get("imageCounter").asInt()).isEqualTo(17);
         assertThat(header.get("framesPerSecond").values()).extracting(JsonNode::asInt).containsExactly(30000, 1001);

@@ -68,7 +68,7 @@ class ExrLayoutTest {
         PythonPrograms.require("OpenEXR");
         List<String> arguments = new ArrayList<>(List.of("-c", COMPARE));
         List.of(files).forEach(file -> arguments.add(file.toString()));
-        return List.copyOf(new JsonMapper().readTree(PythonPrograms.output(folder, arguments)).values());
+        return List.copyOf(new JsonMapper().readTree(PythonPrograms.script(folder, arguments)).values());
     }
 
     private static List<String> texts(JsonNode node, String field) {

@@ -8,8 +8,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Collectors;
@@ -37,6 +39,8 @@ class OcioViewTest {
     /** Steps of 8 bits by which rounding to 16 bits moves a color. */
     private static final double ROUNDING = 0.01;
 
+    private static final Map<String, OcioView> BAKED = new HashMap<>();
+
     @TempDir
     private Path folder;
 
@@ -47,6 +51,14 @@ class OcioViewTest {
 
     private static OcioView bake(String config, String view) throws IOException {
         return OcioView.bake(new OcioReference(config, view), Progress.NONE);
+    }
+
+    /** Bakes a view of the configuration, once for all tests. */
+    private static OcioView baked(String view) throws IOException {
+        if (!BAKED.containsKey(view)) {
+            BAKED.put(view, bake(CONFIG, view));
+        }
+        return BAKED.get(view);
     }
 
     private Path config(String text) throws IOException {
@@ -67,7 +79,7 @@ class OcioViewTest {
     private double[][] exact(String display, String view, float[][] colors) throws IOException {
         String text = Arrays.stream(colors).map(c -> c[0] + " " + c[1] + " " + c[2]).collect(Collectors.joining("\n"));
         Path file = Files.writeString(folder.resolve("colors.txt"), text);
-        String shown = PythonPrograms.output(folder, List.of("-c", """
+        String shown = PythonPrograms.script(folder, List.of("-c", """
                 import sys
                 import PyOpenColorIO as ocio
                 config = ocio.Config.CreateFromFile(sys.argv[1])
@@ -94,7 +106,7 @@ class OcioViewTest {
         "sRGB - Display/Raw",
         "Rec.2100-PQ - Display/ACES 2.0 - HDR 1000 nits (Rec.2020)"})
     void table_isWithinStatedError(String name) throws IOException {
-        OcioView baked = bake(CONFIG, name);
+        OcioView baked = baked(name);
         float[][] colors = randomColors();
         double[][] expected = exact(baked.display(), baked.view(), colors);
         double[] errors =
@@ -108,13 +120,13 @@ class OcioViewTest {
 
     @Test
     void black_staysBlack() throws IOException {
-        assertThat(bake(CONFIG, "").transform().pack(0, 0, 0)).isEqualTo(0xFF000000);
+        assertThat(baked("").transform().pack(0, 0, 0)).isEqualTo(0xFF000000);
     }
 
     /** Both are ACES 2.0 for sRGB displays of 100 nits. */
     @Test
     void aces2OfConfiguration_isThatOfLightning() throws IOException {
-        ViewTransform table = bake(CONFIG, "sRGB - Display/ACES 2.0 - SDR 100 nits (Rec.709)").transform();
+        ViewTransform table = baked("sRGB - Display/ACES 2.0 - SDR 100 nits (Rec.709)").transform();
         ViewTransform own = ViewTransform.DEFAULT.withCurve(DisplayCurve.ACES2);
         double sum = 0;
         for (float[] color : randomColors()) {
@@ -127,7 +139,7 @@ class OcioViewTest {
 
     @Test
     void writtenFile_showsTheSameWithoutOpenColorIo() throws IOException {
-        OcioView baked = bake(CONFIG, "sRGB - Display/Un-tone-mapped");
+        OcioView baked = baked("sRGB - Display/Un-tone-mapped");
         Path file = folder.resolve(baked.fileName("room"));
         baked.write(file);
         ViewTransform read = ViewTransform.DEFAULT.withLut(Optional.of(CubeLutReader.read(file)));

@@ -24,9 +24,9 @@ class UsdConverterTest {
     @TempDir
     private Path folder;
 
-    /** Returns a program that gets the converter's arguments: -B, script, stage, folder. */
+    /** Returns a program that knows the folder of the first request, whose line is {@code ["STAGE","FOLDER",...]}. */
     private Path program(String commands) throws IOException {
-        Path file = Files.writeString(folder.resolve("python3"), "#!/bin/sh\n" + commands + "\n");
+        Path file = Files.writeString(folder.resolve("python3"), "#!/bin/sh\nIFS='\"' read -r _ _ _ folder _\n" + commands + "\n");
         return Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rwxr-xr-x"));
     }
 
@@ -39,7 +39,7 @@ class UsdConverterTest {
     @Test
     void writtenFolder_isReadAndRemoved() throws Exception {
         Path place = folder.resolve("place");
-        assertThat(convert("echo $4 > " + place + "; printf found > $4/stage.json", Duration.ofMinutes(1), Progress.NONE))
+        assertThat(convert("echo $folder > " + place + "; printf found > $folder/stage.json", Duration.ofMinutes(1), Progress.NONE))
                 .isEqualTo("found");
         assertThat(Path.of(Files.readString(place).strip())).as("the folder that it wrote into").doesNotExist();
     }
@@ -52,7 +52,7 @@ class UsdConverterTest {
 
     @Test
     void errorOfStage_isOneSentence() {
-        assertThatThrownBy(() -> convert("printf 'is damaged\\nmore' > $4/error.txt; exit 2", Duration.ofMinutes(1), Progress.NONE))
+        assertThatThrownBy(() -> convert("printf 'is damaged\\nmore' > $folder/error.txt; exit 2", Duration.ofMinutes(1), Progress.NONE))
                 .isInstanceOf(MeshException.class).hasMessageEndingWith("shot.usda: is damaged");
         assertThatThrownBy(() -> convert("echo cannot work >&2; exit 1", Duration.ofMinutes(1), Progress.NONE))
                 .isInstanceOf(MeshException.class).hasMessageEndingWith("the converter of USD files ended with code 1 (cannot work)");
@@ -65,7 +65,8 @@ class UsdConverterTest {
     @Test
     void endlessProcess_isEnded() throws IOException {
         Path place = folder.resolve("place");
-        assertThatThrownBy(() -> convert("echo $4 > " + place + "; sleep 100", SECOND, Progress.NONE)).isInstanceOf(MeshException.class)
+        assertThatThrownBy(() -> convert("echo $folder > " + place + "; sleep 100", SECOND, Progress.NONE))
+                .isInstanceOf(MeshException.class)
                 .hasMessageEndingWith("shot.usda: usd-core did not read it within 1 s");
         assertThat(ProcessHandle.current().descendants().filter(ProcessHandle::isAlive)
                 .anyMatch(p -> p.info().commandLine().orElse("").contains(folder.toString()))).isFalse();

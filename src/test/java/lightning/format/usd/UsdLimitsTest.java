@@ -52,10 +52,11 @@ class UsdLimitsTest {
     @Test
     @EnabledOnOs(OS.LINUX)
     void crashOfUsdCore_isOneSentence() throws Exception {
-        Files.copy(SCRIPT.resolve("__main__.py"), folder.resolve("__main__.py"));
-        Files.writeString(folder.resolve("reader.py"), "import os\nos.abort()\n");
+        Files.copy(SCRIPT.resolveSibling("converter.py"), folder.resolve("converter.py"));
+        Path script = Files.createDirectory(folder.resolve("script"));
+        Files.writeString(script.resolve("reader.py"), "import os\ndef main(arguments):\n    os.abort()\n");
         Path stage = Files.writeString(folder.resolve("a.usda"), "#usda 1.0\n");
-        assertThatThrownBy(() -> new UsdConverter(Path.of(PythonPrograms.require("pxr")), folder, Duration.ofMinutes(2), 1L << 30, 0)
+        assertThatThrownBy(() -> new UsdConverter(Path.of(PythonPrograms.require("pxr")), script, Duration.ofMinutes(2), 1L << 30, 0)
                 .convert(stage, StageChoice.DEFAULT, Progress.NONE, _ -> "")).isInstanceOf(MeshException.class)
                 .hasMessageEndingWith("a.usda: cannot be read by usd-core, which ended with signal 6");
     }
@@ -71,7 +72,7 @@ class UsdLimitsTest {
     @Test
     void trianglesBeyondMemory_endBeforeTheyAreConverted() throws Exception {
         Path stage = folder.resolve("faces.usdc");
-        PythonPrograms.output(folder, List.of("-c", """
+        PythonPrograms.script(folder, List.of("-c", """
                 import sys
                 from pxr import Usd, UsdGeom, Vt
                 stage = Usd.Stage.CreateNew(sys.argv[1])

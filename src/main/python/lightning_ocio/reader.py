@@ -1,9 +1,8 @@
-"""Reads an OpenColorIO configuration for Lightning: `python lightning_ocio CONFIG FOLDER MEMORY [DISPLAY VIEW]`.
+"""Reads an OpenColorIO configuration for Lightning: `python reader.py CONFIG FOLDER MEMORY [DISPLAY VIEW]`.
 
 CONFIG is a file (.ocio, .ocioz) or a name such as `ocio://default`. Writes `views.json` into the folder: displays and views. With DISPLAY and
 VIEW, two indexes into that list, also writes `table.cube` and `table.json`. Writes `error.txt` with one sentence instead if it fails.
-
-Ends if the standard input ends, as it does when Lightning ends in any way. MEMORY is a limit in bytes. Needs the package opencolorio.
+MEMORY is a limit in bytes. Needs the package opencolorio. `converter.py` limits the time.
 """
 
 from __future__ import annotations
@@ -11,25 +10,18 @@ from __future__ import annotations
 import json
 import os
 import sys
-import threading
 from pathlib import Path
 
-NO_OCIO = 3
+from configuration import Configuration, ConfigurationError
+from table import NoNumberError, Table
+
 FAILED = 2
 
 
 def main(arguments: list[str]) -> int:
-    """Returns the exit code: 0, FAILED, or NO_OCIO without opencolorio."""
-    source, folder, memory = arguments[0], Path(arguments[1]), int(arguments[2])
-    end_with_input()
-    limit_memory(memory)
-    try:
-        import PyOpenColorIO  # noqa: F401
-    except ImportError:
-        return NO_OCIO
-    from configuration import Configuration, ConfigurationError
-    from table import NoNumberError, Table
-
+    """Returns the exit code: 0 or FAILED."""
+    source, folder = arguments[0], Path(arguments[1])
+    limit_memory(int(arguments[2]))
     try:
         configuration = Configuration.read(source)
         views = configuration.views()
@@ -53,29 +45,6 @@ def main(arguments: list[str]) -> int:
         message = f"the table cannot be written: {os.strerror(error.errno or 5).lower()}"
     (folder / "error.txt").write_text(message, encoding="utf-8")
     return FAILED
-
-
-def end_with_input() -> None:
-    """Ends this process when the other end of the standard input is closed."""
-    try:
-        import fcntl
-
-        # Threads of Python stand still while OpenColorIO works, such as when it opens a file that never ends. Then a signal ends the process.
-        fcntl.fcntl(0, fcntl.F_SETOWN, os.getpid())
-        fcntl.fcntl(0, fcntl.F_SETFL, fcntl.fcntl(0, fcntl.F_GETFL) | os.O_ASYNC)
-    except (ImportError, AttributeError, OSError):
-        pass
-    threading.Thread(target=await_end, daemon=True).start()
-
-
-def await_end() -> None:
-    """Waits until the other end of the standard input is closed, and ends this process."""
-    try:
-        while os.read(0, 1):
-            pass
-    except OSError:
-        pass
-    os._exit(FAILED)
 
 
 def limit_memory(limit: int) -> None:
