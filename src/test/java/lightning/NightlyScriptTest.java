@@ -184,7 +184,9 @@ class NightlyScriptTest {
 
     /** A limit of 0 minutes ends each part that takes longer than a second. */
     private Process nightlyProcess(String... arguments) throws IOException {
-        return start(Stream.concat(Stream.of("env", "-u", "LIGHTNING_NIGHT_SMOKE", "LIGHTNING_NIGHT_MINUTES=0", ".ci/nightly"), Stream.of(arguments)).toArray(String[]::new));
+        return start(Stream
+                .concat(Stream.of("env", "-u", "LIGHTNING_NIGHT_SMOKE", "LIGHTNING_NIGHT_MINUTES=0", ".ci/nightly"), Stream.of(arguments))
+                .toArray(String[]::new));
     }
 
     private Process start(String... command) throws IOException {

@@ -167,7 +167,8 @@ class SceneDiffTest {
     void editAmongManyNodes_isDescribed() {
         Scene before = scene.withNodes(withBalls(10_000));
         Shape ball = (Shape) before.stage().node("ball5000").orElseThrow();
-        assertThat(SceneDiff.describe(before, before.withNode("ball5000", ball.withName("globe")))).isEqualTo("ball5000: name ball5000 → globe");
+        assertThat(SceneDiff.describe(before, before.withNode("ball5000", ball.withName("globe"))))
+                .isEqualTo("ball5000: name ball5000 → globe");
         assertThat(SceneDiff.describe(before, before.replaceNode("ball5000", List.of()))).isEqualTo("delete ball5000");
     }
 
