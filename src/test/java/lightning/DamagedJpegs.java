@@ -11,7 +11,7 @@ import javax.imageio.stream.MemoryCacheImageInputStream;
 
 /** Program that decodes a JPEG without its end many times, while another thread fills the memory. */
 final class DamagedJpegs {
-    private static final int COUNT = 60_000;
+    private static final int COUNT = 20_000;
 
     /** Keeps the compiler from removing the allocations. */
     static volatile byte[] sink;

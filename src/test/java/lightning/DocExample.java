@@ -66,6 +66,11 @@ record DocExample(String source, List<String> arguments, List<String> testArgume
         return arguments.contains("--baseline");
     }
 
+    /** Returns the example with a small size and no long measurements. */
+    DocExample small() {
+        return new DocExample(source, arguments, shrink(arguments), exit);
+    }
+
     /** Returns the arguments for a fast run on this machine: a small size and no long measurements. */
     static List<String> shrink(List<String> arguments) {
         boolean atPixel = arguments.getFirst().equals("explain");

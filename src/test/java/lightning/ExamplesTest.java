@@ -28,7 +28,7 @@ import picocli.CommandLine;
 
 /**
  * Tests that the examples of the help, README.md and docs work for a user of the installed program. Each runs in a folder with only the
- * files that the examples expect. Examples of the help and indented ones run at a small size.
+ * files that the examples expect. They run at a small size; at night, those in shell blocks of the documents also run unchanged.
  */
 @Slow
 class ExamplesTest {
@@ -123,7 +123,14 @@ class ExamplesTest {
 
     @TestFactory
     Stream<DynamicTest> everyExample_succeeds() throws IOException {
-        return tests(false);
+        return tests(examples().map(DocExample::small), false);
+    }
+
+    /** In the usual check, {@link #everyExample_succeeds} runs them at a small size. */
+    @TestFactory
+    @Nightly
+    Stream<DynamicTest> everyUnchangedExample_succeeds() throws IOException {
+        return tests(examples(), false);
     }
 
     /**
@@ -133,18 +140,22 @@ class ExamplesTest {
     @TestFactory
     @Nightly
     Stream<DynamicTest> everyMeasurement_succeeds() throws IOException {
-        return tests(true);
+        return tests(examples(), true);
     }
 
-    private static Stream<DynamicTest> tests(boolean measurements) throws IOException {
+    private static Stream<DocExample> examples() throws IOException {
         List<DocExample> examples = new ArrayList<>(DocExample.fromHelp());
         for (Path document : DocsTest.pages()) {
             String markdown = Files.readString(document);
             examples.addAll(DocExample.inBlocks(document.toString(), markdown));
             examples.addAll(DocExample.fromIndentedLines(document.toString(), markdown));
         }
+        return examples.stream();
+    }
+
+    private static Stream<DynamicTest> tests(Stream<DocExample> examples, boolean measurements) {
         Set<List<String>> seen = new HashSet<>();
-        return examples.stream().filter(example -> MEASUREMENTS.contains(example.arguments().getFirst()) == measurements)
+        return examples.filter(example -> MEASUREMENTS.contains(example.arguments().getFirst()) == measurements)
                 .filter(example -> seen.add(example.testArguments()))
                 .map(example -> dynamicTest(example.source() + ": " + String.join(" ", example.arguments()), () -> check(example)));
     }

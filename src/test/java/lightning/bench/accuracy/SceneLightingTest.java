@@ -48,7 +48,7 @@ class SceneLightingTest {
     @MethodSource("names")
     void picture_isNeitherClippedNorBlack(String name) {
         Scene scene = SceneFiles.readAll(name);
-        Scene small = scene.withPicture(scene.picture().withSize(SIZE, SIZE));
+        Scene small = scene.withPicture(scene.picture().withSize(SIZE / 2, SIZE / 2));
         try (var workers = new WorkerPool(2)) {
             Film film = trace(small, Geometry.of(small), workers);
             assertThat(share(film, 1, Float.MAX_VALUE)).as("share of white pixels").isLessThan(0.01);

@@ -49,7 +49,8 @@ class MaterialLibraryTest {
     @ParameterizedTest
     @MethodSource("materials")
     void sampleOfMaterial_rendersFinite(Material material) {
-        Scene scene = SamplePictures.inStudio(MaterialLibrary.sample(material));
+        Scene sample = SamplePictures.inStudio(MaterialLibrary.sample(material));
+        Scene scene = sample.withPicture(sample.picture().withSize(24, 24));
         try (var workers = new WorkerPool(1)) {
             Film film = new TraditionalTracer(scene).trace(workers, Progress.NONE).film();
             for (int y = 0; y < film.height(); y++) {

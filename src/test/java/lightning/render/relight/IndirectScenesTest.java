@@ -3,6 +3,8 @@ package lightning.render.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -35,16 +37,23 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Tests that all renderers add the indirect light of the reference, on all engines and any number of threads. */
 @Slow
 class IndirectScenesTest {
+    /** Pictures of the reference by the names of their scenes. */
+    private static final Map<String, Film> REFERENCES = new HashMap<>();
+
 
     static Stream<String> names() {
         return IndirectScenes.all().keySet().stream();
+    }
+
+    private static Film reference(String name) {
+        return REFERENCES.computeIfAbsent(name, _ -> new ReferenceTracer(IndirectScenes.all().get(name)).trace());
     }
 
     @ParameterizedTest
     @MethodSource("names")
     void allRenderers_equalReference(String name) {
         Scene scene = IndirectScenes.all().get(name);
-        Film expected = new ReferenceTracer(scene).trace();
+        Film expected = reference(name);
         for (EngineChoice engines : new EngineChoice[] {_ -> Engines.SCALAR, _ -> Engines.LANES}) {
             for (int threads : new int[] {1, 3}) {
                 try (WorkerPool workers = new WorkerPool(threads);
@@ -63,7 +72,7 @@ class IndirectScenesTest {
     void indirectLight_isVisible(String name) {
         Scene scene = IndirectScenes.all().get(name);
         Scene without = scene.withPicture(scene.picture().withIndirect(Optional.empty()));
-        assertThat(new ReferenceTracer(scene).trace().hasSameBits(new ReferenceTracer(without).trace()))
+        assertThat(reference(name).hasSameBits(new ReferenceTracer(without).trace()))
                 .isEqualTo(Set.of("empty", "black").contains(name) || scene.picture().indirect().isEmpty());
     }
 

@@ -149,7 +149,7 @@ class MemoryEstimateTest {
     @Test
     void forecastWithManyLights_scalesDownPerPixel() throws Exception {
         Scene night = JenReader.read(Path.of("scenes/night.jen")).scene();
-        Scene scene = night.withPicture(new PictureSettings(800, 448, night.picture().depth()));
+        Scene scene = night.withPicture(new PictureSettings(400, 224, night.picture().depth()));
         // A pixel needs a sixth less than in a picture of 192 pixels, and each of these pictures has other edges in its tiles.
         assertThat(MemoryForecast.of(scene, OPTIONS).bytes(scene.picture())).isCloseTo(usedBytes(scene, OPTIONS), withPercentage(10));
     }

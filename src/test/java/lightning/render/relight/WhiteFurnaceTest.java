@@ -88,7 +88,7 @@ class WhiteFurnaceTest {
     private static double mean(String material, String shape) throws JenException {
         Scene scene = JenReader.read("""
                 jen 1
-                picture { size 48 48  depth 2  indirect { } }
+                picture { size 24 24  depth 2  indirect { } }
                 camera { from 0 0 5  to 0 0 0  fov 20 }
                 world { ambience 0 }
                 material furnace { diffuse 0 0 0  glow 1 1 1 }
@@ -101,10 +101,10 @@ class WhiteFurnaceTest {
             Film film = renderer.film();
             double sum = 0;
             int count = 0;
-            for (int y = 0; y < 48; y++) {
-                for (int x = 0; x < 48; x++) {
+            for (int y = 0; y < 24; y++) {
+                for (int x = 0; x < 24; x++) {
                     // The ball has the radius 1 at the distance 5; its outermost pixels are left out.
-                    double angle = Math.tan(Math.toRadians(10)) / 24 * Math.hypot(x - 23.5, y - 23.5);
+                    double angle = Math.tan(Math.toRadians(10)) / 12 * Math.hypot(x - 11.5, y - 11.5);
                     if (Math.sin(Math.atan(angle)) < 0.19) {
                         sum += film.red(x, y);
                         count++;

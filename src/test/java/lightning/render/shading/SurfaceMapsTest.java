@@ -40,7 +40,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests that maps of roughness and metalness act as the values of their products with the factors. */
 class SurfaceMapsTest {
-    static final int SIZE = 40;
+    static final int SIZE = 16;
     private static final Material BASE = Material.of("m").withModel(ShadingModel.PRINCIPLED).withBase(new Rgb(0.9, 0.5, 0.2))
             .withSpecularTint(new Rgb(0.3, 1, 0.6)).withCoat(new Coat(0.5, 0.3, 1.5)).withMetalness(0.75).withRoughness(0.5)
             .withTexture(map(1, 0.5f, 0.25f));
