@@ -95,8 +95,10 @@ record EditorReset(Stage stage, Editor editor, double x, double y, double width,
         model.commands().keyBindings().reset();
         model.renderMachines().restore(defaults);
         model.languageProperty().set(UiLanguage.SYSTEM);
-        if (model.commands().toggleState(Command.ONLY_SELECTED).orElseThrow().getValue()) {
-            model.commands().run(Command.ONLY_SELECTED);
+        for (Command toggle : List.of(Command.KEEP_PICTURES, Command.ONLY_SELECTED)) {
+            if (model.commands().toggleState(toggle).orElseThrow().getValue()) {
+                model.commands().run(toggle);
+            }
         }
         model.pictureDisplay().effectsProperty().set(ViewEffects.ALL);
     }
