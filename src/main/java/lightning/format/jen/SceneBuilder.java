@@ -108,8 +108,12 @@ final class SceneBuilder {
         }
         var stage = new Stage(materials, nodes);
         LightRig rig = LightRig.of(lights, groups);
-        OverflowCheck.of(stage, rig)
-                .ifPresent(overflow -> problem(requireNonNull(blocksByName.get(overflow.light().name())), overflow.message()));
+        try {
+            OverflowCheck.of(stage, rig)
+                    .ifPresent(overflow -> problem(requireNonNull(blocksByName.get(overflow.light().name())), overflow.message()));
+        } catch (IllegalArgumentException e) {
+            lights.forEach(light -> checkPlace(light, stage, groups));
+        }
         return problems.isEmpty() ? Optional.of(new Scene(picture.orElse(PictureSettings.DEFAULT), camera.orElse(Camera.DEFAULT),
                 world.orElse(World.DEFAULT).withDomes(domes), stage, rig)) : Optional.empty();
     }
@@ -162,6 +166,16 @@ final class SceneBuilder {
         }
         checkCount(blocks, SceneLimits.MAX_LIGHTS, "lights");
         return lights;
+    }
+
+    /** Groups may move the shape of a light out of the range of positions. */
+    private void checkPlace(Light light, Stage stage, List<LightGroup> groups) {
+        try {
+            OverflowCheck.of(stage, LightRig.of(List.of(light), groups));
+        } catch (IllegalArgumentException e) {
+            Block block = requireNonNull(blocksByName.get(light.name()));
+            problem(block, block.title() + ": " + e.getMessage());
+        }
     }
 
     private List<Dome> domes(List<Block> blocks) {

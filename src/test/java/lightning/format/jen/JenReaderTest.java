@@ -172,6 +172,7 @@ class JenReaderTest {
         "jen 1 { } | 1:7: expected a block, found '{'",
         "jen 1 light | 1:12: light: expected a name, found the end of the file",
         "jen 1 light a object { shape b } | 1:30: light 'a': shape: there is no shape or group 'b'",
+        "jen 1 group g { at 5e11 0 0 sphere b { at 6e11 0 0 } } light a object { shape b } | 1:62: light 'a': position x must be from -1e12 to 1e12, was 1.1e12",
         "jen 1 light a { } | 1:15: light 'a': expected directional, point, spot, rect, disc, tube or object, found '{'",
         "jen 1 light a point | 1:20: light 'a': expected '{', found the end of the file",
         "jen 1 light a point { | 1:22: light 'a': expected '}', found the end of the file",
