@@ -102,8 +102,8 @@ public record PythonConverter(Path python, Path script, Duration limit, PythonPa
         List<String> command = List.of(python.toString(), "-B", script.resolveSibling("converter.py").toString(), script.toString(),
                 library.name());
         Idle idle = IDLE.remove(command);
-        boolean isUsable = idle != null && idle.process().isAlive() && System.nanoTime() - idle.since() < MAX_IDLE_NANOS;
-        Process process = isUsable ? idle.process() : start(command);
+        Process process = idle != null && idle.process().isAlive() && System.nanoTime() - idle.since() < MAX_IDLE_NANOS ? idle.process()
+                : start(command);
         String answer;
         try {
             answer = ConverterProcess.await(process, CompletableFuture.supplyAsync(() -> ask(process, request), Thread::startVirtualThread),
