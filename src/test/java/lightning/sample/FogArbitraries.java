@@ -32,7 +32,8 @@ final class FogArbitraries {
         Arbitrary<Integer> kinds = Arbitraries.integers().between(0, 3).withoutEdgeCases();
         return Combinators.combine(SceneArbitraries.scenes(), fogs(), kinds.list().ofSize(3), Arbitraries.of(1, 2, 3, 5))
                 .as((scene, fog, bounces, depth) -> scene.withWorld(scene.world().withFog(fog))
-                        .withPicture(scene.picture().withDepth(depth)).withMaterials(bouncing(scene.materials(), bounces))).map(TestBudget::limit);
+                        .withPicture(scene.picture().withDepth(depth)).withMaterials(bouncing(scene.materials(), bounces)))
+                .map(TestBudget::limit);
     }
 
     /** @param kinds for each material: mirror, glass, thin glass, or as it is */

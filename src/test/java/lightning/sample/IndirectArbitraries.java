@@ -60,7 +60,8 @@ public final class IndirectArbitraries {
                 DomeArbitraries.domes().optional(0.4)).as(
                         (room, map, indirect, domes) -> room
                                 .withWorld(room.world().withEnvironment(Optional.of(map)).withDomes(domes.orElse(List.of())))
-                                .withPicture(room.picture().withIndirect(indirect))).map(TestBudget::limit);
+                                .withPicture(room.picture().withIndirect(indirect)))
+                .map(TestBudget::limit);
     }
 
     /** Returns sequences of one to eight edits, mostly of the environment. */

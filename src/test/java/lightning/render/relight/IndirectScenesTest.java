@@ -40,7 +40,6 @@ class IndirectScenesTest {
     /** Pictures of the reference by the names of their scenes. */
     private static final Map<String, Film> REFERENCES = new HashMap<>();
 
-
     static Stream<String> names() {
         return IndirectScenes.all().keySet().stream();
     }
