@@ -21,13 +21,13 @@ import tools.jackson.core.type.TypeReference;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Channels and texts of a file. */
-final class ExrValues {
+public final class ExrValues {
     final Map<String, float[]> values = new LinkedHashMap<>();
     private final Map<String, String> attributes;
     final int width;
     final int height;
 
-    ExrValues(Path file) throws IOException {
+    public ExrValues(Path file) throws IOException {
         try (ExrReader reader = new ExrReader(file)) {
             width = reader.header().width();
             height = reader.header().height();
@@ -43,11 +43,11 @@ final class ExrValues {
         }
     }
 
-    float[] channel(String name) {
+    public float[] channel(String name) {
         return values.get(name);
     }
 
-    List<String> list(String attribute) {
+    public List<String> list(String attribute) {
         return new JsonMapper().readValue(attributes.get(attribute), new TypeReference<List<String>>() {});
     }
 
