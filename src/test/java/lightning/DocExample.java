@@ -73,7 +73,7 @@ record DocExample(String source, List<String> arguments, List<String> testArgume
 
     /** Returns the arguments for a fast run on this machine: a small size and no long measurements. */
     static List<String> shrink(List<String> arguments) {
-        boolean atPixel = arguments.getFirst().equals("explain");
+        boolean atPixel = arguments.getFirst().equals("explain") || arguments.contains("--crop");
         var words = new ArrayList<String>();
         for (int i = 0; i < arguments.size(); i++) {
             if (CLUSTER_OPTIONS.contains(arguments.get(i)) || SMALL_OPTIONS.containsKey(arguments.get(i)) && !atPixel) {
