@@ -566,61 +566,6 @@ public final class Geometry {
         return new SurfacePointBuilder(primitives, materials).location(primitive, traversal.part(), ray, traversal.distance());
     }
 
-    /** Computes the surface point where a ray hits a primitive; tests every triangle of a mesh. */
-    public SurfacePoint surfaceBruteForce(int primitive, Ray ray) {
-        double t = hitDistance(primitive, ray);
-        return new SurfacePointBuilder(primitives, materials).surfacePoint(primitive, hitPart(primitive, ray), ray, t, true);
-    }
-
-    /** Returns the same on the facet of a mesh: vertex normals do not lift it. */
-    public SurfacePoint facetBruteForce(int primitive, Ray ray) {
-        double t = hitDistance(primitive, ray);
-        return new SurfacePointBuilder(primitives, materials).surfacePoint(primitive, hitPart(primitive, ray), ray, t, false);
-    }
-
-    /** Returns the start of a ray that passes a primitive which it hits, behind the surface; tests every triangle of a mesh. */
-    public Vec3 pointBehindBruteForce(int primitive, Ray ray) {
-        double t = hitDistance(primitive, ray);
-        return new SurfacePointBuilder(primitives, materials).pointBehind(primitive, hitPart(primitive, ray), ray, t);
-    }
-
-    /**
-     * Returns the mean texture color of a square around a ray's hit: red, green, blue, 1 without a texture.
-     *
-     * @param side of the square, scene units
-     * @throws IllegalArgumentException if the ray misses the primitive
-     */
-    public float[] meanTexelBruteForce(int primitive, Ray ray, double side) {
-        double t = hitDistance(primitive, ray);
-        return new SurfacePointBuilder(primitives, materials).meanTexel(primitive, hitPart(primitive, ray), ray, t, side);
-    }
-
-    /**
-     * Returns the mean of a map in a square around a ray's hit, as {@link SurfacePoint#maps}; null without a map.
-     *
-     * @param group columns of the map
-     * @param side of the square, scene units
-     * @throws IllegalArgumentException if the ray misses the primitive
-     */
-    public float @Nullable [] meanMapTexelBruteForce(HitRows.ColumnGroup group, int primitive, Ray ray, double side) {
-        double t = hitDistance(primitive, ray);
-        return new SurfacePointBuilder(primitives, materials).meanMapTexel(group, primitive, hitPart(primitive, ray), ray, t, side);
-    }
-
-    private double hitDistance(int primitive, Ray ray) {
-        double t = distance(primitive, ray);
-        if (t == SolidGeometry.MISS) {
-            throwMissed(primitive);
-        }
-        return t;
-    }
-
-    private int hitPart(int primitive, Ray ray) {
-        Vec3 o = ray.origin();
-        Vec3 d = ray.direction();
-        return primitives.hitPart(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
-    }
-
     /**
      * Returns the steps from the geometric normal to the shading normal at a ray's hit; null if both are equal.
      *

@@ -113,32 +113,8 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
                 uv[0], uv[1]);
     }
 
-    /** Returns the point behind the surface that a ray hits at a distance. */
-    Vec3 pointBehind(int primitive, int part, Ray ray, double t) {
-        SurfaceHit surface = hit(primitive, part, ray, t);
-        surface.computeBackPoint();
-        return new Vec3(surface.backX, surface.backY, surface.backZ);
-    }
-
-    /**
-     * Returns the mean of a map in a square around a ray's hit, as {@link SurfacePoint#maps}; null if the material has none.
-     *
-     * @param group columns of the map
-     */
-    float @Nullable [] meanMapTexel(ColumnGroup group, int primitive, int part, Ray ray, double t, double side) {
-        TextureMap map = materials.map(group, primitives.material[primitive]);
-        if (map == null) {
-            return null;
-        }
-        SurfaceHit surface = hit(primitive, part, ray, t);
-        float[] texel = new float[3];
-        new TextureFootprint().lookUpMap(primitives, primitive, part, map, surface.localX, surface.localY, surface.localZ, surface.nx,
-                surface.ny, surface.nz, side, texel);
-        int first = group.firstChannel(materials.material(primitives.material[primitive]));
-        return Arrays.copyOfRange(texel, first, first + group.columnCount());
-    }
-
-    private SurfaceHit hit(int primitive, int part, Ray ray, double t) {
+    /** Returns the surface that a ray hits at a distance. */
+    SurfaceHit hit(int primitive, int part, Ray ray, double t) {
         return hit(primitive, part, ray, t, true);
     }
 
@@ -149,18 +125,6 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
         surface.lifts = lifts;
         surface.compute(primitives, primitive, part, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
         return surface;
-    }
-
-    /** Returns the mean texture color of a square around a ray's hit. */
-    float[] meanTexel(int primitive, int part, Ray ray, double t, double side) {
-        SurfaceHit surface = hit(primitive, part, ray, t);
-        int material = primitives.material[primitive];
-        float[] texel = {1, 1, 1};
-        if (materials.isTextured(material)) {
-            new TextureFootprint().lookUp(primitives, primitive, part, materials.texture(material), surface.localX, surface.localY,
-                    surface.localZ, surface.nx, surface.ny, surface.nz, side, texel);
-        }
-        return texel;
     }
 
     /** Returns the steps from the geometric normal to the shading normal at a ray's hit; null if both are equal. */

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
+import lightning.render.trace.BruteForce;
 import lightning.base.math.Ray;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
@@ -128,7 +129,7 @@ class FilteredChannelsTest {
     }
 
     private static void add(Geometry geometry, int primitive, Ray ray, Vec3 view, double[] sums) {
-        SurfacePoint at = geometry.surfaceBruteForce(primitive, ray);
+        SurfacePoint at = BruteForce.surface(geometry, primitive, ray);
         Vec3 position = new Vec3(at.px(), at.py(), at.pz());
         Vec3 point = geometry.toScene(position);
         double[] values = {at.nx(), at.ny(), at.nz(), point.x(), point.y(), point.z(), position.dot(view), 0, 0, 0};

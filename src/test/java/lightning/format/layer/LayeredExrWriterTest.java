@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import lightning.render.trace.BruteForce;
 import lightning.base.math.Ray;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
@@ -227,7 +228,7 @@ class LayeredExrWriterTest {
         for (int i = 0; i < inside.length; i++) {
             Ray ray = new PixelRays(scene).ray(i % scene.picture().width(), i / scene.picture().width());
             int primitive = geometry.nearestBruteForce(ray);
-            SurfacePoint.BackSide isInside = primitive < 0 ? null : geometry.surfaceBruteForce(primitive, ray).backSide();
+            SurfacePoint.BackSide isInside = primitive < 0 ? null : BruteForce.surface(geometry, primitive, ray).backSide();
             inside[i] = isInside != null && isInside.insideDistance() >= 0;
         }
         return inside;
@@ -266,7 +267,7 @@ class LayeredExrWriterTest {
                     assertThat(file.channel("material.id")[i]).isZero();
                     assertThat(file.channel("Z")[i]).isEqualTo(1e10f);
                 } else {
-                    SurfacePoint at = geometry.surfaceBruteForce(primitive, ray);
+                    SurfacePoint at = BruteForce.surface(geometry, primitive, ray);
                     if (geometry.isLightFace(primitive)) {
                         assertThat(shape).isZero();
                         assertThat(file.channel("material.id")[i]).isZero();

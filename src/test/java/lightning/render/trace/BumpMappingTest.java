@@ -230,7 +230,7 @@ class BumpMappingTest {
         for (int i = 0; i < 24 * 24; i++) {
             Ray ray = new PixelRays(scene).ray(i % 24, i / 24);
             if (smooth.nearestBruteForce(ray) >= 0) {
-                SurfacePoint at = smooth.surfaceBruteForce(0, ray);
+                SurfacePoint at = BruteForce.surface(smooth, 0, ray);
                 Vec3 way = light.minus(smooth.toScene(new Vec3(at.px(), at.py(), at.pz())));
                 if (way.normalized().dot(new Vec3(at.nx(), at.ny(), at.nz())) < -1e-3) {
                     seen++;

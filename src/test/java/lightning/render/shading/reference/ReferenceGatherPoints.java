@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import lightning.render.trace.BruteForce;
 import lightning.base.math.Ray;
 import lightning.render.gather.cell.CellKeys;
 import lightning.render.gather.cell.DirectionTable;
@@ -100,7 +101,7 @@ final class ReferenceGatherPoints {
         for (Ray ray : from) {
             int primitive = geometry.nearestBruteForce(ray);
             if (primitive >= 0) {
-                SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
+                SurfacePoint hit = BruteForce.surface(geometry, primitive, ray);
                 candidates.add(hit);
                 if (materials.isReflective(hit.material())) {
                     reflected.add(hit.reflectedRay(geometry.materials().material(hit.material())));

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import lightning.render.trace.BruteForce;
 import lightning.base.math.Ray;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
@@ -57,7 +58,7 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
         Map<ColumnGroup, float[]> means = new EnumMap<>(ColumnGroup.class);
         for (ColumnGroup group : ColumnGroup.TEXELS) {
             float[] mean = group == ColumnGroup.TEXEL || group == ColumnGroup.COAT_NORMAL ? null
-                    : geometry.meanMapTexelBruteForce(group, primitive, ray, side);
+                    : BruteForce.meanMapTexel(geometry, group, primitive, ray, side);
             if (mean != null) {
                 means.put(group, mean);
             }
@@ -94,12 +95,12 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
                 if (primitive == from.primitive()) {
                     NormalSteps steps = geometry.normalSteps(primitive, down);
                     return steps == null ? new Facet(null, at)
-                            : new Facet(rounded(steps.geometric()), start(geometry.facetBruteForce(primitive, down)));
+                            : new Facet(rounded(steps.geometric()), start(BruteForce.facet(geometry, primitive, down)));
                 }
                 if (primitive < 0) {
                     break;
                 }
-                down = new Ray(geometry.pointBehindBruteForce(primitive, down), down.direction());
+                down = new Ray(BruteForce.pointBehind(geometry, primitive, down), down.direction());
             }
             return new Facet(null, at);
         }
@@ -131,7 +132,7 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
             if (primitive < 0) {
                 return miss(ray, rank, tint);
             }
-            SurfacePoint hit = geometry.facetBruteForce(primitive, ray);
+            SurfacePoint hit = BruteForce.facet(geometry, primitive, ray);
             double distance = geometry.distance(primitive, ray);
             boolean isFace = geometry.isLightFace(primitive);
             if (hit.backSide() == null && !isFace) {
@@ -139,7 +140,7 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
                 double side = keys.surfelSide(hit.px(), hit.py(), hit.pz(), length);
                 return new ReferenceGatherRay(hit, ray.direction(), length,
                         keys.surfelKey(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz(), primitive, length), rank, tint,
-                        geometry.meanTexelBruteForce(primitive, ray, side),
+                        BruteForce.meanTexel(geometry, primitive, ray, side),
                         meanMaps(geometry, primitive, ray, side), false);
             }
             if (surfaces == RayBatch.MAX_SURFACES) {
@@ -149,7 +150,7 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
                 multiply(tint, geometry.materials(), hit);
             }
             passed += distance;
-            ray = new Ray(geometry.pointBehindBruteForce(primitive, ray), ray.direction());
+            ray = new Ray(BruteForce.pointBehind(geometry, primitive, ray), ray.direction());
         }
     }
 

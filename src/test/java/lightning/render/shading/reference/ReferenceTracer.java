@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import lightning.render.trace.BruteForce;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.image.Film;
@@ -200,7 +201,7 @@ public final class ReferenceTracer {
         if (primitive < 0) {
             return fog.color(color, x, y, Double.POSITIVE_INFINITY);
         }
-        SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
+        SurfacePoint hit = BruteForce.surface(geometry, primitive, ray);
         return fog.color(color, x, y, fog.distance(hit.px(), hit.py(), hit.pz()));
     }
 
@@ -229,7 +230,7 @@ public final class ReferenceTracer {
         int primitive = geometry.nearestBruteForce(ray);
         double distance = Double.POSITIVE_INFINITY;
         if (primitive >= 0) {
-            SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
+            SurfacePoint hit = BruteForce.surface(geometry, primitive, ray);
             double dx = hit.px() - ray.origin().x();
             double dy = hit.py() - ray.origin().y();
             double dz = hit.pz() - ray.origin().z();
@@ -252,7 +253,7 @@ public final class ReferenceTracer {
         @Override
         public SurfacePoint surface(Ray ray) {
             int primitive = geometry.nearestBruteForce(ray);
-            return primitive < 0 ? null : geometry.surfaceBruteForce(primitive, ray);
+            return primitive < 0 ? null : BruteForce.surface(geometry, primitive, ray);
         }
 
         @Override
@@ -272,7 +273,7 @@ public final class ReferenceTracer {
         if (primitive < 0) {
             return BackgroundShader.color(scene, ray.direction());
         }
-        SurfacePoint hit = geometry.surfaceBruteForce(primitive, ray);
+        SurfacePoint hit = BruteForce.surface(geometry, primitive, ray);
         int material = hit.material();
         float[] mirrored = {0, 0, 0};
         if (materials.isReflective(material) && depth > 0) {
