@@ -2,8 +2,10 @@ package lightning.editor.window;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import javafx.event.Event;
 import javafx.scene.Node;
+import javafx.scene.control.ScrollPane;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.stage.Stage;
@@ -49,7 +51,15 @@ record EditorReset(Stage stage, Editor editor, double x, double y, double width,
         editor.model().editor().materialShownProperty().set(false);
         editor.model().materials().choose("");
         editor.model().editor().message().clear();
+        scrollPanes().forEach(pane -> {
+            pane.setHvalue(0);
+            pane.setVvalue(0);
+        });
         editor.window().focus();
+    }
+
+    private Stream<ScrollPane> scrollPanes() {
+        return stage.getScene().getRoot().lookupAll(".scroll-pane").stream().filter(ScrollPane.class::isInstance).map(ScrollPane.class::cast);
     }
 
     /** Closes secondary windows, menus and dialogs. */

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 
 /** {@link EnglishTextClippingTest} runs in the usual check. */
 @Nightly
+@OwnEditor
 class GermanTextClippingTest extends TextClippingFixture {
     @BeforeAll
     static void setLanguage() {
