@@ -50,9 +50,8 @@ import org.testfx.util.WaitForAsyncUtils;
 /**
  * Editor of a small scene with one light of each type, all of them in view.
  *
- * <p>All tests of a Java process share one editor, which {@link EditorReset} resets before each test, so they pass in any order: that of a
- * class is random, and {@code -Dlightning.seed=N} selects another. Its window is hidden between classes. A test with {@link OwnEditor} opens
- * and closes an editor of its own.
+ * <p>The tests of a class share one editor, which {@link EditorReset} resets before each test, so they pass in any order: it is random, and
+ * {@code -Dlightning.seed=N} selects another. A test with {@link OwnEditor} opens and closes an editor of its own.
  */
 @ExtendWith(JavaFxRequirement.class)
 @TestMethodOrder(MethodOrderer.Random.class)
@@ -75,7 +74,10 @@ public abstract class EditorFixture {
     /** Distance of the mouse from the window's lower right corner between tests, pixels. */
     private static final double CORNER = 8;
 
-    /** Editor of this Java process; null before the first test. */
+    /** Folder of the shared editor's preferences. */
+    @TempDir
+    static Path sharedFolder;
+
     private static OpenEditor shared;
     private static EditorFixture current;
 
@@ -85,7 +87,6 @@ public abstract class EditorFixture {
     public final FxRobot robot = new FastRobot();
     Stage stage;
     public Editor editor;
-    private boolean ownsEditor;
     /** File that the file dialogs return; null cancels them. */
     public volatile Path answer;
     /** Folder that the last dialog for a scene to open started in; null before the first. */
@@ -106,12 +107,11 @@ public abstract class EditorFixture {
     @BeforeEach
     final void prepareEditor(TestInfo test) throws Exception {
         current = this;
-        ownsEditor = OwnEditor.Uses.isUsedBy(test);
-        if (ownsEditor) {
-            hideShared();
+        if (OwnEditor.Uses.isUsedBy(test)) {
+            closeShared();
             open();
         } else if (shared == null) {
-            open(EditorPaths.dataFolder().resolve("shared-editor"));
+            open(sharedFolder);
             shared = new OpenEditor(stage, editor, EditorReset.of(stage, editor));
         } else {
             stage = shared.stage();
@@ -150,7 +150,7 @@ public abstract class EditorFixture {
     final void leaveEditor() throws Exception {
         robot.release(new javafx.scene.input.MouseButton[0]);
         robot.release(new javafx.scene.input.KeyCode[0]);
-        if (ownsEditor) {
+        if (shared == null) {
             close();
         } else {
             FxToolkit.setupFixture(shared.initial()::hideOtherWindows);
@@ -168,13 +168,14 @@ public abstract class EditorFixture {
         });
     }
 
-    /** Hides the shared window from tests that look for windows. */
     @AfterAll
-    static void hideShared() throws Exception {
+    static void closeShared() throws Exception {
         if (shared != null) {
+            OpenEditor open = shared;
+            shared = null;
             FxToolkit.setupFixture(() -> {
-                shared.initial().hideOtherWindows();
-                shared.stage().hide();
+                open.editor().close();
+                open.stage().close();
             });
         }
     }

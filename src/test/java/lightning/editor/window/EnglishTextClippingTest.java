@@ -8,7 +8,6 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 @Slow
-@OwnEditor
 class EnglishTextClippingTest extends TextClippingFixture {
     @BeforeAll
     static void setLanguage() {

@@ -9,7 +9,6 @@ import org.junit.jupiter.api.Test;
 
 /** {@link EnglishTextClippingTest} runs in the usual check. */
 @Nightly
-@OwnEditor
 class GermanTextClippingTest extends TextClippingFixture {
     @BeforeAll
     static void setLanguage() {
