@@ -8,7 +8,6 @@ import bpy
 
 IES = ("IESNA:LM-63-2002\n[TEST] my precious measurement 12345\n[MANUFAC] Acme\nTILT=NONE\n1 1000 1 3 1 1 2 .1 .1 .1\n1 1 50\n0 45 90\n0\n"
        "100 50 0\n")
-PROGRAM = sample.FOLDER / "user/extensions/user_default/lightning/program.txt"
 
 
 def folder(name: str):
@@ -95,10 +94,12 @@ assert not send(mine / "shot.jen")
 before = contents(mine)
 bpy.data.objects.remove(bpy.context.object)
 bpy.ops.mesh.primitive_cone_add()
-program = PROGRAM.read_text(encoding="utf-8")
-PROGRAM.write_text("/bin/false\n", encoding="utf-8")
-assert "code 1" in send(mine / "shot.jen")
-PROGRAM.write_text(program, encoding="utf-8")
+program = sample.PROGRAM.read_text(encoding="utf-8")
+sample.PROGRAM.write_text("/bin/false\n", encoding="utf-8")
+try:
+    assert "code 1" in send(mine / "shot.jen")
+finally:
+    sample.PROGRAM.write_text(program, encoding="utf-8")
 assert contents(mine) == before
 opens(mine / "shot.jen")
 

@@ -1,4 +1,7 @@
-"""Edits a scene while the live view runs: each picture equals, in every bit, a render of the scene that is sent again."""
+"""Edits a scene while the live view runs: each picture equals, in every bit, a render of the scene that is sent again.
+
+Arguments: a folder, "small" or "large" pictures, and to measure only, a number of objects.
+"""
 
 import math
 import shutil
@@ -9,6 +12,9 @@ from pathlib import Path
 import blender_scene as sample
 import bpy
 import numpy
+
+IS_LARGE = sys.argv[2] == "large"
+WIDTH, HEIGHT = (96, 54) if IS_LARGE else (32, 18)
 
 
 def pixels(image):
@@ -105,19 +111,27 @@ scene = sample.build()
 from bl_ext.user_default.lightning import live, program, transfer  # noqa: E402, after the add-on is enabled
 from bl_ext.user_default.lightning.lightning_relight import Client  # noqa: E402
 
-scene.render.resolution_x, scene.render.resolution_y = 96, 54
+scene.render.resolution_x, scene.render.resolution_y = WIDTH, HEIGHT
 key, spot, box = (bpy.data.objects[name] for name in ("Key", "Spot", "Soft Box"))
+def set_reflections(level: float) -> None:
+    """Sets how much the material reflects: rough reflections take most of the time of a picture. Large pictures have them always."""
+    if not IS_LARGE:
+        shader("Specular IOR Level").default_value, shader("Roughness").default_value = level, 1 - level
+
+
+set_reflections(0)
 assert bpy.ops.lightning.live_view() == {"FINISHED"}
 before = None
-if len(sys.argv) > 2:
+if len(sys.argv) > 3:
     # Measures a scene with so many additional spheres of 960 triangles.
-    for n in range(int(sys.argv[2])):
+    for n in range(int(sys.argv[3])):
         bpy.ops.mesh.primitive_uv_sphere_add(segments=32, ring_count=16, radius=0.3, location=(n % 10 - 5, n // 10 - 5, -1))
     measure(480, 270)
     measure(960, 540)
     live.stop()
     sys.exit()
-reference = Client(program=program.find())
+# A server of its own costs as much as all small pictures.
+reference = Client(program=program.find()) if IS_LARGE else live.view()._client
 check("start", True)
 key.data.energy = 700
 check("energy")
@@ -161,8 +175,13 @@ check("turned object")
 for name, value in (("Base Color", (0.1, 0.6, 0.2, 1)), ("Roughness", 0.15), ("Metallic", 1), ("Metallic", 0), ("Emission Strength", 0.4),
                     ("Emission Color", (7, 2, 0.3, 1)), ("Emission Strength", 0), ("Alpha", 0.3), ("Alpha", 1), ("Base Color", (1, 1, 1, 1)),
                     ("Specular IOR Level", 0.2)):
+    if name == "Roughness":
+        set_reflections(0.5)
     shader(name).default_value = value
-    check(f"{name} {value}", name.startswith("Specular"))
+    check(f"{name} {value}", name.startswith("Specular") or name == "Roughness" and not IS_LARGE)
+    if (name, value) == ("Metallic", 0) and not IS_LARGE:
+        set_reflections(0)
+        check("no reflections", True)
 shader("IOR").default_value = 1.3
 shader("Transmission Weight").default_value = 1
 check("glass", True)
@@ -214,12 +233,14 @@ image.generated_type = "COLOR_GRID"
 texture = tree.nodes.new("ShaderNodeTexImage")
 texture.image = image
 tree.links.new(texture.outputs["Color"], shader("Base Color"))
+set_reflections(0.5)
 check("texture", True)
 shader("Roughness").default_value = 0.6
 check("roughness with a texture")
 cube.location.x = -0.2
 check("object with a texture")
 tree.links.remove(tree.links[-1])
+set_reflections(0)
 check("no texture", True)
 # Instances of a collection, and lights in them; geometry nodes.
 inner = bpy.data.collections.new("inner")
@@ -274,7 +295,7 @@ for i in range(20):
     live.view().pump()
 check("drag")
 # A newer edit cancels the exact picture once a coarse one is shown.
-scene.render.resolution_x, scene.render.resolution_y = 960, 540
+scene.render.resolution_x, scene.render.resolution_y = 10 * WIDTH, 10 * HEIGHT
 live.view().refresh()
 follow()
 # The last exact picture of this kind took long.
@@ -292,10 +313,12 @@ for i in range(5):
     coarse = pixels(bpy.data.images["Lightning"])
     shown += live.view().coarse_milliseconds > 0
 assert shown == 5 and live.view().pictures < count + 5, (shown, live.view().pictures - count)
-assert coarse.shape == (540, 960, 4) and not numpy.array_equal(coarse, before)
+assert coarse.shape == (10 * HEIGHT, 10 * WIDTH, 4) and not numpy.array_equal(coarse, before)
 check("drag of the camera with coarse pictures")
-reference.close()
+if IS_LARGE:
+    reference.close()
 # Stopped and started; then the server dies, and another file is loaded.
+scene.render.resolution_x, scene.render.resolution_y = WIDTH, HEIGHT
 bpy.ops.lightning.live_view()
 assert live.view() is None and bpy.app.handlers.depsgraph_update_post == []
 assert bpy.ops.lightning.live_view() == {"FINISHED"}

@@ -7,7 +7,9 @@ import sys
 from pathlib import Path
 
 FOLDER = Path(sys.argv[1])
-os.environ["BLENDER_USER_RESOURCES"] = str(FOLDER / "user")
+if "bpy" not in sys.modules:
+    os.environ["BLENDER_USER_RESOURCES"] = str(FOLDER / "user")
+PROGRAM = Path(os.environ["BLENDER_USER_RESOURCES"], "extensions/user_default/lightning/program.txt")
 
 import bpy  # noqa: E402, after the variable that it reads
 import numpy  # noqa: E402
@@ -15,13 +17,13 @@ import numpy  # noqa: E402
 
 def run_program(*words: str) -> None:
     """Runs a command of the program that the add-on finds."""
-    program = (FOLDER / "user/extensions/user_default/lightning/program.txt").read_text(encoding="utf-8").strip()
-    subprocess.run([program, *words], check=True)
+    subprocess.run([PROGRAM.read_text(encoding="utf-8").strip(), *words], check=True)
 
 
 def edit_file(file, *words: str) -> None:
-    """Edits a scene file in Lightning, with options of `relight`."""
-    run_program("relight", str(file), "-o", str(FOLDER / "a.png"), "--size", "24x16", "--no-savings", "--save", str(file), *words)
+    """Edits a scene file in Lightning, with options of `relight`, whose picture is not used."""
+    run_program("relight", str(file), "-o", str(FOLDER / "a.png"), "--size", "8x8", "--indirect", "off", "--depth", "0", "--antialias", "off",
+                "--no-savings", "--save", str(file), *words)
 
 
 def set_in_file(file, *edits: str) -> None:

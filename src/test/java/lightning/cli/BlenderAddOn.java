@@ -10,10 +10,13 @@ import java.util.stream.Stream;
 
 /** The Blender add-on of this build, installed for a test. */
 final class BlenderAddOn {
+    /** The processes are short, so the second compiler would not pay. With less memory, each small picture is rendered twice to forecast it. */
+    private static final String OPTIONS = "-Xmx4g -Xmn60m -XX:+UseSerialGC -XX:TieredStopAtLevel=1";
+
     private BlenderAddOn() {}
 
-    /** Installs the add-on, with a launcher of the classes under test, into the folder's {@code user}: Blender's user resources. */
-    static void install(Path folder) throws IOException {
+    /** Installs the add-on into the folder's {@code user}, Blender's user resources; returns its program, a launcher of the classes under test. */
+    static Path install(Path folder) throws IOException {
         Path addOn = Files.createDirectories(folder.resolve("user/extensions/user_default/lightning"));
         copy(Path.of("src/main/blender/lightning"), addOn);
         copy(Path.of("src/main/python/lightning_relight"), addOn.resolve("lightning_relight"));
@@ -22,10 +25,11 @@ final class BlenderAddOn {
                         .collect(Collectors.joining(File.pathSeparator));
         Path program = Files.writeString(folder.resolve("lightning"),
                 "#!/bin/sh\nexec '" + ProcessHandle.current().info().command().orElseThrow()
-                        + "' -Xmx512m -Djava.awt.headless=true --add-modules jdk.incubator.vector -cp '" + classPath
+                        + "' " + OPTIONS + " -Djava.awt.headless=true --add-modules jdk.incubator.vector -cp '" + classPath
                         + "' lightning.Main \"$@\"\n");
         Files.setPosixFilePermissions(program, PosixFilePermissions.fromString("rwxr-xr-x"));
         Files.writeString(addOn.resolve("program.txt"), program + "\n");
+        return program;
     }
 
     private static void copy(Path from, Path to) throws IOException {

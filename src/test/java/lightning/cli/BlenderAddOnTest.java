@@ -2,10 +2,8 @@ package lightning.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
@@ -13,6 +11,7 @@ import lightning.editor.document.manipulation.PreviewCamera;
 import lightning.editor.document.manipulation.Viewport;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
+import lightning.sample.Nightly;
 import lightning.sample.PythonPrograms;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
@@ -33,22 +32,18 @@ import tools.jackson.databind.json.JsonMapper;
 @Slow
 @DisabledOnOs(OS.WINDOWS)
 class BlenderAddOnTest {
-    private static final Path SCRIPTS = Path.of("src/test/python").toAbsolutePath();
     /** Blender has single precision, and its matrices are products. */
     private static final double PRECISION = 2e-5;
     @TempDir
     private Path folder;
 
     @BeforeEach
-    void setUp() throws IOException {
+    void requireBlender() {
         PythonPrograms.require("bpy");
-        BlenderAddOn.install(folder);
     }
 
-    private String run(String script, String... arguments) throws IOException {
-        List<String> words = new ArrayList<>(List.of("-B", SCRIPTS.resolve(script).toString(), folder.toString()));
-        words.addAll(List.of(arguments));
-        return PythonPrograms.output(folder, words);
+    private String run(String script, String... arguments) throws Exception {
+        return Blender.run(folder, script, arguments);
     }
 
     @Test
@@ -81,18 +76,35 @@ class BlenderAddOnTest {
         assertThat(run("blender_files.py")).contains("no file of the user has changed");
     }
 
+    /** With a program that starts, so that it can be killed. {@link #filesOfUser_stay} sends while the program fails. */
     @Test
+    @Nightly
     void killedWhileSending_losesNothing() throws Exception {
-        assertThat(run("blender_kills.py", Integer.toString(Integer.getInteger("lightning.kills", 4)), "1")).contains("nothing is lost");
+        BlenderAddOn.install(folder);
+        assertThat(PythonPrograms.output(folder, List.of("-B", Path.of("src/test/python/blender_kills.py").toAbsolutePath().toString(),
+                folder.toString(), Integer.toString(Integer.getInteger("lightning.kills", 4)), "1"))).contains("nothing is lost");
     }
 
+    private void compareWithCycles(String light, String pixels) throws Exception {
+        assertThat(run("blender_cycles.py", light, Path.of("textures/evening_sky.hdr").toAbsolutePath().toString(), pixels))
+                .contains(light + ": sum");
+    }
+
+    /** One light of each kind that the add-on converts in its own way. */
     @ParameterizedTest
+    @ValueSource(strings = {"ball", "spot", "wide_sun", "profile360", "screen", "softbox", "tilted_image"})
+    void middleOfPictures_equalsDirectLightOfCycles(String light) throws Exception {
+        compareWithCycles(light, "part");
+    }
+
+    /** All pixels of more lights than {@link #middleOfPictures_equalsDirectLightOfCycles}. */
+    @ParameterizedTest
+    @Nightly
     @ValueSource(strings = {"point", "ball", "spot", "sun", "profile", "profile180", "profile360", "lamp", "lamp90", "lamp270",
         "lamp360", "wide_sun", "screen", "window", "rect", "disc", "softbox", "snoot", "warm", "world", "sky", "tilted_sky", "tilted_image",
         "photo"})
     void pictures_equalDirectLightOfCycles(String light) throws Exception {
-        assertThat(run("blender_cycles.py", light, Path.of("textures/evening_sky.hdr").toAbsolutePath().toString()))
-                .contains(light + ": sum");
+        compareWithCycles(light, "whole");
     }
 
     @Test

@@ -3,7 +3,7 @@ package lightning.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
-import java.util.List;
+import lightning.sample.Nightly;
 import lightning.sample.PythonPrograms;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
@@ -18,11 +18,23 @@ class BlenderLiveViewTest {
     @TempDir
     private Path folder;
 
+    private void edit(String size) throws Exception {
+        PythonPrograms.require("bpy");
+        assertThat(Blender.run(folder, "blender_live_view.py", size)).contains("all pictures are equal");
+    }
+
     @Test
     void pictures_equalSceneSentAnew() throws Exception {
-        PythonPrograms.require("bpy");
-        BlenderAddOn.install(folder);
-        String script = Path.of("src/test/python/blender_live_view.py").toAbsolutePath().toString();
-        assertThat(PythonPrograms.output(folder, List.of("-B", script, folder.toString()))).contains("all pictures are equal");
+        edit("small");
+    }
+
+    /**
+     * With reflections during all edits, and a server of its own for the scenes that are sent again; {@link #pictures_equalSceneSentAnew} has
+     * reflections only where they are edited.
+     */
+    @Test
+    @Nightly
+    void largePictures_equalSceneSentAnew() throws Exception {
+        edit("large");
     }
 }

@@ -39,9 +39,7 @@ class BlenderMapsTest {
     @BeforeAll
     void send(@TempDir Path folder) throws Exception {
         PythonPrograms.require("bpy");
-        BlenderAddOn.install(folder);
-        String script = Path.of("src/test/python/blender_maps.py").toAbsolutePath().toString();
-        assertThat(PythonPrograms.output(folder, List.of("-B", script, folder.toString()))).contains("sent");
+        assertThat(Blender.run(folder, "blender_maps.py")).contains("sent");
         scene = JenReader.read(folder.resolve("scene.jen")).scene();
         messages = Files.readAllLines(folder.resolve("messages.txt"));
     }

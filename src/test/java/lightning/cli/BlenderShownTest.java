@@ -40,14 +40,12 @@ class BlenderShownTest {
     private Path folder;
 
     @BeforeEach
-    void setUp() throws IOException {
+    void requireBlender() {
         PythonPrograms.require("bpy");
-        BlenderAddOn.install(folder);
     }
 
     private JenDocument send(String name) throws Exception {
-        String script = Path.of("src/test/python/blender_shown.py").toAbsolutePath().toString();
-        assertThat(PythonPrograms.output(folder, List.of("-B", script, folder.toString(), name))).contains("sent");
+        assertThat(Blender.run(folder, "blender_shown.py", name)).contains("sent");
         return JenReader.read(folder.resolve("scene.jen"));
     }
 
