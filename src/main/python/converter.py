@@ -17,6 +17,7 @@ import json
 import multiprocessing
 import os
 import shutil
+import signal
 import sys
 import threading
 from multiprocessing.connection import wait
@@ -30,6 +31,7 @@ FORKS = sys.platform == "linux"
 SCRATCH = "lightning-scratch-"
 MESSAGES = "messages.txt"
 MAX_MESSAGE = 1000
+PR_SET_PDEATHSIG = 1
 
 
 def main(library: str) -> int:
@@ -74,7 +76,11 @@ def convert(arguments: list[str], library: str) -> int:
 
 def read(arguments: list[str], parent: int) -> None:
     """Reads a file, in the process of its own."""
-    end_with(parent)
+    if FORKS:
+        # The system ends this process with its parent.
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+        if os.getppid() != parent:
+            sys.exit(FAILED)
     messages = os.open(Path(arguments[1], MESSAGES), os.O_WRONLY | os.O_CREAT, 0o600)
     for target, file in ((0, os.open(os.devnull, os.O_RDONLY)), (1, messages), (2, messages)):
         os.dup2(file, target)
@@ -84,17 +90,6 @@ def read(arguments: list[str], parent: int) -> None:
         print(error)
         sys.exit(NO_LIBRARY)
     sys.exit(reader.main(arguments))
-
-
-def end_with(parent: int) -> None:
-    """Lets the system end this process with its parent, where it can."""
-    try:
-        pr_set_pdeathsig, sigkill = 1, 9
-        ctypes.CDLL(None).prctl(pr_set_pdeathsig, sigkill)
-    except (OSError, AttributeError, TypeError):
-        return
-    if os.getppid() != parent:
-        sys.exit(FAILED)
 
 
 def await_end(has_ended: threading.Event) -> None:
@@ -115,11 +110,9 @@ def end(reader: multiprocessing.Process, folder: Path) -> None:
 
 def used_bytes(pid: int) -> int:
     """Returns the bytes of memory that a process uses; 0 if the system does not say."""
-    try:
-        with open(f"/proc/{pid}/statm", encoding="ascii") as file:
-            return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
-    except (OSError, ValueError, IndexError):
-        return 0
+    with contextlib.suppress(OSError):
+        return int(Path(f"/proc/{pid}/statm").read_text(encoding="ascii").split()[1]) * os.sysconf("SC_PAGE_SIZE")
+    return 0
 
 
 def last_line(messages: Path) -> str:

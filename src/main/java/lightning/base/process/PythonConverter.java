@@ -16,7 +16,6 @@ import java.util.function.Function;
 import lightning.base.file.RegularFile;
 import lightning.base.file.ScratchFolder;
 import lightning.base.file.SearchPath;
-import lightning.base.file.TemporaryFolder;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
@@ -59,8 +58,7 @@ public record PythonConverter(Path python, Path script, Duration limit, PythonPa
             throw new IOException(Messages.tr("{0}: this converter is missing; install Lightning again", shipped));
         }
         return new PythonConverter(PythonInterpreter.find(System.getenv(PythonInterpreter.VARIABLE), SearchPath.ofSystem(), library),
-                script,
-                limit, library);
+                script, limit, library);
     }
 
     /** Reader of the written folder. */
@@ -83,17 +81,13 @@ public record PythonConverter(Path python, Path script, Duration limit, PythonPa
             Function<String, E> failure, Use<T, E> use) throws IOException, E {
         try (var scratch = ScratchFolder.createIn(Path.of(System.getProperty("java.io.tmpdir")))) {
             Path folder = Files.createDirectory(scratch.file("converted"));
-            try {
-                List<String> request = new ArrayList<>(List.of(source, folder.toString()));
-                request.addAll(options);
-                String problem = run(request, folder, result, progress);
-                if (!problem.isEmpty()) {
-                    throw failure.apply(problem);
-                }
-                return use.read(folder);
-            } finally {
-                TemporaryFolder.delete(folder);
+            List<String> request = new ArrayList<>(List.of(source, folder.toString()));
+            request.addAll(options);
+            String problem = run(request, folder, result, progress);
+            if (!problem.isEmpty()) {
+                throw failure.apply(problem);
             }
+            return use.read(folder);
         }
     }
 

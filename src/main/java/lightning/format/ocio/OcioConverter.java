@@ -26,16 +26,12 @@ record OcioConverter(PythonConverter program) {
     /** Start of the names of configurations that OpenColorIO contains. */
     static final String BUILT_IN = "ocio://";
 
-    private static final PythonPackage OCIO = new PythonPackage("opencolorio", Messages.key("OpenColorIO views"));
+    static final PythonPackage OCIO = new PythonPackage("opencolorio", Messages.key("OpenColorIO views"));
     private static final Duration TIME_LIMIT = Duration.ofMinutes(2);
     /** Address space of the process in bytes; a table needs 100 MB. */
     private static final long MEMORY = 4L << 30;
     private static final int MAX_JSON_BYTES = 1 << 24;
     private static final JsonMapper JSON = JsonMapper.builder().build();
-
-    OcioConverter(Path python, Path script, Duration limit) {
-        this(new PythonConverter(python, script, limit, OCIO));
-    }
 
     /**
      * Returns the converter of this installation.

@@ -19,16 +19,12 @@ import lightning.format.mesh.MeshException;
  * @param triangles number of triangles after which it is ended
  */
 record UsdConverter(PythonConverter program, long memory, long triangles) {
-    private static final PythonPackage USD = new PythonPackage("usd-core", Messages.key("USD files"));
+    static final PythonPackage USD = new PythonPackage("usd-core", Messages.key("USD files"));
     private static final Duration TIME_LIMIT = Duration.ofMinutes(10);
     /** usd-core needs a tenth of it for an empty stage. */
     private static final long MIN_MEMORY = 1L << 30;
     /** Memory that an import needs: a stage of three million triangles fails with 700 MB. */
     private static final long BYTES_PER_TRIANGLE = 300;
-
-    UsdConverter(Path python, Path script, Duration limit, long memory, long triangles) {
-        this(new PythonConverter(python, script, limit, USD), memory, triangles);
-    }
 
     /**
      * Returns the converter of this installation.

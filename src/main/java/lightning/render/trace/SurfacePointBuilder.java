@@ -9,7 +9,6 @@ import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.primitive.SurfaceTangent;
-import lightning.render.trace.primitive.TextureFootprint;
 import lightning.render.trace.primitive.TextureLookup;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.material.BumpMapping;

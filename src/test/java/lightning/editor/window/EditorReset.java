@@ -59,7 +59,8 @@ record EditorReset(Stage stage, Editor editor, double x, double y, double width,
     }
 
     private Stream<ScrollPane> scrollPanes() {
-        return stage.getScene().getRoot().lookupAll(".scroll-pane").stream().filter(ScrollPane.class::isInstance).map(ScrollPane.class::cast);
+        return stage.getScene().getRoot().lookupAll(".scroll-pane").stream().filter(ScrollPane.class::isInstance)
+                .map(ScrollPane.class::cast);
     }
 
     /** Closes secondary windows, menus and dialogs. */

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import java.util.List;
+import lightning.base.process.PythonConverter;
 import lightning.base.work.Progress;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -25,7 +26,7 @@ class OcioConverterTest {
     private String convert(String config, String commands, Duration limit) throws IOException {
         Path python = Files.writeString(folder.resolve("python3"), "#!/bin/sh\nIFS='\"' read -r _ config _ folder _\n" + commands + "\n");
         Files.setPosixFilePermissions(python, PosixFilePermissions.fromString("rwxr-xr-x"));
-        return new OcioConverter(python, folder, limit).convert(config, List.of(), Progress.NONE,
+        return new OcioConverter(new PythonConverter(python, folder, limit, OcioConverter.OCIO)).convert(config, List.of(), Progress.NONE,
                 written -> Files.readString(written.resolve("views.json")));
     }
 

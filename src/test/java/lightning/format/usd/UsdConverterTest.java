@@ -10,6 +10,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.time.Duration;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
+import lightning.base.process.PythonConverter;
 import lightning.base.work.Progress;
 import lightning.format.mesh.MeshException;
 import org.junit.jupiter.api.Test;
@@ -32,7 +33,8 @@ class UsdConverterTest {
 
     private String convert(String commands, Duration limit, Progress progress) throws IOException, MeshException {
         Path source = folder.resolve("shot.usda");
-        return new UsdConverter(program(commands), folder, limit, 1L << 30, 0).convert(source, StageChoice.DEFAULT, progress,
+        return new UsdConverter(new PythonConverter(program(commands), folder, limit, UsdConverter.USD), 1L << 30, 0).convert(source,
+                StageChoice.DEFAULT, progress,
                 written -> Files.readString(written.resolve("stage.json")));
     }
 

@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import lightning.base.process.PythonConverter;
 import lightning.base.work.Await;
 import lightning.base.work.Progress;
 import lightning.format.mesh.MeshException;
@@ -37,9 +38,12 @@ class UsdLimitsTest {
     }
 
     private void convert(Path stage, long memory) throws IOException, MeshException {
-        new UsdConverter(Path.of(PythonPrograms.require("pxr")), SCRIPT, Duration.ofMinutes(2), memory, 999_999).convert(stage,
-                StageChoice.DEFAULT,
-                Progress.NONE, _ -> "");
+        convert(SCRIPT, stage, memory);
+    }
+
+    private static void convert(Path script, Path stage, long memory) throws IOException, MeshException {
+        var program = new PythonConverter(Path.of(PythonPrograms.require("pxr")), script, Duration.ofMinutes(2), UsdConverter.USD);
+        new UsdConverter(program, memory, 999_999).convert(stage, StageChoice.DEFAULT, Progress.NONE, _ -> "");
     }
 
     @Test
@@ -56,8 +60,7 @@ class UsdLimitsTest {
         Path script = Files.createDirectory(folder.resolve("script"));
         Files.writeString(script.resolve("reader.py"), "import os\ndef main(arguments):\n    os.abort()\n");
         Path stage = Files.writeString(folder.resolve("a.usda"), "#usda 1.0\n");
-        assertThatThrownBy(() -> new UsdConverter(Path.of(PythonPrograms.require("pxr")), script, Duration.ofMinutes(2), 1L << 30, 0)
-                .convert(stage, StageChoice.DEFAULT, Progress.NONE, _ -> "")).isInstanceOf(MeshException.class)
+        assertThatThrownBy(() -> convert(script, stage, 1L << 30)).isInstanceOf(MeshException.class)
                 .hasMessageEndingWith("a.usda: cannot be read by usd-core, which ended with signal 6");
     }
 
