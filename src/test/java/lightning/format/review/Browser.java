@@ -71,7 +71,6 @@ public final class Browser implements AutoCloseable {
     }
 
     private static ChromeDriver start() {
-        java.util.logging.Logger.getLogger("org.openqa.selenium").setLevel(java.util.logging.Level.SEVERE);
         var options = new ChromeOptions();
         options.setBinary(CHROMIUM.toString());
         options.addArguments("--headless=new", "--no-sandbox", "--disable-gpu-sandbox", "--use-angle=swiftshader",
