@@ -80,7 +80,7 @@ public final class EditSession {
         };
     }
 
-    /** Returns the scenes of {@link #steps}. */
+    /** Returns the scenes of {@link #steps}; the last one is not always the last of {@link #scenes}. */
     public Iterable<Scene> timedScenes() {
         return () -> StreamSupport.stream(steps().spliterator(), false).map(scenes::get).iterator();
     }

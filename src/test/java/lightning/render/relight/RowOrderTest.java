@@ -42,7 +42,7 @@ class RowOrderTest {
             for (Scene scene : session.timedScenes()) {
                 edited.render(scene, Progress.NONE);
             }
-            fresh.render(session.scenes().getLast(), Progress.NONE);
+            fresh.render(edited.scene(), Progress.NONE);
             PixelCache actual = edited.cache();
             PixelCache expected = fresh.cache();
             assertThat(actual.tileCount()).isEqualTo(expected.tileCount());
