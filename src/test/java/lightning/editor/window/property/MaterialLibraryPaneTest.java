@@ -84,7 +84,7 @@ class MaterialLibraryPaneTest extends EditorFixture {
     /** Real drags, which the headless toolkit does not have. */
     @ParameterizedTest
     @ValueSource(strings = {"#preview-canvas", "#traced-picture"})
-    @DisabledIfSystemProperty(named = "glass.platform", matches = "Headless")
+    @DisabledIfSystemProperty(named = "glass.platform", matches = "Unseen")
     void draggedMaterial_isThatOfTheObjectWhereItEnds(String picture) {
         openLibrary();
         Point2D from = center(tile("gold"));
