@@ -37,7 +37,8 @@ final class ExampleProcess implements AutoCloseable {
     /** @param folder working directory of the commands */
     ExampleProcess(Path folder) throws IOException {
         var builder = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "--add-modules",
-                "jdk.incubator.vector", "--enable-native-access=ALL-UNNAMED", "-Xmx1g", "-XX:+UseSerialGC", "-Dlightning.home=" + HOME,
+                "jdk.incubator.vector", "--enable-native-access=ALL-UNNAMED", "-Xmx1g", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",
+                "-Dlightning.home=" + HOME,
                 "-Dlightning.warmup=0", "-Dlightning.data=" + folder.resolve("data"), "-cp", classPath(), ExampleProcess.class.getName())
                 .directory(folder.toFile()).redirectError(folder.resolve("errors").toFile());
         builder.environment().put("BLENDER_USER_RESOURCES", folder.resolve("blender-settings").toString());

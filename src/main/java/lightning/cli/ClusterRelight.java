@@ -9,6 +9,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import lightning.base.work.DedicatedThread;
@@ -37,8 +38,8 @@ import lightning.shot.movie.FrameFiles;
  * @param threads number of images written concurrently
  */
 record ClusterRelight(Console console, PictureOutput output, NodeConfig config, Path folder, int threads) {
-    /** Timeout for a first node: enough for two attempts to find one. */
-    private static final long FIRST_NODE_TIMEOUT_NANOSECONDS = 30_000_000_000L;
+    /** Timeout for a first node: enough for two attempts to find one. Tests wait less. */
+    private static final long FIRST_NODE_TIMEOUT_NANOSECONDS = TimeUnit.SECONDS.toNanos(Integer.getInteger("lightning.cluster.wait", 30));
     /** Timeout for another node after all were lost: one may be restarted. */
     private static final long NODE_TIMEOUT_NANOSECONDS = 60_000_000_000L;
     private static final long POLL_MILLISECONDS = 2;

@@ -34,7 +34,8 @@ final class HandleLimitTest {
 
     private void check(String... words) throws Exception {
         List<String> line = new ArrayList<>(List.of("/bin/sh", "-c", "ulimit -n " + HANDLES + "; exec \"$@\"", "sh",
-                System.getProperty("java.home") + "/bin/java", "--add-modules", "jdk.incubator.vector", "-XX:+UseSerialGC", "-Xmx600m",
+                System.getProperty("java.home") + "/bin/java", "--add-modules", "jdk.incubator.vector", "-XX:+UseSerialGC",
+                "-XX:TieredStopAtLevel=1", "-Xmx600m",
                 "-cp", System.getProperty("java.class.path"), "lightning.Main"));
         line.addAll(List.of(words));
         Path output = folder.resolve("said");

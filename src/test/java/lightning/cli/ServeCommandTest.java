@@ -33,7 +33,8 @@ class ServeCommandTest {
 
     private Process start(String... options) throws IOException {
         List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx400m",
-                "-XX:+UseSerialGC", "--add-modules", "jdk.incubator.vector", "-cp", System.getProperty("java.class.path"),
+                "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "--add-modules", "jdk.incubator.vector", "-cp",
+                System.getProperty("java.class.path"),
                 "lightning.Main", "serve"));
         line.addAll(List.of(options));
         return new ProcessBuilder(line).redirectError(folder.resolve("errors").toFile()).start();

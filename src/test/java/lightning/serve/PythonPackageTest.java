@@ -31,6 +31,7 @@ class PythonPackageTest {
     /** Returns the command that starts the program of these classes. */
     static List<String> program() {
         return List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx600m", "-XX:+UseSerialGC",
+                "-XX:TieredStopAtLevel=1",
                 "--add-modules", "jdk.incubator.vector", "-cp", absoluteClassPath(), "lightning.Main");
     }
 

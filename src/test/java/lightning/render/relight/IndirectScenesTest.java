@@ -53,16 +53,17 @@ class IndirectScenesTest {
     void allRenderers_equalReference(String name) {
         Scene scene = IndirectScenes.all().get(name);
         Film expected = reference(name);
-        for (EngineChoice engines : new EngineChoice[] {_ -> Engines.SCALAR, _ -> Engines.LANES}) {
-            for (int threads : new int[] {1, 3}) {
-                try (WorkerPool workers = new WorkerPool(threads);
-                        Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(threads).withEngines(engines))) {
-                    FilmAssert.assertSameBits(new TraditionalTracer(scene).withEngines(engines).trace(workers, Progress.NONE).film(),
-                            expected, "indirect " + name + ", full trace");
-                    renderer.render(scene, Progress.NONE);
-                    FilmAssert.assertSameBits(renderer.film(), expected, "indirect " + name + ", first pass");
-                }
-            }
+        assertEqual(scene, expected, 1, _ -> Engines.SCALAR, name);
+        assertEqual(scene, expected, 3, _ -> Engines.LANES, name);
+    }
+
+    private static void assertEqual(Scene scene, Film expected, int threads, EngineChoice engines, String name) {
+        try (WorkerPool workers = new WorkerPool(threads);
+                Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(threads).withEngines(engines))) {
+            FilmAssert.assertSameBits(new TraditionalTracer(scene).withEngines(engines).trace(workers, Progress.NONE).film(), expected,
+                    "indirect " + name + ", full trace");
+            renderer.render(scene, Progress.NONE);
+            FilmAssert.assertSameBits(renderer.film(), expected, "indirect " + name + ", first pass");
         }
     }
 

@@ -17,6 +17,8 @@ import org.junit.jupiter.api.io.TempDir;
 @Slow
 final class ClusterRelightTest {
     private static final int TIMEOUT_SECONDS = 240;
+    /** Time in which a process looks for a first node, long enough for two attempts. */
+    private static final int WAIT_SECONDS = 12;
 
     @TempDir
     private Path folder;
@@ -28,7 +30,8 @@ final class ClusterRelightTest {
 
         CommandProcess(String... words) throws IOException {
             List<String> line = new ArrayList<>(List.of(System.getProperty("java.home") + "/bin/java", "--add-modules",
-                    "jdk.incubator.vector", "-XX:+UseSerialGC", "-Xmx600m", "-cp", System.getProperty("java.class.path"),
+                    "jdk.incubator.vector", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Xmx600m",
+                    "-Dlightning.cluster.wait=" + WAIT_SECONDS, "-cp", System.getProperty("java.class.path"),
                     "lightning.Main"));
             line.addAll(List.of(words));
             process = new ProcessBuilder(line).redirectErrorStream(true).redirectOutput(output.toFile()).start();
@@ -61,12 +64,12 @@ final class ClusterRelightTest {
         String[] words = {"shot", "relight", "scenes/dusk.jen", "--frames", "1-4", "--size", "60x40", "--set", "sky.on=no", "--then",
             "--set", "world.ambience=0.3"};
         try (var _ = new NodeProcess(port, List.of(port), folder)) {
-            // The command waits half a minute for a node, which should not include the start of Java.
+            // The command waits only so long for a node, which should not include the start of Java.
             Await.until("the node has started",
                     () -> Files.readString(folder.resolve("node-" + port + ".log")).contains("node running at"));
             String other = folder.resolve("other.p12").toString();
             SelfSignedCertificate.write(Path.of(other));
-            // Tries for half a minute without success, while the others work.
+            // Tries without success, while the others work.
             try (CommandProcess stranger = new CommandProcess(
                     with(words, "-o", folder.resolve("none").toString(), "--cluster", "127.0.0.1:" + port, "--certificate", other))) {
                 String output = run(0, with(words, "-o", folder.resolve("elsewhere").toString(), "--cluster", "127.0.0.1:" + port,

@@ -14,7 +14,7 @@ final class SmallNightScene {
     private static Scene read() {
         try {
             Scene scene = IndirectScenes.withoutEdges(IndirectScenes.without(JenReader.read(Path.of("scenes/night.jen")).scene()));
-            return scene.withPicture(scene.picture().withSize(70, 50));
+            return scene.withPicture(scene.picture().withSize(40, 34));
         } catch (Exception e) {
             throw new IllegalStateException(e);
         }

@@ -70,7 +70,7 @@ class PixelExplainerTest {
     }
 
     /** Mirrors, transparent surfaces and the background show it too. */
-    @Property(tries = 30, edgeCases = EdgeCasesMode.NONE)
+    @Property(edgeCases = EdgeCasesMode.NONE)
     void colorWithIndirectLight_matchesFullTraceBits(@ForAll("scenes") Scene drawn, @ForAll Random pixels) {
         Scene scene = IndirectScenes.withBackground(drawn.withPicture(drawn.picture().withSampling(SamplingSettings.DEFAULT)));
         var explainer = new PixelExplainer(scene);
