@@ -77,16 +77,19 @@ class PythonPackageTest {
         // pip writes next to the sources that it builds.
         Path copy = Files.createDirectory(folder.resolve("sources"));
         Files.copy(PACKAGE.resolve("pyproject.toml"), copy.resolve("pyproject.toml"));
-        Path modules = Files.createDirectory(copy.resolve("lightning_relight"));
-        try (var files = Files.list(PACKAGE.resolve("lightning_relight"))) {
-            for (Path file : files.filter(Files::isRegularFile).toList()) {
-                Files.copy(file, modules.resolve(file.getFileName()));
+        for (String name : List.of("lightning_relight", "lightning_openjd")) {
+            Path modules = Files.createDirectory(copy.resolve(name));
+            try (var files = Files.list(PACKAGE.resolve(name))) {
+                for (Path file : files.filter(Files::isRegularFile).toList()) {
+                    Files.copy(file, modules.resolve(file.getFileName()));
+                }
             }
         }
         PythonPrograms.output(folder, List.of("-m", "pip", "install", "-q", "--no-index", "--no-deps", "--no-build-isolation",
                 "--disable-pip-version-check", "--target", folder.resolve("installed").toString(), copy.toString()));
         assertThat(folder.resolve("installed/lightning_relight/client.py")).exists();
         assertThat(folder.resolve("installed/lightning_relight/py.typed")).exists();
+        assertThat(folder.resolve("installed/lightning_openjd/ShotAdaptor.json")).exists();
     }
 
     @Test
