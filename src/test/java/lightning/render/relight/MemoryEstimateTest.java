@@ -120,7 +120,7 @@ class MemoryEstimateTest {
     @ParameterizedTest
     @EnumSource(AntialiasMode.class)
     void forecastWithIndirectLight_isCloseToActual(AntialiasMode antialias) throws Exception {
-        Scene scene = IndirectScenes.with(ballsScene(320, 224, antialias, 2));
+        Scene scene = IndirectScenes.with(ballsScene(192, 128, antialias, 2));
         MemoryForecast forecast = MemoryForecast.of(scene, OPTIONS);
         assertThat(forecast.bytes(scene.picture())).isCloseTo(usedBytes(scene, OPTIONS), withPercentage(25));
         assertThat(MemoryForecast.upperOf(scene, OPTIONS, PictureParts.ALL, SmallPictures.UNSEEN).bytes(scene.picture()))
@@ -149,7 +149,7 @@ class MemoryEstimateTest {
     @Test
     void forecastWithManyLights_scalesDownPerPixel() throws Exception {
         Scene night = JenReader.read(Path.of("scenes/night.jen")).scene();
-        Scene scene = night.withPicture(new PictureSettings(400, 224, night.picture().depth()));
+        Scene scene = night.withPicture(new PictureSettings(384, 192, night.picture().depth()));
         // A pixel needs a sixth less than in a picture of 192 pixels, and each of these pictures has other edges in its tiles.
         assertThat(MemoryForecast.of(scene, OPTIONS).bytes(scene.picture())).isCloseTo(usedBytes(scene, OPTIONS), withPercentage(10));
     }
