@@ -98,6 +98,13 @@ class NightlyScriptTest {
     }
 
     @Test
+    void stoppedPart_saysHowManyOfItsClassesEnded() throws Exception {
+        maven(ENDLESS);
+        assertThat(nightly("fuzzers")).isEqualTo(1);
+        assertThat(lastRow()).endsWith(" | stopped after 0 minutes | 1 of 1 classes, 5 tests, 0 failed, 2 skipped |");
+    }
+
+    @Test
     void killedPart_leavesNoResultAndIsNextAgain() throws Exception {
         maven(ENDLESS);
         Process killed = start("env", "-u", "LIGHTNING_NIGHT_SMOKE", "LIGHTNING_NIGHT_MINUTES=60", ".ci/nightly", "next");
