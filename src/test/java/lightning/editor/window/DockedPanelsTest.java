@@ -95,12 +95,11 @@ class DockedPanelsTest extends EditorFixture {
     @Test
     void panelBehindAnother_isNotInWindow() {
         run(Command.MIXER);
-        assertThat(isInWindow("#mixer")).isTrue();
+        waitFor("the mixer is shown", () -> isInWindow("#mixer"));
         run(Command.CUES);
-        assertThat(isInWindow("#mixer")).isFalse();
-        assertThat(isInWindow("#cues")).isTrue();
+        waitFor("looks are shown", () -> isInWindow("#cues") && !isInWindow("#mixer"));
         robot.clickOn("#tab-mixer");
-        assertThat(isInWindow("#mixer")).isTrue();
+        waitFor("the mixer is shown again", () -> isInWindow("#mixer"));
         assertThat(panels().front(PanelPlace.BELOW)).contains(Command.MIXER);
     }
 

@@ -15,6 +15,7 @@ import javafx.scene.control.MenuItem;
 import javax.imageio.ImageIO;
 import lightning.editor.document.Command;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.OwnEditor;
 import lightning.scene.Scene;
 import lightning.scene.asset.Gobo;
 import org.junit.jupiter.api.Test;
@@ -89,7 +90,9 @@ class GoboFieldTest extends EditorFixture {
         assertGoShowsTheScene();
     }
 
+    /** With an editor of its own, since it takes the place of the file dialog. */
     @Test
+    @OwnEditor
     void menu_whenBrowsing_isHidden() {
         select("stage");
         List<Boolean> open = new ArrayList<>();
