@@ -74,7 +74,7 @@ public abstract class EditorFixture {
     /** Distance of the mouse from the window's lower right corner between tests, pixels. */
     private static final double CORNER = 8;
 
-    /** Folder of the shared editor's preferences. */
+    /** Folder of the shared editors' preferences. */
     @TempDir
     static Path sharedFolder;
 
@@ -111,7 +111,8 @@ public abstract class EditorFixture {
             closeShared();
             open();
         } else if (shared == null) {
-            open(sharedFolder);
+            // Without the settings of an earlier shared editor.
+            open(Files.createTempDirectory(sharedFolder, "settings"));
             shared = new OpenEditor(stage, editor, EditorReset.of(stage, editor));
         } else {
             stage = shared.stage();
