@@ -105,6 +105,13 @@ class NightlyScriptTest {
     }
 
     @Test
+    void stoppedPartWithoutAnEndedClass_saysSo() throws Exception {
+        maven("sleep 600\n");
+        assertThat(nightly("fuzzers")).isEqualTo(1);
+        assertThat(lastRow()).endsWith(" | stopped after 0 minutes | no test ended |");
+    }
+
+    @Test
     void killedPart_leavesNoResultAndIsNextAgain() throws Exception {
         maven(ENDLESS);
         Process killed = start("env", "-u", "LIGHTNING_NIGHT_SMOKE", "LIGHTNING_NIGHT_MINUTES=60", ".ci/nightly", "next");
