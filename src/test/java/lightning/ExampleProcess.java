@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.cli.Lightning;
+import lightning.sample.TestedProgram;
 
 /**
  * Process that runs the program's commands in a folder one after the other, like a user with an installed program, but with a single start
@@ -36,20 +37,13 @@ final class ExampleProcess implements AutoCloseable {
 
     /** @param folder working directory of the commands */
     ExampleProcess(Path folder) throws IOException {
-        var builder = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "--add-modules",
-                "jdk.incubator.vector", "--enable-native-access=ALL-UNNAMED", "-Xmx1g", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1",
-                "-Dlightning.home=" + HOME,
-                "-Dlightning.warmup=0", "-Dlightning.data=" + folder.resolve("data"), "-cp", classPath(), ExampleProcess.class.getName())
+        var builder = new ProcessBuilder(TestedProgram.ofClass(ExampleProcess.class.getName(), "-Xmx1g", "-Dlightning.home=" + HOME,
+                "-Dlightning.warmup=0", "-Dlightning.data=" + folder.resolve("data")))
                 .directory(folder.toFile()).redirectError(folder.resolve("errors").toFile());
         builder.environment().put("BLENDER_USER_RESOURCES", folder.resolve("blender-settings").toString());
         process = builder.start();
         input = process.outputWriter(StandardCharsets.UTF_8);
         output = process.inputReader(StandardCharsets.UTF_8);
-    }
-
-    private static String classPath() {
-        return Stream.of(System.getProperty("java.class.path").split(System.getProperty("path.separator")))
-                .map(entry -> Path.of(entry).toAbsolutePath().toString()).collect(Collectors.joining(System.getProperty("path.separator")));
     }
 
     /** Runs the program with arguments. */

@@ -1,18 +1,14 @@
 package lightning.cli;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
+import java.util.List;
+import lightning.sample.TestedProgram;
 
 /** The Blender add-on of this build, installed for a test. */
 final class BlenderAddOn {
-    /** The processes are short, so the second compiler would not pay. With less memory, each small picture is rendered twice to forecast it. */
-    private static final String OPTIONS = "-Xmx4g -Xmn60m -XX:+UseSerialGC -XX:TieredStopAtLevel=1";
-
     private BlenderAddOn() {}
 
     /** Installs the add-on into the folder's {@code user}, Blender's user resources; returns its program, a launcher of the classes under test. */
@@ -20,13 +16,9 @@ final class BlenderAddOn {
         Path addOn = Files.createDirectories(folder.resolve("user/extensions/user_default/lightning"));
         copy(Path.of("src/main/blender/lightning"), addOn);
         copy(Path.of("src/main/python/lightning_relight"), addOn.resolve("lightning_relight"));
-        String classPath =
-                Stream.of(System.getProperty("java.class.path").split(File.pathSeparator)).map(p -> Path.of(p).toAbsolutePath().toString())
-                        .collect(Collectors.joining(File.pathSeparator));
-        Path program = Files.writeString(folder.resolve("lightning"),
-                "#!/bin/sh\nexec '" + ProcessHandle.current().info().command().orElseThrow()
-                        + "' " + OPTIONS + " -Djava.awt.headless=true --add-modules jdk.incubator.vector -cp '" + classPath
-                        + "' lightning.Main \"$@\"\n");
+        // With less memory, each small picture is rendered twice to forecast it.
+        List<String> command = TestedProgram.command("-Xmx4g", "-Xmn60m", "-Djava.awt.headless=true");
+        Path program = Files.writeString(folder.resolve("lightning"), "#!/bin/sh\nexec '" + String.join("' '", command) + "' \"$@\"\n");
         Files.setPosixFilePermissions(program, PosixFilePermissions.fromString("rwxr-xr-x"));
         Files.writeString(addOn.resolve("program.txt"), program + "\n");
         return program;

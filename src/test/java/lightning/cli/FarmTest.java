@@ -12,12 +12,12 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import lightning.base.work.Await;
 import lightning.format.exr.ExrChannel;
 import lightning.format.exr.ExrReader;
 import lightning.sample.PythonPrograms;
 import lightning.sample.Slow;
+import lightning.sample.TestedProgram;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -45,15 +45,7 @@ final class FarmTest {
     @BeforeEach
     void writeScene() throws IOException {
         scene = Files.writeString(folder.resolve("a.jen"), SCENE);
-        List<String> java = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx500m",
-                "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "--add-modules", "jdk.incubator.vector", "-cp", absoluteClassPath(),
-                "lightning.Main"));
-        program = script("program", "exec '" + String.join("' '", java) + "' \"$@\"");
-    }
-
-    private static String absoluteClassPath() {
-        return String.join(":", Stream.of(System.getProperty("java.class.path").split(":")).map(e -> Path.of(e).toAbsolutePath().toString())
-                .toList());
+        program = script("program", "exec '" + String.join("' '", TestedProgram.command("-Xmx500m")) + "' \"$@\"");
     }
 
     private Path script(String name, String commands) throws IOException {

@@ -10,6 +10,7 @@ import java.util.concurrent.TimeUnit;
 import lightning.base.work.Await;
 import lightning.cli.output.ExitCode;
 import lightning.sample.Slow;
+import lightning.sample.TestedProgram;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -33,10 +34,8 @@ final class HandleLimitTest {
     }
 
     private void check(String... words) throws Exception {
-        List<String> line = new ArrayList<>(List.of("/bin/sh", "-c", "ulimit -n " + HANDLES + "; exec \"$@\"", "sh",
-                System.getProperty("java.home") + "/bin/java", "--add-modules", "jdk.incubator.vector", "-XX:+UseSerialGC",
-                "-XX:TieredStopAtLevel=1", "-Xmx600m",
-                "-cp", System.getProperty("java.class.path"), "lightning.Main"));
+        List<String> line = new ArrayList<>(List.of("/bin/sh", "-c", "ulimit -n " + HANDLES + "; exec \"$@\"", "sh"));
+        line.addAll(TestedProgram.command("-Xmx600m"));
         line.addAll(List.of(words));
         Path output = folder.resolve("said");
         Process process = new ProcessBuilder(line).redirectErrorStream(true).redirectOutput(output.toFile()).start();

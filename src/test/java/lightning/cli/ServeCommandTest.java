@@ -13,12 +13,12 @@ import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import lightning.base.work.Await;
 import lightning.sample.Slow;
+import lightning.sample.TestedProgram;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -32,10 +32,8 @@ class ServeCommandTest {
     private Path folder;
 
     private Process start(String... options) throws IOException {
-        List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx400m",
-                "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "--add-modules", "jdk.incubator.vector", "-cp",
-                System.getProperty("java.class.path"),
-                "lightning.Main", "serve"));
+        List<String> line = TestedProgram.command("-Xmx400m");
+        line.add("serve");
         line.addAll(List.of(options));
         return new ProcessBuilder(line).redirectError(folder.resolve("errors").toFile()).start();
     }

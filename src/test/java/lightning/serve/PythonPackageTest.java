@@ -7,12 +7,12 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
 import lightning.sample.PythonPrograms;
 import lightning.sample.Slow;
+import lightning.sample.TestedProgram;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -28,21 +28,6 @@ class PythonPackageTest {
     @TempDir
     private Path folder;
 
-    /** Returns the command that starts the program of these classes. */
-    static List<String> program() {
-        return List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx600m", "-XX:+UseSerialGC",
-                "-XX:TieredStopAtLevel=1",
-                "--add-modules", "jdk.incubator.vector", "-cp", absoluteClassPath(), "lightning.Main");
-    }
-
-    private static String absoluteClassPath() {
-        List<String> entries = new ArrayList<>();
-        for (String entry : System.getProperty("java.class.path").split(System.getProperty("path.separator"))) {
-            entries.add(Path.of(entry).toAbsolutePath().toString());
-        }
-        return String.join(System.getProperty("path.separator"), entries);
-    }
-
     private Path trace(Scene scene, String name) throws IOException {
         float[] rgb = ServerTest.trace(scene).toScanlines();
         ByteBuffer bytes = ByteBuffer.allocate(rgb.length * Float.BYTES).order(ByteOrder.LITTLE_ENDIAN);
@@ -57,7 +42,8 @@ class PythonPackageTest {
         Scene scene = JenReader.read(file).scene();
         Scene edited = PropertyEdit.apply(PropertyEdit.apply(scene, "key.color=1 0.5 0"), "fill.intensity=0.7");
         String text = PythonPrograms.output(folder, List.of("-B", Path.of("src/test/python/relight_client.py").toAbsolutePath().toString(),
-                PACKAGE.toString(), JsonLines.JSON.writeValueAsString(program()), file.toString(), trace(scene, "plain").toString(),
+                PACKAGE.toString(), JsonLines.JSON.writeValueAsString(TestedProgram.command("-Xmx600m")), file.toString(),
+                trace(scene, "plain").toString(),
                 trace(edited, "edited").toString()));
         assertThat(text).endsWith("done\n");
     }
@@ -103,7 +89,7 @@ class PythonPackageTest {
 
     /** Returns the command with the program's folder, whose scenes the notebook opens. */
     private static List<String> notebookProgram() {
-        List<String> command = new ArrayList<>(program());
+        List<String> command = TestedProgram.command("-Xmx600m");
         command.add(1, "-Dlightning.home=" + Path.of("").toAbsolutePath());
         return command;
     }

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import lightning.base.work.Await;
 import lightning.sample.Slow;
+import lightning.sample.TestedProgram;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -29,10 +30,7 @@ final class ClusterRelightTest {
         private final Process process;
 
         CommandProcess(String... words) throws IOException {
-            List<String> line = new ArrayList<>(List.of(System.getProperty("java.home") + "/bin/java", "--add-modules",
-                    "jdk.incubator.vector", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Xmx600m",
-                    "-Dlightning.cluster.wait=" + WAIT_SECONDS, "-cp", System.getProperty("java.class.path"),
-                    "lightning.Main"));
+            List<String> line = TestedProgram.command("-Xmx600m", "-Dlightning.cluster.wait=" + WAIT_SECONDS);
             line.addAll(List.of(words));
             process = new ProcessBuilder(line).redirectErrorStream(true).redirectOutput(output.toFile()).start();
         }

@@ -3,10 +3,10 @@ package lightning.shot.cluster;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import lightning.base.work.Await;
+import lightning.sample.TestedProgram;
 
 /** Node in its own process, started by the command line. */
 final class NodeProcess implements AutoCloseable {
@@ -18,9 +18,8 @@ final class NodeProcess implements AutoCloseable {
      * @param folder folder for its certificate {@code shared.p12}, its content and its log
      */
     NodeProcess(int port, List<Integer> others, Path folder, String... more) throws IOException {
-        List<String> line = new ArrayList<>(List.of(System.getProperty("java.home") + "/bin/java", "--add-modules", "jdk.incubator.vector",
-                "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Xmx600m", "-cp", System.getProperty("java.class.path"), "lightning.Main",
-                "node", "--certificate", folder.resolve("shared.p12").toString(), "--port", String.valueOf(port), "--folder",
+        List<String> line = TestedProgram.command("-Xmx600m");
+        line.addAll(List.of("node", "--certificate", folder.resolve("shared.p12").toString(), "--port", String.valueOf(port), "--folder",
                 folder.toString()));
         for (int other : others) {
             line.addAll(List.of("--join", "127.0.0.1:" + other));
