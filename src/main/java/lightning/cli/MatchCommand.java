@@ -135,7 +135,7 @@ final class MatchCommand implements Callable<Integer> {
         Set<Contribution> chosen = new HashSet<>();
         for (String name : lights) {
             Optional<Light> light = scene.light(name);
-            chosen.add(Contribution.named(scene, name)
+            chosen.add(Contribution.named(scene, name).filter(Contribution.sources(scene)::contains)
                     .orElseThrow(() -> new BadInputException("--lights: there is no light " + Quote.of(name))));
             if (light.isPresent() && !scene.isActive(light.get())) {
                 console.warn("%s is off, and stays off", name);

@@ -153,11 +153,11 @@ final class ReviewCommand implements Callable<Integer> {
                 note -> console.print("  %s%d,%d: %s", note.frame() == null ? "" : "frame " + note.frame() + ", ", note.x(), note.y(),
                         PrintableText.escape(note.text())));
         reviewed.notes().forEach(note -> console.warn("%s: %s", file, note));
-        KeyedLightNotes.print(document.shot(), read.lights().stream().map(Review.LightChange::name).toList(), console);
+        List<String> lights = read.lights().stream().map(change -> change.light().name(scene)).toList();
+        KeyedLightNotes.print(document.shot(), lights, console);
         if (output != null) {
             document.withScene(reviewed.scene()).save(output);
         }
-        console.report().setResult(new ReviewReport(output == null ? null : output.toString(), null,
-                read.lights().stream().map(Review.LightChange::name).toList(), List.of(), List.of(), read.reviewer(), comments));
+        console.report().setResult(new ReviewReport(output == null ? null : output.toString(), null, lights, List.of(), List.of(), read.reviewer(), comments));
     }
 }

@@ -2,59 +2,207 @@ package lightning.scene;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import lightning.base.math.Rgb;
+import lightning.base.text.Messages;
+import lightning.base.text.Quote;
 import lightning.scene.light.Light;
+import lightning.scene.light.LightRig;
+import lightning.scene.value.SceneLimits;
 
-/** Part of a picture's light that can be made brighter or darker alone: that of a light, or that of all environments together. */
+/** Part of a picture's light. All contributions add up to the picture; those of lights and environments have a fader. */
 public sealed interface Contribution {
     Contribution ENVIRONMENT = new OfEnvironment();
 
     /** @param name name of a light of the scene */
     record OfLight(String name) implements Contribution {}
 
-    /** Light of all environments, with their visible images. */
+    /** Light of the world's own environment, with its visible image. */
     record OfEnvironment() implements Contribution {}
+
+    /** @param name name of a dome of the scene; its visible image is part of the contribution */
+    record OfDome(String name) implements Contribution {}
+
+    /** Ambient light. */
+    record OfAmbience() implements Contribution {}
+
+    /** Light that no weight changes: glow without a bulb, the background color, and images of environments that a solo mutes. */
+    record OfRest() implements Contribution {}
 
     /** Returns the contribution of a light. */
     static Contribution of(Light light) {
         return new OfLight(light.name());
     }
 
-    /** Returns the contributions of all lights that shine, in the scene's order; that of the environment comes last. */
-    static List<Contribution> shining(Scene scene) {
-        boolean hasEnvironment = scene.rig().isEnvironmentActive() && scene.world().hasEnvironmentLight();
-        return Stream.concat(scene.lights().stream().filter(scene::isActive).map(Contribution::of),
-                hasEnvironment ? Stream.of(ENVIRONMENT) : Stream.empty()).toList();
+    /** Returns the contribution that one of the {@link LightRig#effectiveLights} belongs to. */
+    static Contribution ofEffectiveLight(Scene scene, int index) {
+        if (index < scene.lights().size()) {
+            return of(scene.lights().get(index));
+        }
+        List<Contribution> all = environments(scene);
+        return all.get(IntStream.range(0, all.size()).filter(e -> index < scene.rig().environmentStart(e + 1)).findFirst().orElseThrow());
     }
 
-    /** Returns a name that no other contribution to the scene has: the light's, or a {@linkplain #environmentName name of the environment}. */
+    /** Returns the contributions of the {@link World#environments}, in their order. */
+    static List<Contribution> environments(Scene scene) {
+        World world = scene.world();
+        return Stream.concat(world.hasOwnEnvironment() ? Stream.of(ENVIRONMENT) : Stream.empty(),
+                world.domes().stream().filter(dome -> dome.image().isPresent()).map(dome -> new OfDome(dome.name()))).toList();
+    }
+
+    /** Returns the contributions of lights and environments, on or off, in the scene's order. */
+    static List<Contribution> sources(Scene scene) {
+        return Stream.concat(scene.lights().stream().map(Contribution::of), environments(scene).stream()).toList();
+    }
+
+    /** Returns all contributions: the {@link #sources}, ambient light, and the rest. */
+    static List<Contribution> all(Scene scene) {
+        return Stream.concat(sources(scene).stream(), Stream.of(new OfAmbience(), new OfRest())).toList();
+    }
+
+    /** Returns the {@link #sources} that shine. */
+    static List<Contribution> shining(Scene scene) {
+        return sources(scene).stream().filter(part -> part.isShining(scene)).toList();
+    }
+
+    /** Returns the contribution of a name, whether it shines or not. */
+    static Optional<Contribution> named(Scene scene, String name) {
+        return all(scene).stream().filter(part -> part.name(scene).equals(name)).findFirst();
+    }
+
+    /** Returns its name in files and JSON, which no other contribution and no light group of the scene has. */
     default String name(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> name;
-            case OfEnvironment _ -> environmentName(scene.lights().stream().map(Light::name).toList());
+            case OfEnvironment _ -> unusedName(scene, World.NAME);
+            case OfDome(String name) -> name;
+            case OfAmbience _ -> unusedName(scene, "ambience");
+            case OfRest _ -> unusedName(scene, "rest");
         };
     }
 
-    /** Returns {@code environment}, or if one of these names is the same, {@code environment 2} or a later number. */
-    static String environmentName(List<String> others) {
-        String name = World.NAME;
-        for (int n = 2; others.contains(name); n++) {
-            name = World.NAME + " " + n;
-        }
-        return name;
+    /** Returns its name for people, in their language; as unique as {@link #name}. */
+    default String title(Scene scene) {
+        return switch (this) {
+            case OfLight(String name) -> name;
+            case OfEnvironment _ -> unusedName(scene, Messages.tr("environment"));
+            case OfDome(String name) -> name;
+            case OfAmbience _ -> unusedName(scene, Messages.tr("ambient light"));
+            case OfRest _ -> unusedName(scene, Messages.tr("other light"));
+        };
     }
 
-    /** Returns the contribution of a name, whether it shines or not. If no light has the name {@code environment}, it is the environment's. */
-    static Optional<Contribution> named(Scene scene, String name) {
-        if (scene.light(name).isPresent()) {
-            return Optional.of(new OfLight(name));
+    /** Returns a name, with the number 2 or a later one if a light, a light group or a dome has it. */
+    private static String unusedName(Scene scene, String name) {
+        String unused = name;
+        for (int n = 2; scene.rig().isNameUsed(unused) || scene.world().dome(unused).isPresent(); n++) {
+            unused = name + " " + n;
         }
-        boolean isEnvironment = name.equals(World.NAME) || name.equals(ENVIRONMENT.name(scene));
-        return isEnvironment && scene.world().hasEnvironment() ? Optional.of(ENVIRONMENT) : Optional.empty();
+        return unused;
     }
 
-    /** Returns the light of a scene; empty for the environment, and for a light that the scene does not have. */
+    /** Returns the light of a scene; empty for other contributions, and for a light that the scene does not have. */
     default Optional<Light> light(Scene scene) {
         return this instanceof OfLight(String name) ? scene.light(name) : Optional.empty();
+    }
+
+    /** Returns its index among the {@link World#environments}; −1 for other contributions, and for a dome without an image. */
+    default int environmentIndex(Scene scene) {
+        return environments(scene).indexOf(this);
+    }
+
+    /** Returns whether the scene has it. */
+    default boolean isIn(Scene scene) {
+        return switch (this) {
+            case OfLight(String name) -> scene.light(name).isPresent();
+            case OfEnvironment _ -> scene.world().hasOwnEnvironment();
+            case OfDome(String name) -> scene.world().dome(name).isPresent();
+            case OfAmbience _,OfRest _ -> true;
+        };
+    }
+
+    /** Returns whether it contributes to the picture: it is on and not muted by another's solo. */
+    default boolean isShining(Scene scene) {
+        return switch (this) {
+            case OfLight _ -> light(scene).filter(scene::isActive).isPresent();
+            case OfEnvironment _ -> scene.world().lightIntensity() > 0 && scene.rig().isEnvironmentActive(0);
+            case OfDome(String name) -> scene.world().dome(name).filter(dome -> dome.lightIntensity() > 0).isPresent()
+                    && scene.rig().isEnvironmentActive(environmentIndex(scene));
+            case OfAmbience _ -> scene.world().ambience() > 0;
+            case OfRest _ -> true;
+        };
+    }
+
+    /** Returns the maximum intensity. */
+    default double maxIntensity() {
+        return this instanceof OfLight ? SceneLimits.MAX_INTENSITY
+                : this instanceof OfAmbience ? SceneLimits.MAX_AMBIENCE : SceneLimits.MAX_GROUP_INTENSITY;
+    }
+
+    /**
+     * Returns the values of its fader. An environment is on unless its light is dark.
+     *
+     * @throws IllegalArgumentException if the scene does not have the light or dome
+     */
+    default FaderValues values(Scene scene) {
+        World world = scene.world();
+        return switch (this) {
+            case OfLight(String name) -> {
+                Light light = existingLight(scene, name);
+                yield new FaderValues(light.intensity(), Optional.of(light.color()), light.on(), light.solo());
+            }
+            case OfEnvironment _ -> new FaderValues(world.intensity(), Optional.empty(), world.lightIntensity() > 0, world.solo());
+            case OfDome(String name) -> {
+                Dome dome = existingDome(scene, name);
+                yield new FaderValues(dome.intensity(), Optional.empty(), dome.on(), dome.solo());
+            }
+            case OfAmbience _ -> new FaderValues(world.ambience(), Optional.empty(), world.ambience() > 0, false);
+            case OfRest _ -> new FaderValues(1, Optional.empty(), true, false);
+        };
+    }
+
+    /**
+     * Returns the scene with other {@link #values}. A muted environment has a light gain of 0, which leaves its image; a muted dome is off. What
+     * a contribution does not have is ignored.
+     *
+     * @throws IllegalArgumentException if the scene does not have the light or dome, or a value is out of range
+     */
+    default Scene with(Scene scene, UnaryOperator<FaderValues> change) {
+        FaderValues before = values(scene);
+        FaderValues v = change.apply(before);
+        if (v.equals(before)) {
+            return scene;
+        }
+        return switch (this) {
+            case OfLight(String name) -> {
+                Light light = existingLight(scene, name);
+                Rgb color = v.color().orElse(light.color());
+                yield scene.withLight(light.withIntensity(v.intensity()).withColor(color).withOn(v.on()).withSolo(v.solo()));
+            }
+            case OfEnvironment _ -> {
+                World world = scene.world().withIntensity(v.intensity()).withSolo(v.solo());
+                yield scene.withWorld(v.on() == before.on() ? world : v.on() ? litWorld(world) : world.withGain(0));
+            }
+            case OfDome(String name) -> scene.withWorld(scene.world().withDome(name,
+                    existingDome(scene, name).withIntensity(v.intensity()).withOn(v.on()).withSolo(v.solo())));
+            case OfAmbience _ -> scene.withWorld(scene.world().withAmbience(v.on() ? v.intensity() : 0));
+            case OfRest _ -> scene;
+        };
+    }
+
+    /** Returns a dark world with a light intensity above 0. Files of earlier versions muted the environment with its intensity. */
+    private static World litWorld(World world) {
+        return world.withIntensity(world.intensity() > 0 ? world.intensity() : World.INTENSITY.initial())
+                .withGain(world.gain() > 0 ? world.gain() : World.GAIN.initial());
+    }
+
+    private static Light existingLight(Scene scene, String name) {
+        return scene.light(name).orElseThrow(() -> new IllegalArgumentException(Messages.tr("light {0} not found", Quote.of(name))));
+    }
+
+    private static Dome existingDome(Scene scene, String name) {
+        return scene.world().dome(name).orElseThrow(() -> new IllegalArgumentException("there is no dome " + Quote.of(name)));
     }
 }

@@ -184,7 +184,12 @@ public record World(double ambience, Rgb background, Optional<Environment> image
 
     /** Returns whether it has any environment, on or off. */
     public boolean hasEnvironment() {
-        return sky.on() || image.isPresent() || domes.stream().anyMatch(d -> d.image().isPresent());
+        return hasOwnEnvironment() || domes.stream().anyMatch(d -> d.image().isPresent());
+    }
+
+    /** Returns whether it has an environment besides its domes. */
+    boolean hasOwnEnvironment() {
+        return sky.on() || image.isPresent();
     }
 
     /** Returns whether any environment lights the scene, unless a solo mutes it. */
@@ -222,12 +227,6 @@ public record World(double ambience, Rgb background, Optional<Environment> image
         return lights;
     }
 
-    /** Returns the number among all environments of a dome; −1 if it has no image. */
-    public int environmentIndex(String dome) {
-        List<String> names = domes.stream().filter(d -> d.image().isPresent()).map(Dome::name).toList();
-        return names.contains(dome) ? names.indexOf(dome) + (environment().isPresent() ? 1 : 0) : -1;
-    }
-
     /** Returns the dome of that name. */
     public Optional<Dome> dome(String name) {
         return domes.stream().filter(d -> d.name().equals(name)).findFirst();
@@ -256,15 +255,10 @@ public record World(double ambience, Rgb background, Optional<Environment> image
                 .withDomes(domes.stream().map(d -> d.withIntensity(change.applyAsDouble(d.intensity()))).toList());
     }
 
-    /** Returns the intensity of the first of its {@link #environments}, on or off; its own if there is none. */
-    public double firstIntensity() {
-        return environment().isPresent() ? intensity
-                : domes.stream().filter(d -> d.image().isPresent()).map(Dome::intensity).findFirst().orElse(intensity);
-    }
-
-    /** Returns this world with all of its environments solo or not. */
-    public World withAllSolo(boolean v) {
-        return withSolo(v && environment().isPresent()).withDomes(domes.stream().map(d -> d.withSolo(v && d.image().isPresent())).toList());
+    /** Returns this world with the intensities of the environments of another world, as far as that has domes of the same names. */
+    public World withIntensitiesOf(World o) {
+        return withIntensity(o.intensity)
+                .withDomes(domes.stream().map(d -> d.withIntensity(o.dome(d.name()).orElse(d).intensity())).toList());
     }
 
     /** Returns this world with one of its {@link #environments} dark. */
@@ -275,29 +269,5 @@ public record World(double ambience, Rgb background, Optional<Environment> image
         }
         Dome dark = domes.stream().filter(d -> d.image().isPresent()).skip(dome).findFirst().orElseThrow();
         return withDome(dark.name(), dark.withIntensity(0));
-    }
-
-    /** Returns this world with the intensities of the environments of another world, as far as that has domes of the same names. */
-    public World withIntensitiesOf(World o) {
-        return withIntensity(o.intensity)
-                .withDomes(domes.stream().map(d -> d.withIntensity(o.dome(d.name()).orElse(d).intensity())).toList());
-    }
-
-    /**
-     * Returns the factor by which the light and the images of all environments change in a world that differs in intensities only; not finite
-     * if they have none in common.
-     */
-    public double intensityRatio(World o) {
-        Set<Double> ratios = new HashSet<>();
-        if (environment().isPresent() || domes.isEmpty()) {
-            ratios.add(ratio(intensity, o.intensity));
-        }
-        domes.stream().filter(d -> d.image().isPresent())
-                .forEach(d -> ratios.add(o.dome(d.name()).map(other -> ratio(d.intensity(), other.intensity())).orElse(Double.NaN)));
-        return ratios.size() == 1 ? ratios.iterator().next() : ratios.isEmpty() ? 1 : Double.NaN;
-    }
-
-    private static double ratio(double before, double after) {
-        return before == after ? 1 : after / before;
     }
 }

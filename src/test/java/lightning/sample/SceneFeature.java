@@ -1,5 +1,6 @@
 package lightning.sample;
 
+import lightning.scene.Contribution;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -130,12 +131,20 @@ public enum SceneFeature {
             .withLights(scene.lights().stream().map(light -> light.name().equals("fill") ? light : light.withLightGroup("group of lights"))
                     .toList()))),
     /** All lights but the weakest, which is then dark. */
-    SOLO(scene -> lights(scene.withWorld(scene.world().withAllSolo(true)), light -> light.withSolo(!light.name().equals("fill")))),
+    SOLO(scene -> lights(withSoloEnvironments(scene), light -> light.withSolo(!light.name().equals("fill")))),
     ANTIALIASED_EDGES(scene -> picture(scene, picture -> picture.withSampling(new SamplingSettings(AntialiasMode.EDGES, 2)))),
     ANTIALIASED_PIXELS(scene -> picture(scene, picture -> picture.withSampling(new SamplingSettings(AntialiasMode.EVERY, 2)))),
     INDIRECT(scene -> picture(scene, picture -> picture.withIndirect(Optional.of(new IndirectSettings(2, 16, 8, true))))),
     LENS_SHIFT(scene -> scene.withCamera(Camera.SHIFT.with(scene.camera(), new LensShift(0.1, -0.15)))),
     VIEW(scene -> picture(scene, picture -> picture.withView(new ViewSettings(ViewCurve.AGX, 0.5))));
+
+    private static Scene withSoloEnvironments(Scene scene) {
+        Scene solo = scene;
+        for (Contribution environment : Contribution.environments(scene)) {
+            solo = environment.with(solo, v -> v.withSolo(true));
+        }
+        return solo;
+    }
 
     private static final List<List<SceneFeature>> EXCLUSIVE =
             List.of(List.of(ENVIRONMENT, SKY), List.of(ANTIALIASED_EDGES, ANTIALIASED_PIXELS));

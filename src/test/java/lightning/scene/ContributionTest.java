@@ -1,5 +1,6 @@
 package lightning.scene;
 
+import lightning.scene.light.Light;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
@@ -28,6 +29,56 @@ class ContributionTest {
     @Test
     void sceneWithoutEnvironment_hasNoneOfThatName() {
         assertThat(Contribution.named(JenScenes.of("light key point { }"), "environment")).isEmpty();
+    }
+
+    @Test
+    void environments_areOneContributionEach() {
+        Scene scene = twoEnvironments("light key point { }");
+        List<Contribution> all = List.of(new Contribution.OfLight("key"), Contribution.ENVIRONMENT, new Contribution.OfDome("studio"),
+                new Contribution.OfAmbience(), new Contribution.OfRest());
+        assertThat(Contribution.all(scene)).isEqualTo(all);
+        assertThat(Contribution.shining(scene)).isEqualTo(all.subList(0, 3));
+        assertThat(all).extracting(part -> part.environmentIndex(scene)).containsExactly(-1, 0, 1, -1, -1);
+        Scene solo = new Contribution.OfDome("studio").with(scene, v -> v.withSolo(true));
+        assertThat(Contribution.shining(solo)).isEqualTo(all.subList(2, 3));
+        Scene noImage = scene.withWorld(scene.world().withDomes(List.of(Dome.of("studio"))));
+        assertThat(Contribution.sources(noImage)).isEqualTo(all.subList(0, 2));
+        assertThat(all.get(2).isShining(noImage)).isFalse();
+    }
+
+    @Test
+    void names_areUniqueAndFound() {
+        Scene scene = twoEnvironments("light ambience point { }\nbank environment { }\nlight \"rest 2\" point { }\nlight rest point { }");
+        List<Contribution> all = Contribution.all(scene);
+        assertThat(all).extracting(part -> part.name(scene)).containsExactly("ambience", "rest 2", "rest", "environment 2", "studio",
+                "ambience 2", "rest 3");
+        assertThat(all).extracting(part -> Contribution.named(scene, part.name(scene)).orElseThrow()).isEqualTo(all);
+    }
+
+    @Test
+    void effectiveLights_belongToTheirContributions() {
+        Scene scene = twoEnvironments("light key point { }");
+        List<Light> lights = scene.rig().effectiveLights();
+        for (int i = 0; i < lights.size(); i++) {
+            String name = Contribution.ofEffectiveLight(scene, i).name(scene);
+            assertThat(lights.get(i).name()).matches(name + "( \\d+)?");
+        }
+    }
+
+    @Test
+    void ambience_isAContribution() {
+        Scene scene = JenScenes.of("world { ambience 0.5 }");
+        Contribution ambience = new Contribution.OfAmbience();
+        assertThat(ambience.values(scene).intensity()).isEqualTo(0.5);
+        assertThat(ambience.with(scene, v -> v.withIntensity(2)).world().ambience()).isEqualTo(2);
+        Scene dark = ambience.with(scene, v -> v.withOn(false));
+        assertThat(dark.world().ambience()).isZero();
+        assertThat(ambience.isShining(dark)).isFalse();
+    }
+
+    private static Scene twoEnvironments(String lights) {
+        Scene scene = JenScenes.withSky(JenScenes.of(lights));
+        return scene.withWorld(scene.world().withDomes(List.of(JenScenes.dome("studio", 2))));
     }
 
     @Test

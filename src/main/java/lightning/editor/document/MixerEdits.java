@@ -35,7 +35,7 @@ public final class MixerEdits {
 
     /** Sets the intensity of each channel (absolute edit). */
     public static EditOutcome setIntensity(Scene scene, Collection<MixerChannel> channels, double intensity) {
-        return editEach(scene, channels, (s, channel) -> channel.withIntensity(s, intensity));
+        return editEach(scene, channels, (s, channel) -> channel.with(s, v -> v.withIntensity(intensity)));
     }
 
     /**
@@ -44,8 +44,10 @@ public final class MixerEdits {
      * @param base scene with the initial intensities
      */
     public static EditOutcome scaleIntensity(Scene scene, Scene base, Collection<MixerChannel> channels, double factor) {
-        return editEach(scene, channels, (s, channel) -> channel.withIntensity(s,
-                factor == 1 ? channel.intensity(base) : rounded(channel.intensity(base) * factor)));
+        return editEach(scene, channels, (s, channel) -> {
+            double intensity = channel.values(base).intensity();
+            return channel.with(s, v -> v.withIntensity(factor == 1 ? intensity : rounded(intensity * factor)));
+        });
     }
 
     /**

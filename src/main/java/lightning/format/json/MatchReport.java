@@ -27,7 +27,7 @@ import org.jspecify.annotations.Nullable;
 public record MatchReport(@Nullable String output, double errorBefore, double errorAfter, List<Double> referenceScale, List<Matched> lights,
         List<Moved> moved, List<List<String>> alike, List<String> unseen, int invalidPixels) {
     /**
-     * One light, or the environment.
+     * One light, or an environment.
      *
      * @param factors of red, green and blue
      */
@@ -49,16 +49,12 @@ public record MatchReport(@Nullable String output, double errorBefore, double er
     public static MatchReport of(@Nullable String output, MatchResult result, ReferenceImage reference, Scene before, Scene after) {
         List<Matched> matched = new ArrayList<>();
         for (LightFactor f : result.factors()) {
-            matched.add(new Matched(f.light().name(before), List.of(f.red(), f.green(), f.blue()), intensity(before, f.light()),
-                    intensity(after, f.light())));
+            matched.add(new Matched(f.light().name(before), List.of(f.red(), f.green(), f.blue()), f.light().values(before).intensity(),
+                    f.light().values(after).intensity()));
         }
         return new MatchReport(output, result.errorBefore(), result.errorAfter(), result.exposure(), matched, moved(before, after),
                 result.alike().stream().map(pair -> List.of(pair.first().name(before), pair.second().name(before))).toList(),
                 result.unseen().stream().map(light -> light.name(before)).toList(), reference.invalidPixels());
-    }
-
-    private static double intensity(Scene scene, Contribution light) {
-        return light.light(scene).map(Light::intensity).orElseGet(() -> scene.world().firstIntensity());
     }
 
     private static List<Moved> moved(Scene before, Scene after) {

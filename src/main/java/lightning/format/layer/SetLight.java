@@ -1,5 +1,8 @@
 package lightning.format.layer;
 
+import lightning.base.math.Rgb;
+import java.util.function.Predicate;
+import lightning.scene.Contribution;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -94,14 +97,21 @@ record SetLight(WeightedLight[] lights, WeightedLight[] mirrored, float @Nullabl
             if (solver == null) {
                 return null;
             }
-            boolean hasEnvironment = sets.stream().anyMatch(LightSet::isEnvironment);
-            if (s == sets.size()) {
-                return solver.solve(lights(s), hasEnvironment ? BackgroundLight.NONE : BackgroundLight.of(scene));
-            }
-            boolean isEnvironment = sets.get(s).isEnvironment();
             WeightedLight[] lights = lights(s);
-            return !isEnvironment && !shines(lights) ? null
-                    : solver.solveWithoutGlow(lights, isEnvironment ? BackgroundLight.of(scene) : BackgroundLight.NONE);
+            if (s == sets.size()) {
+                BackgroundLight whole = BackgroundLight.of(scene);
+                return solver.solve(lights, whole.layers().isEmpty() ? whole
+                        : background(part -> sets.stream().noneMatch(set -> set.contributions().contains(part))));
+            }
+            BackgroundLight background = background(sets.get(s).contributions()::contains);
+            return background.layers().isEmpty() && !shines(lights) ? null : solver.solveWithoutGlow(lights, background);
+        }
+
+        /** Returns the light of some environments. */
+        private BackgroundLight background(Predicate<Contribution> isKept) {
+            List<Contribution> all = Contribution.environments(scene);
+            return new BackgroundLight(Rgb.BLACK, IntStream.range(0, all.size()).filter(e -> isKept.test(all.get(e))).boxed()
+                    .flatMap(e -> BackgroundLight.of(scene, e).layers().stream()).toList(), Rgb.BLACK);
         }
     }
 }

@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import lightning.base.math.Rgb;
 import lightning.scene.Contribution;
-import lightning.scene.EnvironmentLayer;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.light.Light;
@@ -18,9 +17,8 @@ public final class LightWeights {
     public static float[] of(Scene scene, Scene base, Contribution part) {
         Light light = part.light(scene).orElse(null);
         if (light == null) {
-            double ratio = scene.rig().isEnvironmentActive() ? base.world().intensityRatio(scene.world()) : 0;
-            double share = Double.isFinite(ratio) ? ratio : 0;
-            return new float[] {(float) share, (float) share, (float) share};
+            float share = part.isShining(scene) ? (float) (part.values(scene).intensity() / part.values(base).intensity()) : 0;
+            return new float[] {share, share, share};
         }
         if (!scene.isActive(light)) {
             return new float[3];
@@ -60,11 +58,9 @@ public final class LightWeights {
             changed = changed.withRig(changed.rig()
                     .with(group.withOn(true).withSolo(false).withIntensity(intensity.applyAsDouble(group.intensity()))));
         }
-        World all = changed.world().mapIntensities(intensity);
-        // No weight shows a part of the environments alone.
-        boolean isPartlySolo = all.environments().stream().map(EnvironmentLayer::solo).distinct().count() > 1;
-        World world = isWhite && isPartlySolo ? all : all.withAllSolo(false);
-        boolean isOff = world.environments().stream().noneMatch(EnvironmentLayer::on);
-        return changed.withWorld(!isOff ? world : world.withDomes(world.domes().stream().map(dome -> dome.withOn(true)).toList()));
+        World world = changed.world();
+        return changed.withWorld(world.withSolo(false).withIntensity(intensity.applyAsDouble(world.intensity()))
+                .withDomes(world.domes().stream()
+                        .map(dome -> dome.withOn(true).withSolo(false).withIntensity(intensity.applyAsDouble(dome.intensity()))).toList()));
     }
 }

@@ -1,5 +1,6 @@
 package lightning.format.review;
 
+import lightning.scene.FaderValues;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -40,9 +41,9 @@ final class LookFaders {
     static Optional<ObjectNode> of(Scene page, Scene look) {
         Set<Contribution> shining = Set.copyOf(Contribution.shining(look));
         Set<Contribution> shown = Set.copyOf(Contribution.shining(page));
-        // The layer of the environment has its background, which stays where another light is solo.
-        boolean hasEnvironment = shining.contains(Contribution.ENVIRONMENT);
-        if (!shown.containsAll(shining) || shown.contains(Contribution.ENVIRONMENT) != hasEnvironment
+        // The layer of an environment has its background, which stays where another light is solo.
+        if (!shown.containsAll(shining)
+                || !shining.containsAll(shown.stream().filter(part -> !(part instanceof Contribution.OfLight)).toList())
                 || !neutral(page, shining).equals(neutral(look, shining))) {
             return Optional.empty();
         }
@@ -59,9 +60,12 @@ final class LookFaders {
                 .filter(group -> lights.stream().anyMatch(light -> light.lightGroup().equals(group.name())))
                 .map(group -> group.withColor(Rgb.WHITE)).toList();
         Scene neutral = LightWeights.neutral(scene.withRig(LightRig.of(lights, groups)));
-        // Without light of the environment its background shows, whose brightness is the intensity.
-        return shining.contains(Contribution.ENVIRONMENT) ? neutral
-                : neutral.withWorld(neutral.world().withIntensitiesOf(scene.world()));
+        // Without light of an environment its background shows, whose brightness is the intensity.
+        for (Contribution part : Contribution.environments(scene)) {
+            FaderValues own = part.values(scene);
+            neutral = shining.contains(part) ? neutral : part.with(neutral, v -> v.withIntensity(own.intensity()).withOn(own.on()));
+        }
+        return neutral;
     }
 
     private ObjectNode json(Set<Contribution> shining) {
@@ -107,8 +111,7 @@ final class LookFaders {
     private double[] ratios(Contribution part) {
         Optional<Light> light = part.light(look);
         if (light.isEmpty()) {
-            double ratio = page.world().intensityRatio(look.world());
-            fits &= Double.isFinite(ratio);
+            double ratio = ratio(part.values(look).intensity(), part.values(page).intensity());
             return new double[] {ratio, ratio, ratio};
         }
         Light ofPage = part.light(page).orElseThrow();

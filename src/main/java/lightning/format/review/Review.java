@@ -1,5 +1,7 @@
 package lightning.format.review;
 
+import lightning.scene.Scene;
+import lightning.scene.Contribution;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -15,17 +17,24 @@ import java.util.OptionalInt;
  */
 public record Review(String scene, String reviewer, double exposure, List<LightChange> lights, List<GroupChange> groups, List<Note> notes) {
     /**
-     * Changed light, or the environment.
+     * Changed light or environment.
      *
-     * @param isEnvironment true for the environment, whatever its name; earlier pages gave it the name {@code environment} only
+     * @param areTogether true if the page has one fader for all environments, as those of earlier versions
      * @param stops     change from the light of the page; empty if its fader is off
      * @param tint      factors of red, green and blue, ≥ 0; {@code List} of three
      * @param intensity intensity when the page was written, ≥ 0
-     * @param color     color when the page was written; empty for the environment
+     * @param color     color when the page was written; empty for an environment
      */
-    public record LightChange(String name, boolean isEnvironment, Optional<Double> stops, List<Double> tint, double intensity,
-            List<Double> color, boolean mute,
-            boolean solo) {}
+    public record LightChange(Contribution light, boolean areTogether, Optional<Double> stops, List<Double> tint, double intensity,
+            List<Double> color, boolean mute, boolean solo) {
+        /** Returns what changes in a scene; empty if the scene does not have it. */
+        List<Contribution> in(Scene scene) {
+            // The first pages gave the environment a name only.
+            boolean isEnvironment = light.equals(Contribution.ENVIRONMENT)
+                    || light.equals(new Contribution.OfLight("environment")) && !light.isIn(scene);
+            return areTogether && isEnvironment ? Contribution.environments(scene) : light.isIn(scene) ? List.of(light) : List.of();
+        }
+    }
 
     /**
      * Changed light group.

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Stream;
 import lightning.base.text.Language;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Contribution;
@@ -70,12 +69,11 @@ public record ReviewContent(String title, Scene base, List<ReviewPicture> pictur
         }
     }
 
-    /** Returns all lights that shine in a picture, in the order of the scene; the environment comes last. */
+    /** Returns all lights that shine in a picture, in the order of the scene; environments come last. */
     public List<Contribution> lights() {
         Set<Contribution> shining = new HashSet<>();
         pictures.forEach(picture -> shining.addAll(Contribution.shining(picture.scene())));
-        return Stream.concat(base.lights().stream().map(Contribution::of),
-                Stream.of(Contribution.ENVIRONMENT)).filter(shining::contains).toList();
+        return Contribution.sources(base).stream().filter(shining::contains).toList();
     }
 
     /** Returns the names of these lights. */

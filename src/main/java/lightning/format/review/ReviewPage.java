@@ -26,8 +26,8 @@ import tools.jackson.databind.node.ObjectNode;
  * content security policy allows its own script and styles only. Names are data, never markup.
  */
 public final class ReviewPage {
-    /** Version of the data in pages and in reviews. */
-    static final int VERSION = 1;
+    /** Version of the data in pages and in reviews: before 2, all environments had one fader. */
+    static final int VERSION = 2;
     private static final String LAYERS = "{{layers}}";
 
     private ReviewPage() {}
@@ -67,11 +67,16 @@ public final class ReviewPage {
         for (Contribution part : content.lights()) {
             ObjectNode light = lights.addObject().put("name", part.name(base));
             part.light(base).ifPresentOrElse(l -> describe(l, light),
-                    () -> light.put("environment", true).put("intensity", base.world().firstIntensity()));
+                    () -> light.put("environment", environment(part)).put("intensity", part.values(base).intensity()));
         }
         ArrayNode looks = data.putArray("looks");
         content.pictures().getFirst().looks().forEach(look -> looks.add(look.name()));
         return data;
+    }
+
+    /** Returns what an environment is in pages: the world's own, or a dome. */
+    public static String environment(Contribution part) {
+        return part instanceof Contribution.OfDome ? "dome" : "world";
     }
 
     private static ObjectNode common(Optional<Language> language) {

@@ -1,5 +1,6 @@
 package lightning.format.review;
 
+import lightning.scene.Contribution;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -39,16 +40,16 @@ public final class ReviewReader {
         if (!version.isInt()) {
             throw json.failure("expected a review that a page of 'lightning review' saved");
         }
-        if (version.asInt() != ReviewPage.VERSION) {
-            throw json.failure("lightning_review: expected version " + ReviewPage.VERSION + ", found " + version.asInt());
+        if (version.asInt() < 1 || version.asInt() > ReviewPage.VERSION) {
+            throw json.failure("lightning_review: expected version 1 or " + ReviewPage.VERSION + ", found " + version.asInt());
         }
+        boolean areTogether = version.asInt() == 1;
         List<Review.LightChange> lights = new ArrayList<>();
         for (JsonNode node : json.array(root, "lights")) {
             String at = "lights[" + lights.size() + "].";
             List<Double> color = node.has("color") && !node.get("color").isNull() ? json.numbers(node, at, "color", 0, 1e6) : List.of();
             lights.add(
-                    new Review.LightChange(json.text(node, at, "name", 1000), node.has("environment") && json.flag(node, at, "environment"),
-                            stops(node, at), json.numbers(node, at, "tint", 0, 1e6),
+                    new Review.LightChange(light(node, at, areTogether), areTogether, stops(node, at), json.numbers(node, at, "tint", 0, 1e6),
                             json.number(node, at, "intensity", 0, 1e30), color, json.flag(node, at, "mute"), json.flag(node, at, "solo")));
         }
         List<Review.GroupChange> groups = new ArrayList<>();
@@ -67,6 +68,18 @@ public final class ReviewReader {
         return new Review(json.text(root, "", "scene", 10_000), json.text(root, "", "reviewer", 1000),
                 json.number(root, "", "exposure", -MAX_STOPS, MAX_STOPS),
                 lights, groups, notes);
+    }
+
+    private Contribution light(JsonNode node, String at, boolean areTogether) throws IOException {
+        String name = json.text(node, at, "name", 1000);
+        if (!node.has("environment") || areTogether && !json.flag(node, at, "environment")) {
+            return new Contribution.OfLight(name);
+        }
+        return switch (areTogether ? "world" : json.text(node, at, "environment", 1000)) {
+            case "world" -> Contribution.ENVIRONMENT;
+            case "dome" -> new Contribution.OfDome(name);
+            default -> throw json.failure(at + "environment: expected \"world\" or \"dome\", found " + node.get("environment"));
+        };
     }
 
     private OptionalInt frame(JsonNode node, String at) throws IOException {

@@ -11,14 +11,13 @@ import lightning.render.match.MatchedScene;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.ViewSettings;
-import lightning.scene.World;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
 import lightning.scene.value.SceneLimits;
 
 /**
- * A scene with the changes of a review. Lights get the intensities and colors that the reviewer saw, whatever they are now; groups, the
- * environment and the exposure change from what they are now.
+ * A scene with the changes of a review. Lights get the intensities and colors that the reviewer saw, whatever they are now; groups,
+ * environments and the exposure change from what they are now.
  *
  * @param notes one sentence for each change that was left out
  */
@@ -29,14 +28,13 @@ public record ReviewedScene(Scene scene, List<String> notes) {
         List<String> notes = new ArrayList<>();
         Scene changed = scene;
         for (Review.LightChange change : review.lights()) {
-            Optional<Contribution> found = changedPart(changed, change);
-            if (found.isEmpty()) {
-                notes.add(Messages.tr("there is no light {0} any more; its change was left out", Quote.of(change.name())));
-            } else {
-                changed = switch (found.get()) {
-                    case Contribution.OfLight(String name) -> changed.withLight(changed(changed.light(name).orElseThrow(), change));
-                    case Contribution.OfEnvironment _ -> changed.withWorld(changed(changed.world(), change));
-                };
+            List<Contribution> parts = change.in(changed);
+            if (parts.isEmpty()) {
+                notes.add(Messages.tr("there is no light {0} any more; its change was left out", Quote.of(change.light().title(changed))));
+            }
+            for (Contribution part : parts) {
+                Optional<Light> light = part.light(changed);
+                changed = light.isPresent() ? changed.withLight(changed(light.get(), change)) : changed(changed, part, change);
             }
         }
         for (Review.GroupChange change : review.groups()) {
@@ -50,11 +48,6 @@ public record ReviewedScene(Scene scene, List<String> notes) {
         ViewSettings view = changed.picture().view();
         double exposure = Math.clamp(view.exposure() + review.exposure(), -ViewSettings.MAX_EXPOSURE, ViewSettings.MAX_EXPOSURE);
         return new ReviewedScene(changed.withPicture(changed.picture().withView(view.withExposure(exposure))), List.copyOf(notes));
-    }
-
-    private static Optional<Contribution> changedPart(Scene scene, Review.LightChange change) {
-        return !change.isEnvironment() ? Contribution.named(scene, change.name())
-                : scene.world().hasEnvironment() ? Optional.of(Contribution.ENVIRONMENT) : Optional.empty();
     }
 
     private static Light changed(Light light, Review.LightChange change) {
@@ -77,11 +70,11 @@ public record ReviewedScene(Scene scene, List<String> notes) {
         return color.max() > 1 ? color.times(1 / color.max()) : color;
     }
 
-    private static World changed(World world, Review.LightChange change) {
+    private static Scene changed(Scene scene, Contribution environment, Review.LightChange change) {
         boolean isOn = !change.mute() && change.stops().isPresent();
         double factor = isOn ? Math.pow(2, change.stops().orElseThrow()) : 0;
-        World scaled = world.mapIntensities(intensity -> Math.min(intensity * factor, SceneLimits.MAX_GROUP_INTENSITY));
-        return change.solo() ? scaled.withAllSolo(true) : scaled.withSolo(false);
+        return environment.with(scene,
+                v -> v.withIntensity(Math.min(v.intensity() * factor, environment.maxIntensity())).withSolo(change.solo()));
     }
 
     private static LightGroup changed(LightGroup group, Review.GroupChange change) {

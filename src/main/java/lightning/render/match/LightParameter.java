@@ -54,7 +54,7 @@ record LightParameter(Contribution light, double scale, double min, double max, 
         for (Contribution part : lights) {
             if (part.light(scene).isPresent()) {
                 addLight(scene, part.light(scene).get(), settings, parameters);
-            } else if (settings.changes().contains(MatchChange.ROTATION)) {
+            } else if (part instanceof Contribution.OfEnvironment && settings.changes().contains(MatchChange.ROTATION)) {
                 double rotation = scene.world().rotation();
                 parameters.add(new LightParameter(part, ROTATION_SCALE, -HALF_TURN, HALF_TURN, true,
                         (s, v) -> s.withWorld(s.world().withRotation(withinLimits(rotation + v)))));

@@ -93,7 +93,7 @@ final class LinearMatch {
                 problem.fix(l, 1);
                 continue;
             }
-            boolean isEnvironment = images.names().get(l).equals(Contribution.ENVIRONMENT);
+            boolean isEnvironment = !(images.names().get(l) instanceof Contribution.OfLight);
             problem.addLight(l, TargetCells.means(images.lights().get(l)),
                     settings.changes().contains(MatchChange.COLORS) && !isEnvironment);
         }

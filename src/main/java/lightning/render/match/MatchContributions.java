@@ -123,12 +123,13 @@ public final class MatchContributions {
         return world.mapIntensities(_ -> 1).withDome(World.DEFAULT.dome());
     }
 
-    /** Returns the factors of red, green and blue of a light or the environment; not finite if they are unknown. */
+    /** Returns the factors of red, green and blue of a light or an environment; not finite if they are unknown. */
     private double[] factors(Scene edited, Contribution part) {
         Optional<Light> light = part.light(scene);
         if (light.isEmpty()) {
-            double factor = scene.world().intensityRatio(edited.world());
-            return edited.world().dome().equals(scene.world().dome()) ? new double[] {factor, factor, factor} : UNKNOWN;
+            double factor = ratio(part.values(scene).intensity(), part.values(edited).intensity());
+            boolean isTurned = part instanceof Contribution.OfEnvironment && !edited.world().dome().equals(scene.world().dome());
+            return isTurned ? UNKNOWN : new double[] {factor, factor, factor};
         }
         Light before = scene.rig().effectiveLight(light.get());
         Light after = edited.rig().effectiveLight(part.light(edited).orElseThrow());

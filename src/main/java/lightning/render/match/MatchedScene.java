@@ -1,5 +1,6 @@
 package lightning.render.match;
 
+import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
@@ -19,11 +20,10 @@ public final class MatchedScene {
         Scene matched = result.moved().map(moved -> scene.withLights(moved.lights())
                 .withWorld(scene.world().withRotation(moved.world().rotation()))).orElse(scene);
         for (LightFactor factor : result.factors()) {
-            matched = switch (factor.light()) {
-                case Contribution.OfLight(String light) -> matched.withLight(multiplied(matched.light(light).orElseThrow(), factor));
-                case Contribution.OfEnvironment _ -> matched.withWorld(matched.world()
-                        .mapIntensities(intensity -> Math.min(SceneLimits.MAX_GROUP_INTENSITY, intensity * factor.red())));
-            };
+            Contribution part = factor.light();
+            Optional<Light> light = part.light(matched);
+            matched = light.isPresent() ? matched.withLight(multiplied(light.get(), factor))
+                    : part.with(matched, v -> v.withIntensity(Math.min(part.maxIntensity(), v.intensity() * factor.red())));
         }
         return matched;
     }

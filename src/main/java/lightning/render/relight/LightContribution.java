@@ -1,5 +1,6 @@
 package lightning.render.relight;
 
+import lightning.scene.Contribution;
 import lightning.base.math.Rgb;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
@@ -7,13 +8,13 @@ import lightning.render.image.ViewTransform;
 /**
  * Contribution of one light to a picture.
  *
- * @param light         name of the light, or of the environment
+ * @param light         the light or environment
  * @param shines        true if it contributes at all: it is on and not muted by a solo light
  * @param imageShare    its part of the picture's mean luminance; 0 for a black picture
  * @param regionShare   its part of a region's mean luminance
  * @param changeWhenOff change of the picture when the light is switched off
  */
-public record LightContribution(String light, boolean shines, double imageShare, double regionShare, FilmChange changeWhenOff) {
+public record LightContribution(Contribution light, boolean shines, double imageShare, double regionShare, FilmChange changeWhenOff) {
 
     /**
      * Difference between two pictures of one size.

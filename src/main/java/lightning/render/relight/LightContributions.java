@@ -1,10 +1,10 @@
 package lightning.render.relight;
 
+import java.util.Collection;
+import lightning.scene.EnvironmentLayer;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Collectors;
@@ -21,13 +21,12 @@ import lightning.scene.light.Light;
  * Contributions of all lights to a picture, computed from its cache. A light's share is composed. The picture without a light is
  * rendered as an edit, which only composes, except for finer samples at the light's edges.
  *
- * @param lights            one contribution for each light of the scene, in its order
- * @param environment       contribution of all environments including their visible background, if the scene has any; its shares are
- *                          the losses without it
+ * @param lights            one contribution for each light and each environment of the scene, in its order; the shares of an environment are
+ *                          the losses without it, its visible background included
  * @param idleLights        lights that shine, but change the display color of no pixel when all of them are off
  * @param changeWhenIdleOff change of the picture when all of these are off
  */
-public record LightContributions(List<LightContribution> lights, Optional<LightContribution> environment, List<String> idleLights,
+public record LightContributions(List<LightContribution> lights, List<Contribution> idleLights,
         LightContribution.FilmChange changeWhenIdleOff) {
 
     /**
@@ -68,22 +67,21 @@ public record LightContributions(List<LightContribution> lights, Optional<LightC
         Film picture = cache.film();
         Region all = Region.ofFilm(picture);
         List<LightContribution> lights = new ArrayList<>();
-        int total = scene.lights().size() + 1;
+        int total = Contribution.sources(scene).size();
         Progress silent = progress.cancellationOnly();
         try (Renderer renderer = new Renderer(options)) {
             for (Light one : scene.lights()) {
                 progress.report(lights.size(), total);
                 renderer.restore(cache);
                 if (!scene.isActive(one)) {
-                    lights.add(new LightContribution(one.name(), false, 0, 0, LightContribution.FilmChange.NONE));
+                    lights.add(new LightContribution(Contribution.of(one), false, 0, 0, LightContribution.FilmChange.NONE));
                     continue;
                 }
                 Film share = renderer.lightImage(one.name(), silent);
-                lights.add(new LightContribution(one.name(), true, LightShares.ofContribution(share, picture, all),
+                lights.add(new LightContribution(Contribution.of(one), true, LightShares.ofContribution(share, picture, all),
                         LightShares.ofContribution(share, picture, region),
-                        without(renderer, Set.of(one.name()), scene, picture, view, silent)));
+                        without(renderer, Set.of(Contribution.of(one)), scene, picture, view, silent)));
             }
-            Optional<LightContribution> environment = environment(renderer, cache, view, region, silent);
             List<LightContribution> idle = new ArrayList<>(lights.stream().filter(c -> c.shines() && c.changeWhenOff().isInvisible())
                     .sorted(Comparator.comparingDouble(LightContribution::imageShare)).toList());
             LightContribution.FilmChange together = LightContribution.FilmChange.NONE;
@@ -99,27 +97,27 @@ public record LightContributions(List<LightContribution> lights, Optional<LightC
                 idle.removeLast();
                 together = LightContribution.FilmChange.NONE;
             }
+            for (Contribution environment : Contribution.environments(scene)) {
+                progress.report(lights.size(), total);
+                lights.add(ofEnvironment(environment, renderer, cache, view, region, silent));
+            }
             progress.report(total, total);
-            return new LightContributions(List.copyOf(lights), environment, idle.stream().map(LightContribution::light).toList(), together);
+            return new LightContributions(List.copyOf(lights), idle.stream().map(LightContribution::light).toList(), together);
         }
     }
 
-    private static Optional<LightContribution> environment(Renderer renderer, PixelCache cache, ViewTransform view, Region region,
-            Progress progress) {
-        Scene scene = cache.scene();
+    private static LightContribution ofEnvironment(Contribution environment, Renderer renderer, PixelCache cache, ViewTransform view,
+            Region region, Progress progress) {
+        int index = environment.environmentIndex(cache.scene());
+        EnvironmentLayer layer = cache.scene().world().environments().get(index);
         Film picture = cache.film();
-        if (!scene.world().hasEnvironment()) {
-            return Optional.empty();
-        }
-        Film filmOff = LightShares.withoutEnvironment(renderer, cache, progress);
-        return Optional
-                .of(new LightContribution(Contribution.ENVIRONMENT.name(scene),
-                        scene.world().environments().stream().anyMatch(e -> e.on() && e.intensity() > 0),
-                        LightShares.ofLoss(filmOff, picture, Region.ofFilm(picture)),
-                        LightShares.ofLoss(filmOff, picture, region), LightContribution.FilmChange.between(picture, filmOff, view)));
+        Film filmOff = LightShares.withoutEnvironment(renderer, cache, index, progress);
+        return new LightContribution(environment, layer.on() && layer.intensity() > 0,
+                LightShares.ofLoss(filmOff, picture, Region.ofFilm(picture)), LightShares.ofLoss(filmOff, picture, region),
+                LightContribution.FilmChange.between(picture, filmOff, view));
     }
 
-    private static LightContribution.FilmChange without(Renderer renderer, Set<String> switchedOff, Scene scene, Film picture,
+    private static LightContribution.FilmChange without(Renderer renderer, Set<Contribution> switchedOff, Scene scene, Film picture,
             ViewTransform view,
             Progress progress) {
         renderer.renderWithSameSamples(switchOff(scene, switchedOff), progress);
@@ -127,9 +125,8 @@ public record LightContributions(List<LightContribution> lights, Optional<LightC
     }
 
     /** Returns the scene with some of its lights switched off. */
-    public static Scene switchOff(Scene scene, Iterable<String> lights) {
-        Set<String> switchedOff = new HashSet<>();
-        lights.forEach(switchedOff::add);
-        return scene.withLights(scene.lights().stream().map(l -> switchedOff.contains(l.name()) ? l.withOn(false) : l).toList());
+    public static Scene switchOff(Scene scene, Collection<Contribution> lights) {
+        Set<Contribution> off = Set.copyOf(lights);
+        return scene.withLights(scene.lights().stream().map(l -> off.contains(Contribution.of(l)) ? l.withOn(false) : l).toList());
     }
 }

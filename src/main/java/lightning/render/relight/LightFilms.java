@@ -10,8 +10,8 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Contribution;
 
 /**
- * Contributions to a picture, one after the other: of each light that shines with its visible face and its bulbs, and of the environment with
- * its visible background. With what remains of the picture they add up to it, apart from rounding, and each follows the weight of its light.
+ * Contributions to a picture, one after the other: of each light that shines with its visible face and its bulbs, and of each environment
+ * with its visible background. With what remains of the picture they add up to it, apart from rounding, and each follows the weight of its light.
  */
 public final class LightFilms {
     private LightFilms() {}

@@ -112,9 +112,17 @@ public final class LightImage {
                             lightsOf(scene, i -> i < scene.lights().size() && scene.lights().get(i).name().equals(light)),
                             BackgroundLight.NONE);
                 }
-                case Contribution.OfEnvironment _ -> new Side(scene.withWorld(dark(scene.world())),
-                        geometry.materialsOf(LightImage.scene(scene, "")), lightsOf(scene, i -> i >= scene.lights().size()),
-                        new BackgroundLight(Rgb.BLACK, BackgroundLight.of(scene).layers(), Rgb.BLACK));
+                case Contribution.OfEnvironment _,Contribution.OfDome _ -> {
+                    int index = contribution.environmentIndex(scene);
+                    World world = dark(scene.world());
+                    for (int e = 0; e < scene.rig().environmentCount(); e++) {
+                        world = e == index ? world : world.withDarkEnvironment(e);
+                    }
+                    yield new Side(scene.withWorld(world), geometry.materialsOf(LightImage.scene(scene, "")),
+                            lightsOf(scene, i -> Contribution.ofEffectiveLight(scene, i).equals(contribution)),
+                            index < 0 ? BackgroundLight.NONE : BackgroundLight.of(scene, index));
+                }
+                case Contribution.OfAmbience _,Contribution.OfRest _ -> throw new IllegalArgumentException("has no weight");
             };
         }
 
@@ -137,7 +145,7 @@ public final class LightImage {
                 Side.image(cache.mirrored(), cache.mirroredGeometry(), light), workers, progress);
     }
 
-    /** Composes a contribution: of a light with its visible face and its bulbs, or of the environment with its visible background. */
+    /** Composes a contribution: of a light with its visible face and its bulbs, or of an environment with its visible background. */
     static Film film(PixelCache cache, RenderOptions options, Contribution contribution, WorkerPool workers, Progress progress) {
         return film(cache, options, Side.contribution(cache.shown(), cache.geometry(), contribution),
                 Side.contribution(cache.mirrored(), cache.mirroredGeometry(), contribution), workers, progress);

@@ -119,16 +119,8 @@ public record LightShares(Scene scene, double[] lights, double[] environments) {
         return whole > 0 ? (whole - region.luminance(without)) / whole : 0;
     }
 
-    /** Renders the picture without its environments; lights that a solo darkens stay dark. */
-    static Film withoutEnvironment(Renderer renderer, PixelCache cache, Progress progress) {
-        Scene scene = cache.scene();
-        renderer.restore(cache);
-        renderer.renderWithSameSamples(withActiveLights(scene).withWorld(scene.world().mapIntensities(_ -> 0)), progress);
-        return renderer.film();
-    }
-
-    /** Renders the picture without one of its environments. */
-    private static Film withoutEnvironment(Renderer renderer, PixelCache cache, int index, Progress progress) {
+    /** Renders the picture without one of its environments; lights that a solo darkens stay dark. */
+    static Film withoutEnvironment(Renderer renderer, PixelCache cache, int index, Progress progress) {
         Scene scene = cache.scene();
         renderer.restore(cache);
         renderer.renderWithSameSamples(withActiveLights(scene).withWorld(scene.world().withDarkEnvironment(index)), progress);
@@ -138,11 +130,6 @@ public record LightShares(Scene scene, double[] lights, double[] environments) {
     /** Returns the scene whose lights that a solo darkens are off. */
     private static Scene withActiveLights(Scene scene) {
         return scene.withLights(scene.lights().stream().map(l -> scene.isActive(l) ? l : l.withOn(false)).toList());
-    }
-
-    /** Returns the share of all environments. */
-    public double environment() {
-        return Arrays.stream(environments).sum();
     }
 
     /** Returns the summed shares of several lights. */

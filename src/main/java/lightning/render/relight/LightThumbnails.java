@@ -414,15 +414,6 @@ public final class LightThumbnails {
         return sum;
     }
 
-    /** Returns the contribution of all environments as lights, in the layout of {@link #image}. */
-    public float[] environmentImage() {
-        float[] sum = new float[image.length];
-        for (int l = scene.lights().size(); l < lightImages.length; l++) {
-            add(lightImages[l], sum);
-        }
-        return sum;
-    }
-
     /**
      * Returns the contribution of one environment as a light, in the layout of {@link #image}.
      *

@@ -1,5 +1,6 @@
 package lightning.editor.document;
 
+import lightning.scene.Contribution;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
@@ -15,7 +16,7 @@ import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
 class MixerChannelTest {
-    private static final MixerChannel ENVIRONMENT = new MixerChannel.OfEnvironment();
+    private static final MixerChannel ENVIRONMENT = MixerChannel.ENVIRONMENT;
 
     private static Scene scene(double intensity, double gain) {
         float[] rgb = new float[8 * 4 * 3];
@@ -27,26 +28,40 @@ class MixerChannelTest {
 
     @Test
     void mutedEnvironment_keepsItsImage() {
-        Scene muted = ENVIRONMENT.withOn(scene(2, 1), false);
+        Scene muted = ENVIRONMENT.with(scene(2, 1), v -> v.withOn(false));
         assertThat(muted.world().intensity()).isEqualTo(2);
         assertThat(muted.world().lightIntensity()).isZero();
-        assertThat(ENVIRONMENT.isOn(muted)).isFalse();
+        assertThat(ENVIRONMENT.values(muted).on()).isFalse();
         assertThat(ENVIRONMENT.isShining(muted)).isFalse();
-        assertThat(ENVIRONMENT.withOn(muted, true).world()).isEqualTo(scene(2, 1).world());
+        assertThat(ENVIRONMENT.with(muted, v -> v.withOn(true)).world()).isEqualTo(scene(2, 1).world());
     }
 
     /** Files of earlier versions muted the environment with its intensity. */
     @Test
     void environmentOfIntensityZero_comesOn() {
-        assertThat(ENVIRONMENT.isOn(scene(0, 0.5))).isFalse();
-        assertThat(ENVIRONMENT.withOn(scene(0, 0.5), true).world()).isEqualTo(scene(1, 0.5).world());
-        assertThat(ENVIRONMENT.withOn(scene(0, 0), true).world()).isEqualTo(scene(1, 1).world());
+        assertThat(ENVIRONMENT.values(scene(0, 0.5)).on()).isFalse();
+        assertThat(ENVIRONMENT.with(scene(0, 0.5), v -> v.withOn(true)).world()).isEqualTo(scene(1, 0.5).world());
+        assertThat(ENVIRONMENT.with(scene(0, 0), v -> v.withOn(true)).world()).isEqualTo(scene(1, 1).world());
     }
 
     @Test
     void environmentThatIsAlreadyOn_keepsItsGain() {
         Scene lit = scene(2, 0.5);
-        assertThat(ENVIRONMENT.withOn(lit, true)).isSameAs(lit);
+        assertThat(ENVIRONMENT.with(lit, v -> v.withOn(true))).isSameAs(lit);
+    }
+
+    @Test
+    void intensityOfADarkEnvironment_leavesItsGain() {
+        assertThat(ENVIRONMENT.with(scene(0, 0.5), v -> v.withIntensity(3)).world()).isEqualTo(scene(3, 0.5).world());
+    }
+
+    /** A light may have the name of the environment. */
+    @Test
+    void titles_areDistinct() {
+        Scene lit = scene(1, 1);
+        Scene scene = lit.withLights(List.of(lit.lights().getFirst().withName("environment")));
+        assertThat(MixerChannel.channelsOf(scene)).extracting(channel -> channel.title(scene)).containsExactly("environment",
+                "environment 2");
     }
 
     @Test
@@ -54,15 +69,15 @@ class MixerChannelTest {
         Scene own = scene(1, 1);
         Dome dome = Dome.of("studio").withImage(own.world().image());
         Scene scene = own.withWorld(own.world().withDomes(List.of(dome)));
-        MixerChannel channel = new MixerChannel.OfDome("studio");
+        MixerChannel channel = new MixerChannel.OfContribution(new Contribution.OfDome("studio"));
         assertThat(MixerChannel.channelsOf(scene)).endsWith(ENVIRONMENT, channel);
         assertThat(channel.environmentIndex(scene)).isEqualTo(1);
-        assertThat(channel.withIntensity(scene, 3).world().domes()).containsExactly(dome.withIntensity(3));
-        Scene muted = channel.withOn(scene, false);
+        assertThat(channel.with(scene, v -> v.withIntensity(3)).world().domes()).containsExactly(dome.withIntensity(3));
+        Scene muted = channel.with(scene, v -> v.withOn(false));
         assertThat(muted.world().domes()).containsExactly(dome.withOn(false));
         assertThat(channel.isShining(muted)).isFalse();
         assertThat(ENVIRONMENT.isShining(muted)).isTrue();
-        Scene solo = channel.withSolo(scene, true);
+        Scene solo = channel.with(scene, v -> v.withSolo(true));
         assertThat(channel.isShining(solo)).isTrue();
         assertThat(ENVIRONMENT.isShining(solo)).isFalse();
         assertThat(channel.isIn(own)).isFalse();

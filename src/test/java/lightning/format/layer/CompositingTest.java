@@ -1,5 +1,7 @@
 package lightning.format.layer;
 
+import lightning.sample.JenScenes;
+import java.util.LinkedHashMap;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -206,6 +208,49 @@ class CompositingTest {
             assertThat(names).extracting(name -> String.join("_",
                     Stream.of(name.split("\\.")).map(part -> part.replaceAll("^[0-9]+", "").replaceAll("[^A-Za-z0-9]", "_")).toList())
                     .toLowerCase(Locale.ROOT)).doesNotHaveDuplicates();
+        }
+    }
+
+    /** A light may have the name of the environment. */
+    @Test
+    void environments_haveTheirOwnLayers() throws IOException {
+        Scene lamp = JenScenes.withSky(JenScenes.of("picture { size 20 16 }  camera { from 0 1 6  to 0 1 0 }  plane floor { }"
+                + "  sphere ball { at 0 1 0 }  light environment point { at 0 3 1 }"));
+        ExrContent content = new ExrContent(ExrType.FLOAT, ExrContent.Layers.LIT, false, 0);
+        List<Map<String, List<Float>>> files = new ArrayList<>();
+        for (double intensity : List.of(1.0, 2.0)) {
+            Path file = folder.resolve(intensity + ".exr");
+            write(lamp.withWorld(lamp.world().withDomes(List.of(JenScenes.dome("studio", intensity)))), content, Optional.empty(), file);
+            files.add(reds(file));
+        }
+        assertThat(files.getFirst().keySet()).filteredOn(name -> name.contains("environment") || name.contains("studio")).containsExactly(
+                "environment_diffuse.R", "environment_specular.R", "environment_2_diffuse.R", "environment_2_specular.R",
+                "environment_2_gathered.R", "studio_diffuse.R", "studio_specular.R", "studio_gathered.R");
+        assertThat(files.getFirst().get("studio_gathered.R")).anyMatch(v -> v > 0);
+        files.getFirst().forEach((name, once) -> {
+            List<Float> twice = files.getLast().get(name);
+            if (name.startsWith("studio_")) {
+                assertThat(twice).as(name).isEqualTo(once.stream().map(v -> 2 * v).toList());
+            } else if (name.startsWith("environment_")) {
+                assertThat(twice).as(name).isEqualTo(once);
+            }
+        });
+    }
+
+    /** Returns the red values of all layers of a file. */
+    private static Map<String, List<Float>> reds(Path file) throws IOException {
+        try (ExrReader reader = new ExrReader(file)) {
+            Map<String, List<Float>> reds = new LinkedHashMap<>();
+            for (String layer : new JsonMapper().readValue(reader.header().texts().get("lightning/sum"), String[].class)) {
+                reds.put(layer + ".R", new ArrayList<>());
+            }
+            List<String> names = List.copyOf(reds.keySet());
+            reader.read(names, (_, _, values) -> {
+                for (int i = 0; i < values.length; i++) {
+                    reds.get(names.get(i)).add(values[i]);
+                }
+            });
+            return reds;
         }
     }
 

@@ -1,5 +1,7 @@
 package lightning.format.review;
 
+import lightning.render.image.ViewTransform;
+import lightning.sample.JenScenes;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -72,5 +74,23 @@ class LookFadersTest {
                 java.util.stream.Stream.of(sun.withName("moon"))).toList()));
         assertThat(LookFaders.of(scene, more)).isEmpty();
         assertThat(LookFaders.of(scene, scene)).isPresent();
+    }
+
+    @Test
+    void environments_haveTheirOwnFaders() {
+        Scene page = JenScenes.withSky(JenScenes.of("light environment point { }"));
+        page = page.withWorld(page.world().withDomes(List.of(JenScenes.dome("studio", 2))));
+        assertThat(ReviewContent.of("a", ReviewPicture.of(page), ViewTransform.DEFAULT).lightNames())
+                .containsExactly("environment", "environment 2", "studio");
+        Scene look = page.withWorld(page.world().withDomes(List.of(JenScenes.dome("studio", 1))));
+        JsonNode lights = LookFaders.of(page, look).orElseThrow().get("lights");
+        assertThat(lights.values()).extracting(light -> light.get("stops").asDouble()).containsExactly(0.0, 0.0, -1.0);
+    }
+
+    @Test
+    void environmentThatASoloMutes_needsAPicture() {
+        Scene page = JenScenes.withSky(JenScenes.of("light key point { }"));
+        page = page.withWorld(page.world().withDomes(List.of(JenScenes.dome("studio", 2))));
+        assertThat(LookFaders.of(page, page.withWorld(page.world().withSolo(true)))).isEmpty();
     }
 }

@@ -1,5 +1,6 @@
 package lightning.format.review;
 
+import lightning.scene.Contribution;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIOException;
 
@@ -34,15 +35,34 @@ class ReviewReaderTest {
     @Test
     void validReview_isRead() throws IOException {
         Review review = read(VALID);
-        assertThat(review.lights()).containsExactly(new Review.LightChange("sun", false, Optional.of(-1.0), List.of(1.0, 0.5, 1.0), 3,
+        assertThat(review.lights()).containsExactly(new Review.LightChange(new Contribution.OfLight("sun"), true, Optional.of(-1.0), List.of(1.0, 0.5, 1.0), 3,
                 List.of(1.0, 1.0, 1.0), false, true));
         assertThat(review.groups()).containsExactly(new Review.GroupChange("soft", Optional.empty(), true, false));
         assertThat(review.notes()).containsExactly(new Review.Note(0.25, 1, "darker"));
     }
 
+    @Test
+    void environments_areRead() throws IOException {
+        String world = VALID.replace("\"lightning_review\": 1", "\"lightning_review\": 2").replace("\"name\": \"sun\"",
+                "\"name\": \"sun\", \"environment\": \"world\"");
+        assertThat(read(world).lights()).extracting(Review.LightChange::light).containsExactly(Contribution.ENVIRONMENT);
+        assertThat(read(world.replace("\"world\"", "\"dome\"")).lights()).extracting(Review.LightChange::light)
+                .containsExactly(new Contribution.OfDome("sun"));
+        assertThatIOException().isThrownBy(() -> read(world.replace("\"world\"", "\"sky\"")))
+                .withMessageContaining("lights[0].environment: expected \"world\" or \"dome\", found \"sky\"");
+    }
+
+    /** Pages of earlier versions have one fader for all environments. */
+    @Test
+    void environmentOfAnEarlierPage_isRead() throws IOException {
+        String text = VALID.replace("\"name\": \"sun\"", "\"name\": \"environment\", \"environment\": true");
+        assertThat(read(text).lights().getFirst().light()).isEqualTo(Contribution.ENVIRONMENT);
+        assertThat(read(text).lights().getFirst().areTogether()).isTrue();
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "\"lightning_review\": 1|\"lightning_review\": 2|expected version 1, found 2",
+        "\"lightning_review\": 1|\"lightning_review\": 3|expected version 1 or 2, found 3",
         "\"lightning_review\": 1|\"other\": 1|expected a review that a page",
         "\"stops\": -1|\"stops\": \"x\"|lights[0].stops: expected a number",
         "\"stops\": -1|\"stops\": 1e9|lights[0].stops: expected a number",

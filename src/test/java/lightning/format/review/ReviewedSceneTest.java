@@ -1,5 +1,6 @@
 package lightning.format.review;
 
+import lightning.scene.Contribution;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
@@ -13,7 +14,11 @@ class ReviewedSceneTest {
     private static final Scene DARK = JenScenes.of("light environment point { intensity 3 }\nlight key point { }");
 
     private static Scene reviewed(Scene scene, boolean isEnvironment, double stops, boolean solo) {
-        var change = new Review.LightChange("environment", isEnvironment, Optional.of(stops), List.of(1.0, 1.0, 1.0), 3,
+        return reviewed(scene, isEnvironment ? Contribution.ENVIRONMENT : new Contribution.OfLight("environment"), true, stops, solo);
+    }
+
+    private static Scene reviewed(Scene scene, Contribution light, boolean areTogether, double stops, boolean solo) {
+        var change = new Review.LightChange(light, areTogether, Optional.of(stops), List.of(1.0, 1.0, 1.0), 3,
                 List.of(1.0, 1.0, 1.0), false, solo);
         return ReviewedScene.of(scene, new Review("a", "", 0, List.of(change), List.of(), List.of())).scene();
     }
@@ -40,6 +45,23 @@ class ReviewedSceneTest {
     @Test
     void nameWithoutSuchALight_isTheEnvironment() {
         assertThat(reviewed(withoutLamp(JenScenes.withSky(DARK)), false, 1, false).world().intensity()).isEqualTo(2);
+    }
+
+    /** Pages of earlier versions have one fader for all environments. */
+    @Test
+    void faderOfAnEarlierPage_changesAllEnvironments() {
+        Scene sky = JenScenes.withSky(DARK);
+        Scene changed = reviewed(sky.withWorld(sky.world().withDomes(List.of(JenScenes.dome("a", 2)))), true, 1, false);
+        assertThat(changed.world().intensity()).isEqualTo(2);
+        assertThat(changed.world().dome("a").orElseThrow().intensity()).isEqualTo(4);
+    }
+
+    @Test
+    void faderOfADome_changesItAlone() {
+        Scene sky = JenScenes.withSky(DARK);
+        Scene both = sky.withWorld(sky.world().withDomes(List.of(JenScenes.dome("a", 2), JenScenes.dome("b", 1))));
+        Scene changed = reviewed(both, new Contribution.OfDome("a"), false, 1, true);
+        assertThat(changed.world()).isEqualTo(both.world().withDomes(List.of(JenScenes.dome("a", 4).withSolo(true), JenScenes.dome("b", 1))));
     }
 
     @Test

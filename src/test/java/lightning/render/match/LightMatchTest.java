@@ -1,5 +1,7 @@
 package lightning.render.match;
 
+import lightning.scene.value.DomeRotation;
+import lightning.scene.Dome;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -290,6 +292,21 @@ class LightMatchTest {
         MatchResult result = match(scene, film(studio.withWorld(studio.world().withIntensity(3))), MatchSettings.DEFAULT);
         assertThat(result.factors()).allSatisfy(
                 f -> assertThat(f.red()).isCloseTo(f.light().equals(Contribution.ENVIRONMENT) ? 3 : 1, within(1e-3)));
+    }
+
+    @Test
+    void environmentAndDome_areMatchedApart() {
+        Scene lamp = JenScenes.withSky(JenScenes.of("picture { size 40 32 }  camera { from 0 2 6  to 0 1 0 }  plane floor { }"
+                + "  sphere ball { at 0 1 0 }  light environment point { at 0 3 1 }"));
+        Dome studio = JenScenes.dome("studio", 1).withRotation(DomeRotation.NONE.withTilt(150));
+        Scene scene = lamp.withWorld(lamp.world().withDomes(List.of(studio)));
+        Scene reference = scene.withWorld(scene.world().withIntensity(0.5).withDomes(List.of(studio.withIntensity(3))));
+        MatchResult result = match(scene, film(reference), MatchSettings.DEFAULT);
+        assertThat(result.factors()).extracting(f -> f.light().name(scene)).containsExactly("environment", "environment 2", "studio");
+        assertThat(result.factors().get(0).red()).isCloseTo(1, within(0.01));
+        assertThat(result.factors().get(1).red()).isCloseTo(0.5, within(0.01));
+        assertThat(result.factors().get(2).red()).isCloseTo(3, within(0.01));
+        assertThat(MatchedScene.of(scene, result).world().dome("studio").orElseThrow().intensity()).isCloseTo(3, within(0.01));
     }
 
     /** Each pixel that the light reaches is on an edge and has finer samples. */

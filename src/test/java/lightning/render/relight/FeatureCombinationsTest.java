@@ -1,5 +1,6 @@
 package lightning.render.relight;
 
+import java.util.stream.DoubleStream;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
@@ -150,7 +151,8 @@ class FeatureCombinationsTest {
             LightContributions found = LightContributions.of(renderer.cache(), OPTIONS, ViewTransform.DEFAULT,
                     LightContributions.Region.ofFilm(renderer.film()), Progress.NONE);
             assertThat(found.lights().stream().mapToDouble(LightContribution::imageShare)).containsExactly(
-                    Arrays.stream(shares.lights()).boxed().toArray(Double[]::new));
+                    DoubleStream.concat(Arrays.stream(shares.lights()), Arrays.stream(shares.environments())).boxed()
+                            .toArray(Double[]::new));
             assertContinues(renderer, scene);
         }
     }

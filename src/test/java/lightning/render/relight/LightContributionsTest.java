@@ -1,5 +1,8 @@
 package lightning.render.relight;
 
+import lightning.sample.JenScenes;
+import java.util.stream.DoubleStream;
+import lightning.scene.Contribution;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -41,13 +44,6 @@ import org.junit.jupiter.api.Test;
 class LightContributionsTest {
     private static final RenderOptions OPTIONS = new RenderOptions(Accuracy.EXACT, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1);
 
-    /**
-     * Error of a share that is a sum over several environments. A value of a picture is a sum of terms ≥ 0 with less than 1000 roundings in a
-     * row to 24 bits, so its relative error is below 1000 · 2⁻²⁴ (Higham, Accuracy and Stability of Numerical Algorithms, 2002, lemma 3.1),
-     * and that of the difference of two pictures, in units of the whole picture, below twice that.
-     */
-    private static final double SHARE_ERROR = 2 * 1000 * 0x1p-24;
-
     @Provide
     Arbitrary<EditSession> sessions() {
         return EditSession.sessions();
@@ -61,9 +57,9 @@ class LightContributionsTest {
             Film picture = renderer.film().copy();
             LightContributions found = LightContributions.of(renderer.cache(), OPTIONS, ViewTransform.DEFAULT,
                     LightContributions.Region.ofFilm(picture), Progress.NONE);
-            assertThat(found.lights()).extracting(LightContribution::light).isEqualTo(scene.lights().stream().map(Light::name).toList());
+            assertThat(found.lights()).extracting(LightContribution::light).isEqualTo(Contribution.sources(scene));
             for (LightContribution one : found.lights()) {
-                if (one.shines()) {
+                if (one.shines() && one.light() instanceof Contribution.OfLight) {
                     Film filmOff = new ReferenceTracer(LightContributions.switchOff(scene, List.of(one.light()))).trace();
                     assertThat(one.changeWhenOff())
                             .isEqualTo(LightContribution.FilmChange.between(picture, filmOff, ViewTransform.DEFAULT));
@@ -71,10 +67,8 @@ class LightContributionsTest {
                 }
             }
             LightShares shares = LightShares.of(renderer.cache(), OPTIONS, Progress.NONE);
-            assertThat(shares.lights()).as("the mixer's shares")
-                    .isEqualTo(found.lights().stream().mapToDouble(LightContribution::imageShare).toArray());
-            assertThat(shares.environment()).isCloseTo(found.environment().map(LightContribution::imageShare).orElse(0.0),
-                    within(shares.environments().length < 2 ? 0 : SHARE_ERROR));
+            assertThat(DoubleStream.concat(Arrays.stream(shares.lights()), Arrays.stream(shares.environments()))).as("the mixer's shares")
+                    .containsExactlyElementsOf(found.lights().stream().map(LightContribution::imageShare).toList());
             Film dark = new ReferenceTracer(LightContributions.switchOff(scene, found.idleLights())).trace();
             assertThat(LightContribution.FilmChange.between(picture, dark, ViewTransform.DEFAULT)).isEqualTo(found.changeWhenIdleOff());
             assertThat(found.changeWhenIdleOff().isInvisible()).isTrue();
@@ -171,8 +165,8 @@ class LightContributionsTest {
         lights.add(key.withName("far below").withPosition(new Vec3(0, -1e6, 0)));
         lights.add(key.withName("off").withOn(false));
         LightContributions found = of(scene.withLights(lights), new LightContributions.Region(0, 0, 1, 1));
-        assertThat(found.idleLights()).contains("dim").doesNotContain(StudioScene.KEY, "off");
-        assertThat(found.lights().stream().filter(c -> c.light().equals("off")).findFirst().orElseThrow().shines()).isFalse();
+        assertThat(found.idleLights()).contains(light("dim")).doesNotContain(light(StudioScene.KEY), light("off"));
+        assertThat(found.lights().stream().filter(c -> c.light().equals(light("off"))).findFirst().orElseThrow().shines()).isFalse();
     }
 
     /**
@@ -193,7 +187,7 @@ class LightContributionsTest {
                 """, "wall", Path.of("")).scene();
         LightContributions found = of(scene, new LightContributions.Region(0, 0, 1, 1));
         assertThat(found.lights()).allMatch(one -> one.changeWhenOff().isInvisible() && !one.changeWhenOff().isNone());
-        assertThat(found.idleLights()).containsExactly("b");
+        assertThat(found.idleLights()).containsExactly(light("b"));
     }
 
     @Test
@@ -204,19 +198,34 @@ class LightContributionsTest {
         World around = scene.world().withAmbience(0).withEnvironment(Optional.of(new Environment("sky.hdr", new EnvironmentMap(8, 4, rgb))))
                 .withLightCount(6);
         Scene lit = scene.withWorld(around);
-        LightContribution environment = of(lit, new LightContributions.Region(0, 0, 5, 5)).environment().orElseThrow();
+        LightContribution environment = of(lit, new LightContributions.Region(0, 0, 5, 5)).lights().getLast();
         Film picture = new ReferenceTracer(lit).trace();
         Film filmOff = new ReferenceTracer(scene.withWorld(around.withIntensity(0))).trace();
-        assertThat(environment.light()).isEqualTo("environment");
+        assertThat(environment.light()).isEqualTo(Contribution.ENVIRONMENT);
         assertThat(environment.shines()).isTrue();
         assertThat(environment.changeWhenOff()).isEqualTo(LightContribution.FilmChange.between(picture, filmOff, ViewTransform.DEFAULT));
-        Film alone = new ReferenceTracer(LightContributions.switchOff(lit, scene.lights().stream().map(Light::name).toList())).trace();
+        Film alone = new ReferenceTracer(LightContributions.switchOff(lit, Contribution.sources(scene))).trace();
         assertThat(environment.imageShare()).isCloseTo(luminance(alone) / luminance(picture), within(1e-5));
-        assertThat(of(scene, new LightContributions.Region(0, 0, 5, 5)).environment()).isEmpty();
+        assertThat(of(scene, new LightContributions.Region(0, 0, 5, 5)).lights()).hasSameSizeAs(scene.lights());
         // Lights that its solo darkens stay dark while its share is measured.
-        LightContribution solo = of(scene.withWorld(around.withSolo(true)), new LightContributions.Region(0, 0, 5, 5)).environment()
-                .orElseThrow();
+        LightContribution solo = of(scene.withWorld(around.withSolo(true)), new LightContributions.Region(0, 0, 5, 5)).lights().getLast();
         assertThat(solo.imageShare()).isEqualTo(1);
+    }
+
+    /** A dome that is twice as bright as the same sky loses twice as much. */
+    @Test
+    void environments_haveTheirOwnShares() {
+        Scene scene = JenScenes.withSky(JenScenes.of("picture { size 20 16 }  camera { from 0 1 6  to 0 1 0 }  world { ambience 0 }"
+                + "  sphere ball { at 0 1 0 }  light environment point { at 0 3 1 }"));
+        Scene lit = scene.withWorld(scene.world().withDomes(List.of(JenScenes.dome("studio", 2))));
+        List<LightContribution> found = of(lit, new LightContributions.Region(0, 0, 5, 5)).lights();
+        assertThat(found).extracting(one -> one.light().name(lit)).containsExactly("environment", "environment 2", "studio");
+        assertThat(found.get(2).imageShare()).isCloseTo(2 * found.get(1).imageShare(), within(1e-5));
+        assertThat(found.stream().mapToDouble(LightContribution::imageShare).sum()).isCloseTo(1, within(1e-5));
+    }
+
+    private static Contribution light(String name) {
+        return new Contribution.OfLight(name);
     }
 
     private static double luminance(Film film) {

@@ -67,7 +67,8 @@ class LightFilmsTest {
                     assertThat(films(centers)).hasSameSizeAs(films);
                     assertThat(LightShares.of(centers, OPTIONS, Progress.NONE).lights()).hasSameSizeAs(scene.lights());
                     assertThat(LightContributions.of(centers, OPTIONS, ViewTransform.DEFAULT,
-                            LightContributions.Region.ofFilm(centers.film()), Progress.NONE).lights()).hasSameSizeAs(scene.lights());
+                            LightContributions.Region.ofFilm(centers.film()), Progress.NONE).lights())
+                                    .hasSameSizeAs(Contribution.sources(scene));
                 }
             }
         }
@@ -103,9 +104,16 @@ class LightFilmsTest {
     private static Scene dark(Scene scene) {
         List<Contribution> shining = Contribution.shining(scene);
         List<Light> lights = new ArrayList<>(scene.lights().stream().map(light -> light.withOn(false)).toList());
-        World world = scene.world();
-        World unlit = shining.contains(Contribution.ENVIRONMENT) ? world.mapIntensities(_ -> 0)
-                : world.withGain(0).withDomes(world.domes().stream().map(dome -> dome.withGain(0)).toList());
-        return scene.withWorld(unlit).withLights(lights);
+        Scene dark = scene.withLights(lights);
+        for (Contribution environment : Contribution.environments(scene)) {
+            dark = shining.contains(environment) ? environment.with(dark, v -> v.withIntensity(0))
+                    : dark.withWorld(withoutGain(dark.world(), environment));
+        }
+        return dark;
+    }
+
+    private static World withoutGain(World world, Contribution environment) {
+        return environment instanceof Contribution.OfDome(String name) ? world.withDome(name, world.dome(name).orElseThrow().withGain(0))
+                : world.withGain(0);
     }
 }

@@ -1,11 +1,11 @@
 package lightning.editor.window.contribution;
 
+import java.util.stream.Collectors;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
-import java.util.stream.Stream;
 import javafx.animation.PauseTransition;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.scene.control.Button;
@@ -67,7 +67,7 @@ public final class ContributionPane extends VBox {
     private final Label regionText = new Label(Messages.tr("Region: whole frame"));
     private final DisabledReason switchOffReason;
     private final PauseTransition settleTimer = new PauseTransition(SETTLE_DELAY);
-    private Map<String, Double> sharesAtPointer = Map.of();
+    private Map<Contribution, Double> sharesAtPointer = Map.of();
     private Optional<LightContributions.Region> region = Optional.empty();
     private @Nullable LightContributions shown;
     private @Nullable Scene shownScene;
@@ -132,7 +132,7 @@ public final class ContributionPane extends VBox {
         TableColumn<LightContribution, Double> impact = column(Messages.tr("Impact If Removed"),
                 c -> c.shines() ? impact(c.changeWhenOff()) : -1.0, Object::toString, 240);
         table.getColumns().setAll(List.of(
-                column(Messages.tr("Light"), LightContribution::light, Function.identity(), 130),
+                column(Messages.tr("Light"), this::title, Function.identity(), 130),
                 column(Messages.tr("Whole Frame"), LightContribution::imageShare, PercentText::format, 120),
                 column(Messages.tr("Region"), LightContribution::regionShare, PercentText::format, 80),
                 column(Messages.tr("Cursor"), c -> sharesAtPointer.getOrDefault(c.light(), Double.NaN),
@@ -154,12 +154,15 @@ public final class ContributionPane extends VBox {
         table.setRowFactory(_ -> {
             TableRow<LightContribution> row = new TableRow<>();
             row.setOnMouseClicked(_ -> {
-                if (row.getItem() != null && editor.scene().light(row.getItem().light()).isPresent()) {
-                    editor.selection().selectLight(row.getItem().light());
-                }
+                Optional.ofNullable(row.getItem()).flatMap(item -> item.light().light(editor.scene()))
+                        .ifPresent(light -> editor.selection().selectLight(light.name()));
             });
             return row;
         });
+    }
+
+    private String title(LightContribution contribution) {
+        return shownScene == null ? "" : contribution.light().title(shownScene);
     }
 
     private static <T> TableColumn<LightContribution, T> column(String title, Function<LightContribution, T> value,
@@ -245,14 +248,14 @@ public final class ContributionPane extends VBox {
         placeholder.setText(Messages.tr("No lights"));
         shownScene = answer.scene();
         List<TableColumn<LightContribution, ?>> order = List.copyOf(table.getSortOrder());
-        table.getItems().setAll(Stream.concat(shown.lights().stream(), shown.environment().stream()).toList());
+        table.getItems().setAll(shown.lights());
         table.getSortOrder().setAll(order);
         table.sort();
         int idle = shown.idleLights().size();
         summary.setText(idle == 0 ? Messages.tr("All lights contribute")
                 : Messages.count(idle, "1 light changes no displayed pixel: {1}", "{0} lights together change no displayed pixel: {1}",
                         idle,
-                        String.join(", ", shown.idleLights())));
+                        shown.idleLights().stream().map(light -> light.title(answer.scene())).collect(Collectors.joining(", "))));
         switchOffReason.set(idle == 0 ? Optional.of(Messages.tr("all lights contribute")) : Optional.empty());
     }
 
@@ -295,14 +298,15 @@ public final class ContributionPane extends VBox {
         return indirect;
     }
 
-    private static Map<String, Double> pixelShares(LightThumbnails shares) {
+    private static Map<Contribution, Double> pixelShares(LightThumbnails shares) {
         double total = LightThumbnails.brightness(shares.image());
-        Map<String, Double> fractions = new HashMap<>();
-        for (int l = 0; l < shares.scene().lights().size(); l++) {
-            fractions.put(shares.scene().lights().get(l).name(), total > 0 ? LightThumbnails.brightness(shares.lightImage(l)) / total : 0);
+        List<Contribution> parts = Contribution.sources(shares.scene());
+        int lights = shares.scene().lights().size();
+        Map<Contribution, Double> fractions = new HashMap<>();
+        for (int i = 0; i < parts.size(); i++) {
+            float[] image = i < lights ? shares.lightImage(i) : shares.environmentImage(i - lights);
+            fractions.put(parts.get(i), total > 0 ? LightThumbnails.brightness(image) / total : 0);
         }
-        fractions.put(Contribution.ENVIRONMENT.name(shares.scene()),
-                total > 0 ? LightThumbnails.brightness(shares.environmentImage()) / total : 0);
         return fractions;
     }
 
@@ -312,7 +316,7 @@ public final class ContributionPane extends VBox {
             editor.message().show(Messages.tr("The image is out of date; render first (F5)"));
             return;
         }
-        List<String> idle = shown.idleLights();
+        List<Contribution> idle = shown.idleLights();
         if (editor.editOrReport(scene -> EditOutcome.of(() -> LightContributions.switchOff(scene, idle))).isEmpty()) {
             pendingComparison = new Comparison(editor.scene(), frame.film(), idle.size());
             comparisonLabel.setText(Messages.tr("Switched off; comparing images …"));

@@ -299,7 +299,7 @@ public final class MatchPane extends VBox {
     private List<MenuItem> lightItems() {
         CommandMenuItems items = CommandMenuItems.forMenu(model.commands());
         return candidates()
-                .map(part -> items.checkBoxValue(Command.MATCH_REFERENCE, part.name(editor.scene()), !kept.contains(part), 0, on -> {
+                .map(part -> items.checkBoxValue(Command.MATCH_REFERENCE, part.title(editor.scene()), !kept.contains(part), 0, on -> {
                     if (on) {
                         kept.remove(part);
                     } else {
@@ -425,12 +425,12 @@ public final class MatchPane extends VBox {
         sentences.add(Messages.tr("Difference: {0} before, {1} after.", PercentText.format(matched.errorBefore()),
                 PercentText.format(matched.errorAfter())));
         matched.alike().forEach(pair -> sentences
-                .add(Messages.tr("{0} and {1} look alike in this picture: only their sum is known.", Quote.of(pair.first().name(scene)),
-                        Quote.of(pair.second().name(scene)))));
+                .add(Messages.tr("{0} and {1} look alike in this picture: only their sum is known.", Quote.of(pair.first().title(scene)),
+                        Quote.of(pair.second().title(scene)))));
         if (!matched.unseen().isEmpty()) {
             sentences
                     .add(Messages.tr("Lights that reach nothing in this picture are unchanged: {0}.",
-                            matched.unseen().stream().map(light -> light.name(scene)).collect(Collectors.joining(", "))));
+                            matched.unseen().stream().map(light -> light.title(scene)).collect(Collectors.joining(", "))));
         }
         if (invalidPixels > 0) {
             sentences.add(Messages.tr("Pixels of the reference that are infinite or not a number did not count: {0}.", invalidPixels));

@@ -60,12 +60,8 @@ record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, Channe
     }
 
     private static float[] rgb(LightThumbnails shares, MixerChannel channel) {
-        return switch (channel) {
-            case MixerChannel.OfLight _ -> shares.sumOfLights(channel.lightIndices(shares.scene()));
-            case MixerChannel.OfLightGroup _ -> shares.sumOfLights(channel.lightIndices(shares.scene()));
-            case MixerChannel.OfEnvironment _,MixerChannel.OfDome _ -> channel.environmentIndex(shares.scene()) < 0
-                    ? shares.sumOfLights() : shares.environmentImage(channel.environmentIndex(shares.scene()));
-        };
+        int environment = channel.environmentIndex(shares.scene());
+        return environment < 0 ? shares.sumOfLights(channel.lightIndices(shares.scene())) : shares.environmentImage(environment);
     }
 
     private static ChannelImage image(LightThumbnails shares, ViewTransform view, float[] rgb, double totalBrightness) {

@@ -32,8 +32,8 @@ final class ColorPopup {
         this.model = model;
         this.channel = channel;
         maxValue = channel instanceof MixerChannel.OfLightGroup ? 1 : SceneLimits.MAX_LIGHT_COLOR;
-        sliders = channel instanceof MixerChannel.OfLightGroup
-                ? ColorSliders.forSurface(channel.title(), Messages.tr("Gel: multiplies the color of every light in the group"), 1,
+        sliders = channel instanceof MixerChannel.OfLightGroup group
+                ? ColorSliders.forSurface(group.name(), Messages.tr("Gel: multiplies the color of every light in the group"), 1,
                         new Target())
                 : new ColorSliders(new Target());
     }
@@ -41,7 +41,7 @@ final class ColorPopup {
     void show(Node anchor) {
         var temperature = new TemperatureSlider(
                 (kelvin, gesture) -> model.editSelected(channel, (scene, c) -> c.withTemperature(scene, kelvin), gesture));
-        var pane = channel instanceof MixerChannel.OfLight ? new VBox(sliders, temperature) : new VBox(sliders);
+        var pane = channel.lightName().isPresent() ? new VBox(sliders, temperature) : new VBox(sliders);
         pane.getStyleClass().addAll("color-popup", "root");
         ColorTheme.applyTo(pane);
         pane.setId("color-popup");
@@ -53,7 +53,7 @@ final class ColorPopup {
         ColorTheme.style(popup.getScene());
         Subscription subscription = model.editor().sceneProperty().subscribe(scene -> {
             if (channel.isIn(scene)) {
-                channel.color(scene).ifPresent(sliders::show);
+                channel.values(scene).color().ifPresent(sliders::show);
                 channel.temperature(scene).ifPresent(temperature::show);
             } else {
                 popup.hide();
@@ -73,8 +73,7 @@ final class ColorPopup {
     }
 
     private Optional<String> set(ColorEdit edit, @Nullable Object gesture) {
-        return model.editSelected(channel, (scene, c) -> c.color(scene).map(now -> c.withColor(scene, edit.apply(now))).orElse(scene),
-                gesture);
+        return model.editSelected(channel, (scene, c) -> c.with(scene, v -> v.withColor(v.color().map(edit::apply))), gesture);
     }
 
     private final class Target implements ColorSliders.Target {

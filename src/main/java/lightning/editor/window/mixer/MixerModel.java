@@ -93,15 +93,15 @@ final class MixerModel {
         Set<MixerChannel> newSelection = new LinkedHashSet<>();
         channels.forEach(newSelection::add);
         selected.set(newSelection);
-        if (newSelection.size() == 1 && newSelection.iterator().next() instanceof MixerChannel.OfLight(String name)) {
-            editor.selection().selectLight(name);
+        if (newSelection.size() == 1) {
+            newSelection.iterator().next().lightName().ifPresent(editor.selection()::selectLight);
         }
     }
 
     /** Follows the editor's light selection, unless several strips are selected. */
     void followSelection(Light light) {
         if (selected.get().size() <= 1) {
-            selected.set(Set.of(new MixerChannel.OfLight(light.name())));
+            selected.set(Set.of(MixerChannel.ofLight(light.name())));
         }
     }
 
@@ -139,14 +139,14 @@ final class MixerModel {
     Optional<String> setIntensity(MixerChannel channel, double intensity, @Nullable Object gesture) {
         Set<MixerChannel> channels = editedChannels(channel);
         Scene startScene = baseScene();
-        double oldIntensity = channel.intensity(startScene);
+        double oldIntensity = channel.values(startScene).intensity();
         if (!relative.get() || channels.size() == 1) {
             return edit(scene -> MixerEdits.setIntensity(scene, channels, intensity), gesture);
         }
         if (oldIntensity == 0) {
             return report(
                     Optional.of(Messages.tr("{0} is at 0, so it cannot be scaled. Choose Absolute, or drag another strip",
-                            channel.title())));
+                            channel.title(startScene))));
         }
         return edit(scene -> MixerEdits.scaleIntensity(scene, startScene, channels, intensity / oldIntensity), gesture);
     }

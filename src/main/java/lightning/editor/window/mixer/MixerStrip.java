@@ -21,6 +21,8 @@ import lightning.editor.window.widget.DisplayColors;
 import lightning.editor.window.widget.LightTypes;
 import lightning.editor.window.widget.NumberField;
 import lightning.editor.window.widget.NumberSetting;
+import lightning.scene.Contribution;
+import lightning.scene.FaderValues;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.Ikon;
@@ -61,7 +63,7 @@ final class MixerStrip extends VBox {
     MixerStrip(MixerModel model, MixerChannel channel) {
         this.model = model;
         this.channel = channel;
-        String id = channel.title();
+        String id = channel.title(model.editor().scene());
         setId("strip-" + id);
         getStyleClass().add("strip");
         thumbnail = new Thumbnail(id);
@@ -166,14 +168,14 @@ final class MixerStrip extends VBox {
 
     private void toggleSolo() {
         boolean on = solo.isSelected();
-        model.editSelected(channel, (scene, c) -> c.withSolo(scene, on), null);
+        model.editSelected(channel, (scene, c) -> c.with(scene, v -> v.withSolo(on)), null);
         show(model.editor().scene());
     }
 
     private void toggleMute() {
         boolean on = !mute.isSelected();
-        model.editSelected(channel, (scene, c) -> on && c instanceof MixerChannel.OfEnvironment && scene.world().gain() == 0
-                ? c.withOn(scene.withWorld(scene.world().withGain(model.environmentGain())), true) : c.withOn(scene, on), null);
+        model.editSelected(channel, (scene, c) -> c.with(on && c.equals(MixerChannel.ENVIRONMENT) && scene.world().gain() == 0
+                ? scene.withWorld(scene.world().withGain(model.environmentGain())) : scene, v -> v.withOn(on)), null);
         show(model.editor().scene());
     }
 
@@ -193,15 +195,16 @@ final class MixerStrip extends VBox {
     /** Shows the channel's state in a scene. */
     void show(Scene scene) {
         Ikon icon = switch (channel) {
-            case MixerChannel.OfLight(String light) -> LightTypes.icon(scene.light(light).orElseThrow().type());
+            case MixerChannel.OfContribution(Contribution.OfLight(String light)) -> LightTypes.icon(scene.light(light).orElseThrow().type());
             case MixerChannel.OfLightGroup _ -> MaterialDesignT.TUNE_VERTICAL;
-            case MixerChannel.OfEnvironment _,MixerChannel.OfDome _ -> MaterialDesignI.IMAGE_FILTER_HDR;
+            case MixerChannel.OfContribution _ -> MaterialDesignI.IMAGE_FILTER_HDR;
         };
         if (type.getIconCode() != icon) {
             type.setIconCode(icon);
         }
-        double v = channel.intensity(scene);
-        if (channel instanceof MixerChannel.OfEnvironment && scene.world().gain() > 0) {
+        FaderValues values = channel.values(scene);
+        double v = values.intensity();
+        if (channel.equals(MixerChannel.ENVIRONMENT) && scene.world().gain() > 0) {
             model.setEnvironmentGain(scene.world().gain());
         }
         double stopsValue = MixerEdits.stops(v);
@@ -213,13 +216,13 @@ final class MixerStrip extends VBox {
         } else {
             stops.show(Math.rint(stopsValue * 1000) / 1000);
         }
-        solo.setSelected(channel.isSolo(scene));
-        mute.setSelected(!channel.isOn(scene));
-        channel.color(scene).ifPresent(c -> color.setStyle("-fx-background-color: " + DisplayColors.css(c) + ";"));
+        solo.setSelected(values.solo());
+        mute.setSelected(!values.on());
+        values.color().ifPresent(c -> color.setStyle("-fx-background-color: " + DisplayColors.css(c) + ";"));
         pseudoClassStateChanged(DARK, !channel.isShining(scene));
-        setAccessibleText(
-                channel.title() + (channel.isOn(scene) ? "" : Messages.tr(", muted"))
-                        + (channel.isSolo(scene) ? Messages.tr(", solo") : ""));
+        String title = channel.title(scene);
+        name.setText(title);
+        setAccessibleText(title + (values.on() ? "" : Messages.tr(", muted")) + (values.solo() ? Messages.tr(", solo") : ""));
     }
 
     void show(Optional<ChannelImages.ChannelImage> channelImage) {

@@ -9,6 +9,7 @@ import javafx.scene.layout.HBox;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.document.MixerChannel;
 import lightning.editor.document.MixerEdits;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 
@@ -77,10 +78,6 @@ final class StripDrag {
                 : nextStrip(x);
     }
 
-    private static Optional<String> groupName(Optional<MixerStrip> strip) {
-        return strip.map(MixerStrip::channel).map(MixerChannel::title);
-    }
-
     private void release(MouseEvent e) {
         if (pressed == null) {
             return;
@@ -93,9 +90,9 @@ final class StripDrag {
             Optional<MixerStrip> next = dropTarget(strip.channel(), e.getSceneX());
             if (next.isEmpty() || next.get() != strip) {
                 model.edit(scene -> switch (strip.channel()) {
-                    case MixerChannel.OfLight(String light) -> dropLight(scene, light, next);
-                    case MixerChannel.OfLightGroup(String bank) -> MixerEdits.moveLightGroup(scene, bank, groupName(next));
-                    case MixerChannel.OfEnvironment _,MixerChannel.OfDome _ -> new EditOutcome.Applied(scene);
+                    case MixerChannel.OfContribution(Contribution.OfLight(String light)) -> dropLight(scene, light, next);
+                    case MixerChannel.OfLightGroup(String bank) -> MixerEdits.moveLightGroup(scene, bank, next.map(s -> s.channel().title(scene)));
+                    case MixerChannel.OfContribution _ -> new EditOutcome.Applied(scene);
                 }, null);
             }
         } else if (e.isShiftDown()) {
@@ -108,7 +105,7 @@ final class StripDrag {
     }
 
     private EditOutcome dropLight(Scene scene, String light, Optional<MixerStrip> next) {
-        if (next.isPresent() && next.get().channel() instanceof MixerChannel.OfLight(String before)) {
+        if (next.isPresent() && next.get().channel() instanceof MixerChannel.OfContribution(Contribution.OfLight(String before))) {
             return MixerEdits.moveBefore(scene, light, before);
         }
         List<MixerStrip> strips = shownStrips.get();
@@ -116,13 +113,13 @@ final class StripDrag {
         // Drop after the last preceding strip of a light or light group.
         for (int i = index - 1; i >= 0; i--) {
             switch (strips.get(i).channel()) {
-                case MixerChannel.OfLight(String name) -> {
+                case MixerChannel.OfContribution(Contribution.OfLight(String name)) -> {
                     return MixerEdits.moveToEnd(scene, light, scene.light(name).map(l -> l.lightGroup()).orElse(""));
                 }
                 case MixerChannel.OfLightGroup(String bank) -> {
                     return MixerEdits.moveToEnd(scene, light, bank);
                 }
-                case MixerChannel.OfEnvironment _,MixerChannel.OfDome _ -> {
+                case MixerChannel.OfContribution _ -> {
                     // The strips of environments are after all lights.
                 }
             }

@@ -29,19 +29,16 @@ enum StripFilter {
             case ALL -> true;
             case SHINING -> channel.isShining(scene);
             case DARK -> !channel.isShining(scene);
-            case SOLO -> channel.isSolo(scene);
-            case MUTED -> !channel.isOn(scene);
+            case SOLO -> channel.values(scene).solo();
+            case MUTED -> !channel.values(scene).on();
             case LIGHT_GROUPS -> channel instanceof MixerChannel.OfLightGroup;
         };
     }
 
     /** Returns whether a strip's name, light group and type contain all words of the query, ignoring case. */
     static boolean matches(String query, MixerChannel channel, Scene scene) {
-        String title = channel.title() + switch (channel) {
-            case MixerChannel.OfLight(String name) -> scene.light(name).map(StripFilter::searchText).orElse("");
-            case MixerChannel.OfLightGroup _ -> Messages.tr(" light group");
-            case MixerChannel.OfEnvironment _,MixerChannel.OfDome _ -> "";
-        };
+        String title = channel.title(scene) + (channel instanceof MixerChannel.OfLightGroup ? Messages.tr(" light group")
+                : channel.lightName().flatMap(scene::light).map(StripFilter::searchText).orElse(""));
         String text = title.toLowerCase(Locale.ROOT);
         for (String word : query.strip().toLowerCase(Locale.ROOT).split("\\s+")) {
             if (!text.contains(word)) {

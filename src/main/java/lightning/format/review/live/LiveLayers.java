@@ -60,7 +60,7 @@ record LiveLayers(Scene base, List<Part> parts, Layer rest, Scene shown) {
     static LiveLayers of(PixelCache cache, RenderOptions options, List<LiveLayers> before, Progress progress) {
         Scene scene = cache.scene();
         for (LiveLayers earlier : before) {
-            if (LightWeights.neutral(earlier.base).equals(LightWeights.neutral(scene)) && hasAll(earlier.base, scene)) {
+            if (LightWeights.neutral(earlier.base).equals(LightWeights.neutral(scene))) {
                 return new LiveLayers(earlier.base, earlier.parts, rest(cache.film(), scene, earlier.base, earlier.parts), scene);
             }
         }
@@ -92,10 +92,5 @@ record LiveLayers(Scene base, List<Part> parts, Layer rest, Scene shown) {
             }
         }
         return Layer.of(HalfPlanes.halves(rest));
-    }
-
-    /** Returns whether a light that a scene shows is in the layers, even if it is dark there. */
-    private static boolean hasAll(Scene base, Scene scene) {
-        return !scene.world().hasEnvironmentLight() || base.world().hasEnvironmentLight();
     }
 }

@@ -1,5 +1,6 @@
 package lightning.format.review.live;
 
+import lightning.format.review.ReviewPage;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -42,9 +43,11 @@ record LivePicture(byte[] data, Map<String, byte[]> layers) {
             ObjectNode node = lights.addObject().put("name", part.light().name(base)).put("layer", part.layer().id());
             Light light = part.light().light(base).orElse(null);
             Rgb color = light == null ? Rgb.WHITE : light.color();
-            node.put("group", light == null ? "" : light.lightGroup()).put("environment", light == null);
-            node.put("intensity",
-                    light == null ? base.world().firstIntensity() : light.intensity() * LightWeights.groupIntensity(base, light));
+            node.put("group", light == null ? "" : light.lightGroup());
+            if (light == null) {
+                node.put("environment", ReviewPage.environment(part.light()));
+            }
+            node.put("intensity", part.light().values(base).intensity() * (light == null ? 1 : LightWeights.groupIntensity(base, light)));
             node.putArray("color").add(color.r()).add(color.g()).add(color.b());
         }
         data.put("rest", layers.rest().id());

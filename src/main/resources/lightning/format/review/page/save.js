@@ -3,7 +3,7 @@ function review() {
   const described = (item) => ({ name: item.name, stops: item.stops <= OFF ? null : item.stops, mute: item.mute, solo: item.solo });
   return {
     lightning_review: embedded.version, scene: data.title, reviewer: byId("reviewer").value, exposure: state.exposure,
-    lights: lights.filter(isChanged).map((l) => ({ ...described(l), ...(l.environment ? { environment: true } : {}), tint: l.tint, intensity: l.intensity, color: l.color })),
+    lights: lights.filter(isChanged).map((l) => ({ ...described(l), ...(l.environment ? { environment: l.environment } : {}), tint: l.tint, intensity: l.intensity, color: l.color })),
     groups: [...state.groups.values()].filter(isChanged).map(described),
     notes: state.notes.filter((n) => n.text.trim() !== ""),
   };

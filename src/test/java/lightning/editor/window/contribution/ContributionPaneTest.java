@@ -41,7 +41,7 @@ class ContributionPaneTest extends EditorFixture {
         Scene before = openWith(Light.of("below", LightType.POINT).withPosition(new lightning.base.math.Vec3(0, -50, 0)));
         Film old = model().picture().frame().film();
         assertThat(text("contribution-summary")).isEqualTo("1 light changes no displayed pixel: below");
-        assertThat(rows()).extracting(LightContribution::light).containsExactly("lamp", "sun", "stage", "below");
+        assertThat(rows()).extracting(row -> row.light().title(before)).containsExactly("lamp", "sun", "stage", "below");
         assertThat(ContributionPane.changeText(rows().getLast())).isEqualTo("bit-identical");
         assertThat(ContributionPane.changeText(rows().getFirst())).matches("\\d.* % of the pixels, up to [+-]\\d+\\.\\d stops");
         click("switch-off-idle");

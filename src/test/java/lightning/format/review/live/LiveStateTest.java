@@ -28,11 +28,6 @@ class LiveStateTest {
     }
 
     @Test
-    void domes_haveAValue() {
-        assertThat(environment(DOMES)).isEqualTo(value("environment", 2, false, false));
-    }
-
-    @Test
     void physicalSky_hasAValue() {
         Scene sky = JenScenes.of("world { sky yes  intensity 0.5 }\nlight key point { }");
         assertThat(environment(sky)).isEqualTo(value("environment", 0.5, false, false));
@@ -40,32 +35,27 @@ class LiveStateTest {
     }
 
     @Test
-    void domes_followTheirFaderTogether() {
-        Scene changed = apply(DOMES, value("environment", 1, false, false));
-        assertThat(changed.world().domes()).extracting(Dome::intensity).containsExactly(1.0, 0.25);
-    }
-
-    @Test
-    void muteOfDomes_comesBack() {
-        Scene muted = apply(DOMES, value("environment", 2, true, false));
-        assertThat(muted.rig().isEnvironmentActive()).isFalse();
+    void muteOfADome_comesBack() {
+        Scene muted = apply(DOMES, value("b", 0.5, true, false));
+        assertThat(muted.world().domes()).extracting(Dome::on).containsExactly(true, false);
         assertThat(environment(muted).mute()).isTrue();
-        assertThat(apply(muted, value("environment", 2, false, false))).isEqualTo(DOMES);
+        assertThat(apply(muted, value("b", 0.5, false, false))).isEqualTo(DOMES);
     }
 
     @Test
-    void faderOfAnEnvironmentAndADome_comesBackFromZero() {
-        Scene both = JenScenes.withSky(DARK).withWorld(JenScenes.withSky(DARK).world().withDomes(DOMES.world().domes()));
-        Scene dark = apply(both, value("environment", 0, false, false));
-        assertThat(dark.world().hasEnvironmentLight()).isFalse();
-        assertThat(apply(dark, value("environment", 1, false, false))).isEqualTo(both);
+    void muteOfTheEnvironment_comesBack() {
+        Scene sky = JenScenes.withSky(DARK);
+        Scene dark = apply(sky, value("environment", 1, true, false));
+        assertThat(dark.world().intensity()).isZero();
+        assertThat(apply(dark, value("environment", 1, false, false))).isEqualTo(sky);
     }
 
     @Test
-    void soloOfDomes_comesBack() {
-        Scene solo = apply(DOMES, value("environment", 2, false, true));
+    void soloOfADome_comesBack() {
+        Scene solo = apply(DOMES, value("a", 2, false, true));
         assertThat(solo.isActive(solo.light("key").orElseThrow())).isFalse();
-        assertThat(apply(solo, value("environment", 2, false, false))).isEqualTo(DOMES);
+        assertThat(solo.rig().isEnvironmentActive(1)).isFalse();
+        assertThat(apply(solo, value("a", 2, false, false))).isEqualTo(DOMES);
     }
 
     @Test
@@ -75,5 +65,15 @@ class LiveStateTest {
         Scene changed = apply(scene, value("environment 2", 2, false, false));
         assertThat(changed.world().intensity()).isEqualTo(2);
         assertThat(changed.lights()).isEqualTo(scene.lights());
+    }
+
+    @Test
+    void environments_haveTheirOwnValues() {
+        Scene both = JenScenes.withSky(DARK).withWorld(JenScenes.withSky(DARK).world().withDomes(DOMES.world().domes()));
+        assertThat(LiveState.of(both).lights()).extracting(LightValue::name).containsExactly("key", "environment", "a", "b");
+        Scene changed = apply(both, value("a", 4, false, true));
+        assertThat(changed.world().intensity()).isEqualTo(1);
+        assertThat(changed.world().domes()).extracting(Dome::intensity).containsExactly(4.0, 0.5);
+        assertThat(changed.world().domes()).extracting(Dome::solo).containsExactly(true, false);
     }
 }
