@@ -69,7 +69,7 @@ final class MatchCommand implements Callable<Integer> {
             description = "Write the matched scene; keeps comments, order and unedited text.")
     private @Nullable Path output;
     @Option(names = "--lights", paramLabel = "NAMES", split = ",",
-            description = "Lights that may change, separated by commas; environment for the environment (default: all that shine).")
+            description = "Lights and domes that may change, separated by commas; environment for the environment (default: all that shine).")
     private @Nullable List<String> lights;
     @Option(names = "--change", paramLabel = "WHAT", split = ",",
             description = "Also change these, separated by commas: ${COMPLETION-CANDIDATES} (rotation: that of the environment).")

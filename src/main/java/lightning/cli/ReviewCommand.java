@@ -158,6 +158,7 @@ final class ReviewCommand implements Callable<Integer> {
         if (output != null) {
             document.withScene(reviewed.scene()).save(output);
         }
-        console.report().setResult(new ReviewReport(output == null ? null : output.toString(), null, lights, List.of(), List.of(), read.reviewer(), comments));
+        console.report().setResult(
+                new ReviewReport(output == null ? null : output.toString(), null, lights, List.of(), List.of(), read.reviewer(), comments));
     }
 }

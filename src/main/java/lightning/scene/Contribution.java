@@ -36,15 +36,6 @@ public sealed interface Contribution {
         return new OfLight(light.name());
     }
 
-    /** Returns the contribution that one of the {@link LightRig#effectiveLights} belongs to. */
-    static Contribution ofEffectiveLight(Scene scene, int index) {
-        if (index < scene.lights().size()) {
-            return of(scene.lights().get(index));
-        }
-        List<Contribution> all = environments(scene);
-        return all.get(IntStream.range(0, all.size()).filter(e -> index < scene.rig().environmentStart(e + 1)).findFirst().orElseThrow());
-    }
-
     /** Returns the contributions of the {@link World#environments}, in their order. */
     static List<Contribution> environments(Scene scene) {
         World world = scene.world();
@@ -110,7 +101,15 @@ public sealed interface Contribution {
 
     /** Returns its index among the {@link World#environments}; −1 for other contributions, and for a dome without an image. */
     default int environmentIndex(Scene scene) {
-        return environments(scene).indexOf(this);
+        return this instanceof OfLight ? -1 : environments(scene).indexOf(this);
+    }
+
+    /** Returns the indices of its lights among the {@link LightRig#effectiveLights}, in their order: a light, or an environment's bright parts. */
+    default int[] effectiveLights(Scene scene) {
+        int first = this instanceof OfLight(String name) ? scene.rig().indexOf(name) : -1;
+        int environment = environmentIndex(scene);
+        return first >= 0 ? new int[] {first} : environment < 0 ? new int[0]
+                : IntStream.range(scene.rig().environmentStart(environment), scene.rig().environmentStart(environment + 1)).toArray();
     }
 
     /** Returns whether the scene has it. */

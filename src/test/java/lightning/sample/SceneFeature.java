@@ -1,6 +1,5 @@
 package lightning.sample;
 
-import lightning.scene.Contribution;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -10,6 +9,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
+import lightning.scene.Contribution;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;

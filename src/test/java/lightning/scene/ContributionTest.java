@@ -1,10 +1,12 @@
 package lightning.scene;
 
-import lightning.scene.light.Light;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import lightning.sample.JenScenes;
+import lightning.scene.light.Light;
 import org.junit.jupiter.api.Test;
 
 class ContributionTest {
@@ -59,10 +61,14 @@ class ContributionTest {
     void effectiveLights_belongToTheirContributions() {
         Scene scene = twoEnvironments("light key point { }");
         List<Light> lights = scene.rig().effectiveLights();
-        for (int i = 0; i < lights.size(); i++) {
-            String name = Contribution.ofEffectiveLight(scene, i).name(scene);
-            assertThat(lights.get(i).name()).matches(name + "( \\d+)?");
+        List<Integer> indices = new ArrayList<>();
+        for (Contribution part : Contribution.all(scene)) {
+            for (int i : part.effectiveLights(scene)) {
+                indices.add(i);
+                assertThat(lights.get(i).name()).matches(part.name(scene) + "( \\d+)?");
+            }
         }
+        assertThat(indices).isEqualTo(IntStream.range(0, lights.size()).boxed().toList());
     }
 
     @Test

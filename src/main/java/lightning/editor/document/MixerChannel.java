@@ -8,7 +8,6 @@ import java.util.stream.IntStream;
 import lightning.scene.Contribution;
 import lightning.scene.FaderValues;
 import lightning.scene.Scene;
-import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightGroup;
 import lightning.scene.light.LightRig;
@@ -129,13 +128,13 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** Returns the indices of the channel's lights in the scene; none for environments. */
-    default int[] lightIndices(Scene scene) {
-        List<Light> lights = scene.lights();
-        return IntStream.range(0, lights.size()).filter(i -> switch (this) {
-            case OfContribution(Contribution contribution) -> contribution.equals(Contribution.of(lights.get(i)));
-            case OfLightGroup(String name) -> lights.get(i).lightGroup().equals(name);
-        }).toArray();
+    /** Returns the indices of the channel's lights, as {@link Contribution#effectiveLights}. */
+    default int[] effectiveLights(Scene scene) {
+        return switch (this) {
+            case OfContribution(Contribution contribution) -> contribution.effectiveLights(scene);
+            case OfLightGroup(String name) -> IntStream.range(0, scene.lights().size())
+                    .filter(i -> scene.lights().get(i).lightGroup().equals(name)).toArray();
+        };
     }
 
     /** Returns the number among the scene's environments of an environment; −1 for other channels, and for a dome without an image. */

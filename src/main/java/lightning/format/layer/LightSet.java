@@ -1,12 +1,12 @@
 package lightning.format.layer;
 
-import java.util.HashSet;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.IntStream;
 import lightning.render.shading.WeightedLight;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
@@ -54,7 +54,6 @@ record LightSet(String name, Set<Contribution> contributions) {
 
     /** Returns the indices of its lights among all lights of a scene; those of an environment follow the scene's own lights. */
     int[] indices(Scene scene) {
-        return IntStream.range(0, scene.rig().effectiveLights().size())
-                .filter(i -> contributions.contains(Contribution.ofEffectiveLight(scene, i))).toArray();
+        return contributions.stream().flatMapToInt(part -> Arrays.stream(part.effectiveLights(scene))).sorted().toArray();
     }
 }

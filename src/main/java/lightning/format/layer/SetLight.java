@@ -1,12 +1,11 @@
 package lightning.format.layer;
 
-import lightning.base.math.Rgb;
-import java.util.function.Predicate;
-import lightning.scene.Contribution;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
+import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.cache.CachedScene;
@@ -16,6 +15,7 @@ import lightning.render.relight.tile.SurfelSolver;
 import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 

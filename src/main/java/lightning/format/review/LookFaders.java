@@ -1,12 +1,12 @@
 package lightning.format.review;
 
-import lightning.scene.FaderValues;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.scene.Contribution;
+import lightning.scene.FaderValues;
 import lightning.scene.Scene;
 import lightning.scene.light.Emission;
 import lightning.scene.light.Light;

@@ -1,10 +1,10 @@
 package lightning.format.review;
 
-import lightning.scene.Scene;
-import lightning.scene.Contribution;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import lightning.scene.Contribution;
+import lightning.scene.Scene;
 
 /**
  * What a reviewer changed in a page, and wrote.

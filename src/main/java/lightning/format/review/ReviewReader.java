@@ -1,6 +1,5 @@
 package lightning.format.review;
 
-import lightning.scene.Contribution;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -10,6 +9,7 @@ import java.util.OptionalInt;
 import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
 import lightning.format.json.CheckedJson;
+import lightning.scene.Contribution;
 import lightning.scene.shot.Shot;
 import tools.jackson.databind.JsonNode;
 
@@ -49,7 +49,8 @@ public final class ReviewReader {
             String at = "lights[" + lights.size() + "].";
             List<Double> color = node.has("color") && !node.get("color").isNull() ? json.numbers(node, at, "color", 0, 1e6) : List.of();
             lights.add(
-                    new Review.LightChange(light(node, at, areTogether), areTogether, stops(node, at), json.numbers(node, at, "tint", 0, 1e6),
+                    new Review.LightChange(light(node, at, areTogether), areTogether, stops(node, at),
+                            json.numbers(node, at, "tint", 0, 1e6),
                             json.number(node, at, "intensity", 0, 1e30), color, json.flag(node, at, "mute"), json.flag(node, at, "solo")));
         }
         List<Review.GroupChange> groups = new ArrayList<>();

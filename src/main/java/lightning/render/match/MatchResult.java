@@ -20,6 +20,6 @@ import lightning.scene.Scene;
  */
 public record MatchResult(Optional<Scene> moved, List<LightFactor> factors, double errorBefore, double errorAfter, List<Double> exposure,
         List<LightPair> alike, List<Contribution> unseen) {
-    /** Two lights, or a light and the environment. */
+    /** Two lights or environments. */
     public record LightPair(Contribution first, Contribution second) {}
 }

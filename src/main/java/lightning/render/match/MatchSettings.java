@@ -8,7 +8,7 @@ import lightning.scene.Contribution;
  * What a match may change, and how it compares.
  *
  * @param lights   what it may change; empty for all that shines
- * @param changes  what it changes besides intensities; the environment keeps its color
+ * @param changes  what it changes besides intensities; environments keep their color
  * @param exposure whether the brightness of the reference counts
  * @param white    whether the tint of the reference counts; where it does not, neither does the brightness
  * @param steadiness pull of each light toward its present intensity, relative to the light that lights most of what counts; ≥ 0
@@ -33,7 +33,7 @@ public record MatchSettings(Optional<Set<Contribution>> lights, Set<MatchChange>
         return white == Reference.FREE ? 3 : exposure == Reference.FREE ? 1 : 0;
     }
 
-    /** Returns whether a light, or the environment, may change. */
+    /** Returns whether a light or environment may change. */
     boolean mayChange(Contribution light) {
         return lights.isEmpty() || lights.get().contains(light);
     }

@@ -1,9 +1,9 @@
 package lightning.render.relight;
 
-import lightning.scene.Contribution;
 import lightning.base.math.Rgb;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.scene.Contribution;
 
 /**
  * Contribution of one light to a picture.

@@ -1,8 +1,7 @@
 package lightning.render.relight;
 
-import java.util.Collection;
-import lightning.scene.EnvironmentLayer;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
@@ -14,6 +13,7 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Contribution;
+import lightning.scene.EnvironmentLayer;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 

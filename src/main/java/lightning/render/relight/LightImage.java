@@ -7,7 +7,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BiFunction;
-import java.util.function.IntPredicate;
 import java.util.function.Predicate;
 import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
@@ -109,8 +108,7 @@ public final class LightImage {
                 case Contribution.OfLight(String light) -> {
                     Scene one = LightImage.scene(scene, light, light::equals);
                     yield new Side(one.withWorld(darkWorld(scene.world())), geometry.materialsOf(one),
-                            lightsOf(scene, i -> i < scene.lights().size() && scene.lights().get(i).name().equals(light)),
-                            BackgroundLight.NONE);
+                            lightsOf(scene, contribution), BackgroundLight.NONE);
                 }
                 case Contribution.OfEnvironment _,Contribution.OfDome _ -> {
                     int index = contribution.environmentIndex(scene);
@@ -119,18 +117,19 @@ public final class LightImage {
                         world = e == index ? world : world.withDarkEnvironment(e);
                     }
                     yield new Side(scene.withWorld(world), geometry.materialsOf(LightImage.scene(scene, "")),
-                            lightsOf(scene, i -> Contribution.ofEffectiveLight(scene, i).equals(contribution)),
+                            lightsOf(scene, contribution),
                             index < 0 ? BackgroundLight.NONE : BackgroundLight.of(scene, index));
                 }
                 case Contribution.OfAmbience _,Contribution.OfRest _ -> throw new IllegalArgumentException("has no weight");
             };
         }
 
-        /** @param isKept selects the indices of lights */
-        private static WeightedLight[] lightsOf(Scene scene, IntPredicate isKept) {
+        /** Returns all lights; those of other contributions are dark. */
+        private static WeightedLight[] lightsOf(Scene scene, Contribution contribution) {
             WeightedLight[] all = WeightedLight.ofScene(scene);
-            Arrays.setAll(all, i -> isKept.test(i) ? all[i] : all[i].darkened());
-            return all;
+            WeightedLight[] kept = Arrays.stream(all).map(WeightedLight::darkened).toArray(WeightedLight[]::new);
+            Arrays.stream(contribution.effectiveLights(scene)).forEach(i -> kept[i] = all[i]);
+            return kept;
         }
     }
 

@@ -5,7 +5,6 @@ import static java.util.Objects.requireNonNull;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 import lightning.base.work.Progress;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.FineSamples;
@@ -412,15 +411,6 @@ public final class LightThumbnails {
             add(lightImages[nodeIndex], sum);
         }
         return sum;
-    }
-
-    /**
-     * Returns the contribution of one environment as a light, in the layout of {@link #image}.
-     *
-     * @param index number of the environment in the scene
-     */
-    public float[] environmentImage(int index) {
-        return sumOfLights(IntStream.range(scene.rig().environmentStart(index), scene.rig().environmentStart(index + 1)).toArray());
     }
 
     private static void add(float[] values, float[] to) {

@@ -1,11 +1,11 @@
 package lightning.editor.document;
 
-import lightning.scene.Contribution;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import lightning.scene.Contribution;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.World;

@@ -1,13 +1,12 @@
 package lightning.format.layer;
 
-import lightning.sample.JenScenes;
-import java.util.LinkedHashMap;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -24,6 +23,7 @@ import lightning.format.exr.ExrType;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.PixelRays;
+import lightning.sample.JenScenes;
 import lightning.sample.PythonPrograms;
 import lightning.sample.StudioScene;
 import lightning.scene.AntialiasMode;

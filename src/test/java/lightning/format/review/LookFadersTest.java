@@ -1,13 +1,13 @@
 package lightning.format.review;
 
-import lightning.render.image.ViewTransform;
-import lightning.sample.JenScenes;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.render.image.ViewTransform;
+import lightning.sample.JenScenes;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import org.junit.jupiter.api.Test;

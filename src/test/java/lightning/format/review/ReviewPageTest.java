@@ -11,6 +11,7 @@ import java.util.List;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.sample.JenScenes;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
@@ -110,6 +111,29 @@ class ReviewPageTest {
             assertThat(reviewed.scene().light("key").orElseThrow().on()).isFalse();
             assertThat(reviewed.scene().picture().view().exposure()).isCloseTo(0.5, within(1e-9));
             PageFixture.assertShows(browser, PageFixture.film(reviewed.scene()), new ViewTransform(0.5));
+        }
+    }
+
+    /** Each environment has a fader, next to that of a light with its name. */
+    @Test
+    void fadersOfEnvironments_areSaved() throws Exception {
+        Path page = folder.resolve("page.html");
+        Scene lamp = JenScenes.withSky(PageFixture.scene());
+        Scene scene = lamp.renameLight("sun", "environment").withWorld(lamp.world().withDomes(List.of(JenScenes.dome("studio", 2))));
+        write(scene, ViewTransform.DEFAULT, page);
+        Scene edited = scene.withWorld(scene.world().withIntensity(0.5).withDomes(List.of(JenScenes.dome("studio", 4))));
+        try (Browser browser = Browser.open(page, folder, 1280, 800)) {
+            PageFixture.setFader(browser, "environment 2", -1);
+            PageFixture.setFader(browser, "studio", 1);
+            PageFixture.assertShows(browser, PageFixture.film(edited), ViewTransform.DEFAULT);
+            browser.driver().findElement(By.id("save")).click();
+            Path saved = folder.resolve("review.json");
+            for (int i = 0; i < 100 && !Files.exists(saved); i++) {
+                Thread.sleep(100);
+            }
+            ReviewedScene reviewed = ReviewedScene.of(scene, ReviewReader.read(saved));
+            assertThat(reviewed.notes()).isEmpty();
+            assertThat(reviewed.scene()).isEqualTo(edited);
         }
     }
 

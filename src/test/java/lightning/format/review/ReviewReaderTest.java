@@ -1,6 +1,5 @@
 package lightning.format.review;
 
-import lightning.scene.Contribution;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIOException;
 
@@ -11,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import lightning.sample.StudioScene;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import org.junit.jupiter.api.Test;
@@ -35,8 +35,9 @@ class ReviewReaderTest {
     @Test
     void validReview_isRead() throws IOException {
         Review review = read(VALID);
-        assertThat(review.lights()).containsExactly(new Review.LightChange(new Contribution.OfLight("sun"), true, Optional.of(-1.0), List.of(1.0, 0.5, 1.0), 3,
-                List.of(1.0, 1.0, 1.0), false, true));
+        assertThat(review.lights())
+                .containsExactly(new Review.LightChange(new Contribution.OfLight("sun"), true, Optional.of(-1.0), List.of(1.0, 0.5, 1.0), 3,
+                        List.of(1.0, 1.0, 1.0), false, true));
         assertThat(review.groups()).containsExactly(new Review.GroupChange("soft", Optional.empty(), true, false));
         assertThat(review.notes()).containsExactly(new Review.Note(0.25, 1, "darker"));
     }

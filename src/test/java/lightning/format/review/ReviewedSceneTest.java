@@ -1,11 +1,11 @@
 package lightning.format.review;
 
-import lightning.scene.Contribution;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Optional;
 import lightning.sample.JenScenes;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
@@ -61,7 +61,8 @@ class ReviewedSceneTest {
         Scene sky = JenScenes.withSky(DARK);
         Scene both = sky.withWorld(sky.world().withDomes(List.of(JenScenes.dome("a", 2), JenScenes.dome("b", 1))));
         Scene changed = reviewed(both, new Contribution.OfDome("a"), false, 1, true);
-        assertThat(changed.world()).isEqualTo(both.world().withDomes(List.of(JenScenes.dome("a", 4).withSolo(true), JenScenes.dome("b", 1))));
+        assertThat(changed.world())
+                .isEqualTo(both.world().withDomes(List.of(JenScenes.dome("a", 4).withSolo(true), JenScenes.dome("b", 1))));
     }
 
     @Test

@@ -1,7 +1,5 @@
 package lightning.render.match;
 
-import lightning.scene.value.DomeRotation;
-import lightning.scene.Dome;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -27,11 +25,13 @@ import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Contribution;
+import lightning.scene.Dome;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.value.Attenuation;
+import lightning.scene.value.DomeRotation;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;

@@ -1,6 +1,5 @@
 package lightning.render.relight;
 
-import java.util.stream.DoubleStream;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
@@ -15,6 +14,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.WeakHashMap;
+import java.util.stream.DoubleStream;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;

@@ -1,8 +1,5 @@
 package lightning.render.relight;
 
-import lightning.sample.JenScenes;
-import java.util.stream.DoubleStream;
-import lightning.scene.Contribution;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -10,6 +7,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.DoubleStream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
@@ -23,8 +21,10 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.EditSession;
 import lightning.sample.IndirectScenes;
+import lightning.sample.JenScenes;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.asset.Environment;

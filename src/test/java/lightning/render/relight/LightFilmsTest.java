@@ -68,7 +68,7 @@ class LightFilmsTest {
                     assertThat(LightShares.of(centers, OPTIONS, Progress.NONE).lights()).hasSameSizeAs(scene.lights());
                     assertThat(LightContributions.of(centers, OPTIONS, ViewTransform.DEFAULT,
                             LightContributions.Region.ofFilm(centers.film()), Progress.NONE).lights())
-                                    .hasSameSizeAs(Contribution.sources(scene));
+                            .hasSameSizeAs(Contribution.sources(scene));
                 }
             }
         }

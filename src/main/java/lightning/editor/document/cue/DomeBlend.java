@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.BinaryOperator;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.UnaryOperator;
+import lightning.scene.Contribution;
 import lightning.scene.Dome;
 
 /**
@@ -54,7 +55,7 @@ record DomeBlend(SoloState from, SoloState to, double t, boolean keepsSolos) {
 
     /** Returns the light gain at an end; 0 if a solo mutes the dome and does not stay. */
     private double gain(SoloState end, Dome dome) {
-        return !keepsSolos && end.isMuted(dome) ? 0 : dome.gain();
+        return !keepsSolos && end.isMuted(new Contribution.OfDome(dome.name())) ? 0 : dome.gain();
     }
 
     private Dome interpolated(Dome first, Dome last, BinaryOperator<Dome> numbers, DoubleBinaryOperator lerp) {

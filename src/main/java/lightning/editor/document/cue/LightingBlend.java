@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.scene.Contribution;
 import lightning.scene.Dome;
 import lightning.scene.World;
 import lightning.scene.attribute.NumericKind;
@@ -61,7 +62,8 @@ public final class LightingBlend {
         fromSolos = SoloState.of(from);
         toSolos = SoloState.of(to);
         // Other environments are dark halfway, where the solo of one has no effect.
-        keepsSolos = fromSolos.hasSameSolos(toSolos) && (hasSameEnvironment || !fromSolos.environment());
+        keepsSolos = fromSolos.solos().equals(toSolos.solos())
+                && (hasSameEnvironment || !fromSolos.solos().contains(Contribution.ENVIRONMENT));
     }
 
     /**
@@ -245,7 +247,7 @@ public final class LightingBlend {
     private World world() {
         World first = from.world();
         World last = to.world();
-        World world = first.withSolo(keepsSolos && fromSolos.environment());
+        World world = first.withSolo(keepsSolos && fromSolos.solos().contains(Contribution.ENVIRONMENT));
         for (SceneAttribute<World, ?> attribute : World.ATTRIBUTES) {
             world = interpolateAttribute(attribute, world, first, last);
         }
@@ -268,6 +270,7 @@ public final class LightingBlend {
 
     /** Returns the gain of an end's environment; 0 if solos mute it and do not stay. */
     private double environmentGain(SoloState end) {
-        return !keepsSolos && end.isEnvironmentMuted() ? 0 : end.lighting().world().gain();
+        World world = end.lighting().world();
+        return !keepsSolos && world.environment().isPresent() && end.isMuted(Contribution.ENVIRONMENT) ? 0 : world.gain();
     }
 }

@@ -1,11 +1,11 @@
 package lightning.editor.window.contribution;
 
-import java.util.stream.Collectors;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import javafx.animation.PauseTransition;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.scene.control.Button;
@@ -300,12 +300,10 @@ public final class ContributionPane extends VBox {
 
     private static Map<Contribution, Double> pixelShares(LightThumbnails shares) {
         double total = LightThumbnails.brightness(shares.image());
-        List<Contribution> parts = Contribution.sources(shares.scene());
-        int lights = shares.scene().lights().size();
         Map<Contribution, Double> fractions = new HashMap<>();
-        for (int i = 0; i < parts.size(); i++) {
-            float[] image = i < lights ? shares.lightImage(i) : shares.environmentImage(i - lights);
-            fractions.put(parts.get(i), total > 0 ? LightThumbnails.brightness(image) / total : 0);
+        for (Contribution part : Contribution.sources(shares.scene())) {
+            float[] image = shares.sumOfLights(part.effectiveLights(shares.scene()));
+            fractions.put(part, total > 0 ? LightThumbnails.brightness(image) / total : 0);
         }
         return fractions;
     }

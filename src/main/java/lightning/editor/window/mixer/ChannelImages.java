@@ -38,7 +38,7 @@ record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, Channe
         double totalBrightness = LightThumbnails.brightness(shares.image());
         Map<MixerChannel, ChannelImage> images = new HashMap<>();
         for (MixerChannel channel : MixerChannel.channelsOf(shares.scene())) {
-            images.put(channel, image(shares, view, rgb(shares, channel), totalBrightness));
+            images.put(channel, image(shares, view, shares.sumOfLights(channel.effectiveLights(shares.scene())), totalBrightness));
         }
         return new ChannelImages(shares.scene(), images, image(shares, view, shares.image(), totalBrightness),
                 shares.hasAllLight());
@@ -56,12 +56,7 @@ record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, Channe
 
     private static double share(LightShares shares, MixerChannel channel) {
         int environment = channel.environmentIndex(shares.scene());
-        return environment < 0 ? shares.ofLights(channel.lightIndices(shares.scene())) : shares.environments()[environment];
-    }
-
-    private static float[] rgb(LightThumbnails shares, MixerChannel channel) {
-        int environment = channel.environmentIndex(shares.scene());
-        return environment < 0 ? shares.sumOfLights(channel.lightIndices(shares.scene())) : shares.environmentImage(environment);
+        return environment < 0 ? shares.ofLights(channel.effectiveLights(shares.scene())) : shares.environments()[environment];
     }
 
     private static ChannelImage image(LightThumbnails shares, ViewTransform view, float[] rgb, double totalBrightness) {

@@ -195,7 +195,8 @@ final class MixerStrip extends VBox {
     /** Shows the channel's state in a scene. */
     void show(Scene scene) {
         Ikon icon = switch (channel) {
-            case MixerChannel.OfContribution(Contribution.OfLight(String light)) -> LightTypes.icon(scene.light(light).orElseThrow().type());
+            case MixerChannel.OfContribution(Contribution.OfLight(String light)) ->
+                    LightTypes.icon(scene.light(light).orElseThrow().type());
             case MixerChannel.OfLightGroup _ -> MaterialDesignT.TUNE_VERTICAL;
             case MixerChannel.OfContribution _ -> MaterialDesignI.IMAGE_FILTER_HDR;
         };

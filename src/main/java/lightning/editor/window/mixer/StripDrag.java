@@ -91,7 +91,8 @@ final class StripDrag {
             if (next.isEmpty() || next.get() != strip) {
                 model.edit(scene -> switch (strip.channel()) {
                     case MixerChannel.OfContribution(Contribution.OfLight(String light)) -> dropLight(scene, light, next);
-                    case MixerChannel.OfLightGroup(String bank) -> MixerEdits.moveLightGroup(scene, bank, next.map(s -> s.channel().title(scene)));
+                    case MixerChannel.OfLightGroup(String bank) ->
+                            MixerEdits.moveLightGroup(scene, bank, next.map(s -> s.channel().title(scene)));
                     case MixerChannel.OfContribution _ -> new EditOutcome.Applied(scene);
                 }, null);
             }

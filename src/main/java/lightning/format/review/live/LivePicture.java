@@ -1,6 +1,5 @@
 package lightning.format.review.live;
 
-import lightning.format.review.ReviewPage;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -8,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import lightning.base.math.Rgb;
 import lightning.format.review.LightWeights;
+import lightning.format.review.ReviewPage;
 import lightning.format.review.ReviewView;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;

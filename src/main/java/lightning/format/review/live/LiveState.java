@@ -1,11 +1,11 @@
 package lightning.format.review.live;
 
-import lightning.scene.FaderValues;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.scene.Contribution;
+import lightning.scene.FaderValues;
 import lightning.scene.Scene;
 import lightning.scene.ViewSettings;
 import lightning.scene.light.Light;

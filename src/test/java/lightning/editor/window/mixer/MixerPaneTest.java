@@ -92,7 +92,8 @@ class MixerPaneTest extends EditorFixture {
 
     private List<String> strips() {
         return robot.lookup(".strip").queryAllAs(Node.class).stream().filter(n -> n instanceof MixerStrip)
-                .sorted((a, b) -> Double.compare(a.getLayoutX(), b.getLayoutX())).map(n -> ((MixerStrip) n).channel().title(model().editor().scene())).toList();
+                .sorted((a, b) -> Double.compare(a.getLayoutX(), b.getLayoutX()))
+                .map(n -> ((MixerStrip) n).channel().title(model().editor().scene())).toList();
     }
 
     private Node head(String name) {
