@@ -13,6 +13,7 @@ import lightning.render.cache.PixelCache;
 import lightning.render.relight.LightFilms;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.sample.JenScenes;
 import lightning.sample.StudioScene;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
@@ -68,6 +69,23 @@ class LiveLayersTest {
         assertThat(second.parts()).isSameAs(first.parts());
         assertShow(second, cache(edited));
         assertShow(LiveLayers.of(cache(edited), OPTIONS, List.of(), Progress.NONE), cache(edited));
+    }
+
+    @Test
+    void environments_haveTheirOwnLayers() {
+        Scene sky = JenScenes.withSky(scene());
+        Scene scene = sky.withWorld(sky.world().withDomes(List.of(JenScenes.dome("studio", 2), JenScenes.dome("off", 1).withOn(false))));
+        LiveLayers first = LiveLayers.of(cache(scene), OPTIONS, List.of(), Progress.NONE);
+        assertThat(first.parts()).extracting(LiveLayers.Part::light).isEqualTo(Contribution.sources(scene));
+        assertShow(first, cache(scene));
+        Contribution studio = new Contribution.OfDome("studio");
+        for (Scene edited : List.of(studio.with(scene, v -> v.withIntensity(0.5)), studio.with(scene, v -> v.withSolo(true)),
+                studio.with(scene, v -> v.withOn(false)), Contribution.ENVIRONMENT.with(scene, v -> v.withIntensity(0)),
+                new Contribution.OfDome("off").with(scene, v -> v.withOn(true)))) {
+            LiveLayers second = LiveLayers.of(cache(edited), OPTIONS, List.of(first), Progress.NONE);
+            assertThat(second.parts()).isSameAs(first.parts());
+            assertShow(second, cache(edited));
+        }
     }
 
     @Test
