@@ -1,5 +1,6 @@
 package lightning.render.shading;
 
+import java.util.Map;
 import lightning.base.math.Vec3;
 import lightning.render.engine.KernelAgreement;
 import lightning.render.relight.paper.RatioRows;
@@ -8,6 +9,7 @@ import lightning.render.shading.layer.LightRows;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
+import lightning.render.trace.SurfacePoint;
 import lightning.render.trace.tree.ShadowRayTarget;
 
 /** Reference results for {@link RowKernels}, row by row with {@link LightingEquation}. */
@@ -71,33 +73,57 @@ public final class KernelReferenceRows {
     private void compose(RowKernels kernels, float[][] composed) {
         for (int r = 0; r < rows.runCount; r++) {
             for (int i = rows.runStart(r); i < rows.runEnd[r]; i++) {
+                SurfaceFactors factors = factors(rows.runMaterial[r], i);
                 for (int c = 0; c < 3; c++) {
-                    KernelAgreement.requireEqual(composed[c][rows.parent[i]], color(kernels, rows.runMaterial[r], i, c), "color of row",
-                            i);
+                    KernelAgreement.requireEqual(composed[c][rows.parent[i]], color(kernels, rows.runMaterial[r], factors, i, c),
+                            "color of row", i);
                 }
             }
         }
     }
 
-    private float color(RowKernels kernels, int material, int i, int c) {
-        WeightedLight[] lights = kernels.lights();
+    private SurfaceFactors factors(int material, int i) {
+        MaterialTable m = geometry.materials();
+        float[] texel = !m.isTextured(material) ? new float[] {1, 1, 1}
+                : new float[] {rows.texelRed[i], rows.texelGreen[i], rows.texelBlue[i]};
+        float[] kd = new float[3];
+        float[] ks = new float[3];
+        for (int c = 0; c < 3; c++) {
+            kd[c] = m.diffuse(material, c) * texel[c];
+            ks[c] = m.specular(material, c);
+        }
+        return new SurfaceFactors(new SurfacePoint(0, material, rows.px[i], rows.py[i], rows.pz[i], rows.nx[i], rows.ny[i], rows.nz[i],
+                rows.vx[i], rows.vy[i], rows.vz[i], kd, ks, 0, texel, Map.of(), null), m.material(material));
+    }
+
+    private float color(RowKernels kernels, int material, SurfaceFactors factors, int i, int c) {
+        FilmParts parts = kernels.parts();
+        WeightedLight[] lights = parts.lights();
         float[] diffuse = new float[lights.length];
         float[] specular = new float[lights.length];
         for (int l = 0; l < lights.length; l++) {
             LightRows layer = (LightRows) kernels.layers()[l];
             if (layer.litCount > 0) {
-                float weight = lights[l].diffuse().channel(c);
                 float falloff = layer.falloff == null ? 1 : layer.falloff[i];
-                diffuse[l] = LightingEquation.contribution(weight, layer.cosine[i], falloff);
-                specular[l] = layer.specular == null ? 0 : LightingEquation.contribution(weight, layer.specular[i], falloff);
+                diffuse[l] = LightingEquation.contribution(lights[l].diffuse().channel(c), layer.cosine[i], falloff);
+                specular[l] = layer.specular == null ? 0
+                        : LightingEquation.contribution(lights[l].specular().channel(c), layer.specular[i], falloff);
             }
         }
         MaterialTable m = geometry.materials();
-        float texel = !m.isTextured(material) ? 1 : c == 0 ? rows.texelRed[i] : c == 1 ? rows.texelGreen[i] : rows.texelBlue[i];
-        float kd = m.diffuse(material, c) * texel;
-        float emitted = EmittedLight.unmapped(m.texels(material), m.ambient(material, c), kernels.ambience(), m.glow(material, c));
-        return LightingEquation.color(emitted, kd,
-                LightingEquation.sum(diffuse, 0, lights.length), m.specular(material, c),
-                LightingEquation.sum(specular, 0, lights.length), 0, m.reflective(material, c), kernels.mirrored()[c][i]);
+        float[] terms = new float[parts.count()];
+        for (int part = 0; part < terms.length; part++) {
+            FilmPart its = parts.get(part);
+            float emitted = switch (its.kind()) {
+                case AMBIENCE -> m.ambient(material, c);
+                case REST -> m.ownGlow(material, c);
+                case LIGHT, ENVIRONMENT_LIGHT, ENVIRONMENT_IMAGE -> 0;
+            };
+            float film = factors.lit(c, LightingEquation.sum(diffuse, its.from(), its.to()),
+                    LightingEquation.sum(specular, its.from(), its.to()), 0);
+            film += factors.mirrored(c, kernels.mirrored()[c][i]);
+            terms[part] = its.weight().channel(c) * (film + factors.emitted(c, emitted));
+        }
+        return LightingEquation.sum(terms, 0, terms.length);
     }
 }

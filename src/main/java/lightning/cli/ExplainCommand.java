@@ -209,7 +209,7 @@ final class ExplainCommand implements Callable<Integer> {
         if (at.backSide() != null) {
             console.print("%s  the ray comes from %s; the surface reflects %.1f %% of its light at this angle", indent,
                     at.backSide().isInside() ? Console.text("inside, path length %.6g", at.backSide().insideDistance()) : "outside",
-                    100 * parts.surfaceShare().fresnel());
+                    100 * parts.factors().fresnel());
         }
         float[] mirrored = report.reflected() == null ? null : parts.reflectedPart(report.reflected().color());
         float[] refracted = report.refracted() == null ? null : parts.refractedPart(report.refracted().color());

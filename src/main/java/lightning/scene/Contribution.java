@@ -28,7 +28,7 @@ public sealed interface Contribution {
     /** Ambient light. */
     record OfAmbience() implements Contribution {}
 
-    /** Light that no weight changes: glow without a bulb, the background color, and images of environments that a solo mutes. */
+    /** Light that no weight changes: glow without a bulb, the background color, and ambient light of fog. */
     record OfRest() implements Contribution {}
 
     /** Returns the contribution of a light. */

@@ -9,6 +9,7 @@ import lightning.base.math.Vec3;
 import lightning.scene.asset.EnvironmentLight;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.light.AreaShape;
+import lightning.scene.light.EnvironmentLights;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.value.DomeRotation;
@@ -51,8 +52,8 @@ public record EnvironmentLayer(String name, EnvironmentMap map, DomeRotation rot
      *
      * @param isUsed test for names of other lights
      */
-    List<Light> brightLights(Predicate<String> isUsed) {
-        return lights(map.brightLights(lightCount), lightCount, isUsed);
+    EnvironmentLights brightLights(Predicate<String> isUsed) {
+        return new EnvironmentLights(lights(map.brightLights(lightCount), lightCount, isUsed), intensity * gain);
     }
 
     /**
@@ -62,7 +63,7 @@ public record EnvironmentLayer(String name, EnvironmentMap map, DomeRotation rot
      * @param isUsed test for names of other lights
      */
     public List<Light> approximateLights(int count, Predicate<String> isUsed) {
-        return lights(map.lights(count), count, isUsed);
+        return new EnvironmentLights(lights(map.lights(count), count, isUsed), intensity * gain).lights();
     }
 
     private List<Light> lights(List<EnvironmentLight> sources, int count, Predicate<String> isUsed) {
@@ -81,8 +82,7 @@ public record EnvironmentLayer(String name, EnvironmentMap map, DomeRotation rot
                             : Rgb.BLACK)
                     .withOn(on)
                     .withSolo(solo && lightIntensity() > 0)
-                    .withIntensity(Math.min(maxChannel * source.meanLength() * intensity * gain,
-                            SceneLimits.MAX_ENVIRONMENT_LIGHT_INTENSITY))
+                    .withIntensity(Math.min(maxChannel * source.meanLength(), SceneLimits.MAX_ENVIRONMENT_LIGHT_INTENSITY))
                     .withArea(AreaShape.DEFAULT.withSpread(spread).withSamples(spread > SUN ? SAMPLES : SUN_SAMPLES)));
         }
         return lights;

@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureWrap;
 import lightning.scene.light.AreaShape;
@@ -120,21 +119,16 @@ record LightFace(Shape shape, Material material) {
         }
         // A view without soft shadows does not change the face.
         Light soft = light.withArea(light.area().withHardShadows(false));
-        Rgb radiance = rig.isActive(light) ? rig.radiance(soft) : Rgb.BLACK;
+        double factor = rig.radianceFactor(soft);
         // A dark light keeps its texture, so that switching it on looks up no texel.
-        return soft.faceImage().isEmpty() ? black.withBulb(Bulb.NONE.withGlow(Bulb.limited(radiance)))
-                : black.withGlowMap(glowMap(light)).withBulb(Bulb.NONE.withGlow(limited(radiance, soft.faceImage().get())));
+        double brightest = soft.faceImage().map(image -> Math.max(1.0, image.areas().max())).orElse(1.0);
+        Material face = soft.faceImage().isEmpty() ? black : black.withGlowMap(glowMap(light));
+        return face.withBulb(Bulb.NONE.litBy(soft, rig, factor, SceneLimits.MAX_EMISSION / brightest));
     }
 
     /** Returns the light's image on its plane, upright and not mirrored for a viewer, who looks against the light's direction. */
     private static Optional<TextureMap> glowMap(Light light) {
         return light.texture().map(t -> new TextureMap(t.file(), -1, 1, t.image(), TextureWrap.CLAMP));
-    }
-
-    /** Returns a color whose product with any pixel of an image may be emitted. */
-    private static Rgb limited(Rgb radiance, Texture image) {
-        double max = Math.max(1, image.areas().max());
-        return Bulb.limited(radiance.times(max)).times(1 / max);
     }
 
     /** Returns a name that is not among the given ones, the same for the same light if possible, and adds it to them. */

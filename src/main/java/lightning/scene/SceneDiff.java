@@ -164,7 +164,7 @@ public final class SceneDiff {
         Map<String, Material> previous = before.materialsByName();
         for (Material material : after.materials()) {
             Material old = previous.get(material.name());
-            if (old != null && !old.equals(material.withBulb(material.bulb().withGlow(old.bulb().glow())))) {
+            if (old != null && !old.equals(material.withBulb(material.bulb().withGlow(old.bulb().glow()).withUnit(old.bulb().unit())))) {
                 // Attributes that only one of the models has are not described.
                 parts.add(join(old.name(), changes(MaterialAttribute.ALL.stream()
                         .filter(a -> a.appliesTo(old.model()) && a.appliesTo(material.model())).toList(), old, material)));

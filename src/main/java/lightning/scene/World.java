@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
-import java.util.function.DoubleUnaryOperator;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import lightning.base.math.Rgb;
@@ -21,6 +21,7 @@ import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.attribute.ValueKind;
+import lightning.scene.light.EnvironmentLights;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightRig;
 import lightning.scene.sky.Sky;
@@ -202,8 +203,8 @@ public record World(double ambience, Rgb background, Optional<Environment> image
      *
      * @param isUsed test for names of other lights
      */
-    List<List<Light>> environmentLights(Predicate<String> isUsed) {
-        return lights(isUsed, EnvironmentLayer::brightLights);
+    List<EnvironmentLights> environmentLights(Predicate<String> isUsed) {
+        return lights(isUsed, EnvironmentLayer::brightLights, EnvironmentLights::units);
     }
 
     /**
@@ -212,16 +213,18 @@ public record World(double ambience, Rgb background, Optional<Environment> image
      * @param isUsed test for names of other lights
      */
     List<Light> approximateLights(Predicate<String> isUsed) {
-        return lights(isUsed, (layer, used) -> layer.on() ? layer.approximateLights(layer.lightCount(), used) : List.of()).stream()
-                .flatMap(List::stream).toList();
+        BiFunction<EnvironmentLayer, Predicate<String>, List<Light>> approximate =
+                (layer, used) -> layer.on() ? layer.approximateLights(layer.lightCount(), used) : List.of();
+        return lights(isUsed, approximate, added -> added).stream().flatMap(List::stream).toList();
     }
 
-    private List<List<Light>> lights(Predicate<String> isUsed, BiFunction<EnvironmentLayer, Predicate<String>, List<Light>> lightsOf) {
-        List<List<Light>> lights = new ArrayList<>();
+    private <T> List<T> lights(Predicate<String> isUsed, BiFunction<EnvironmentLayer, Predicate<String>, T> lightsOf,
+            Function<T, List<Light>> list) {
+        List<T> lights = new ArrayList<>();
         Set<String> names = new HashSet<>();
         for (EnvironmentLayer layer : environments()) {
-            List<Light> added = lightsOf.apply(layer, name -> isUsed.test(name) || names.contains(name));
-            added.forEach(light -> names.add(light.name()));
+            T added = lightsOf.apply(layer, name -> isUsed.test(name) || names.contains(name));
+            list.apply(added).forEach(light -> names.add(light.name()));
             lights.add(added);
         }
         return lights;
@@ -249,25 +252,4 @@ public record World(double ambience, Rgb background, Optional<Environment> image
         return withEnvironment(Optional.empty()).withDomes(List.of());
     }
 
-    /** Returns this world with other intensities of all environments. */
-    public World mapIntensities(DoubleUnaryOperator change) {
-        return withIntensity(change.applyAsDouble(intensity))
-                .withDomes(domes.stream().map(d -> d.withIntensity(change.applyAsDouble(d.intensity()))).toList());
-    }
-
-    /** Returns this world with the intensities of the environments of another world, as far as that has domes of the same names. */
-    public World withIntensitiesOf(World o) {
-        return withIntensity(o.intensity)
-                .withDomes(domes.stream().map(d -> d.withIntensity(o.dome(d.name()).orElse(d).intensity())).toList());
-    }
-
-    /** Returns this world with one of its {@link #environments} dark. */
-    public World withDarkEnvironment(int index) {
-        int dome = environment().isPresent() ? index - 1 : index;
-        if (dome < 0) {
-            return withIntensity(0);
-        }
-        Dome dark = domes.stream().filter(d -> d.image().isPresent()).skip(dome).findFirst().orElseThrow();
-        return withDome(dark.name(), dark.withIntensity(0));
-    }
 }

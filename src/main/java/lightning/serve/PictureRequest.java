@@ -17,6 +17,7 @@ import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.SceneView;
 import lightning.render.relight.UpdateResult;
+import lightning.scene.Contribution;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import tools.jackson.databind.node.ArrayNode;
@@ -82,7 +83,7 @@ final class PictureRequest {
         result.put("plan", update.plan().description()).put("rays", update.rays().total()).put("milliseconds", update.milliseconds());
         Renderer renderer = session.renderer();
         Progress canceled = Progress.cancellation(request::isCanceled);
-        Film film = light.isPresent() ? renderer.lightImage(light.get(), canceled) : renderer.film();
+        Film film = light.isPresent() ? renderer.contribution(new Contribution.OfLight(light.get()), canceled) : renderer.film();
         var rows = new FloatRows(film, region);
         if (hasMemory && hasLayers && file.isEmpty()) {
             writePlanes(renderer, canceled, result.putObject("memory"));

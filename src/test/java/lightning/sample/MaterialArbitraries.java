@@ -60,7 +60,7 @@ final class MaterialArbitraries {
     static Arbitrary<Bulb> bulbs() {
         return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(Bulb.NONE)), Tuple.of(1, Combinators
                 .combine(bulbLights(), NumberArbitraries.rangeOrSpecial(-4, 1, 0.0, 20.0))
-                .as((light, exposure) -> new Bulb(light, exposure, Rgb.BLACK))));
+                .as((light, exposure) -> Bulb.NONE.withLight(light).withExposure(exposure))));
     }
 
     /** Returns names of lights that scenes may have, or none. */

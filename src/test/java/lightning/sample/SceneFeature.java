@@ -91,7 +91,7 @@ public enum SceneFeature {
     NORMAL_MAP(scene -> scene.withMaterials(scene.materials().stream().map(material -> material
             .withBumpMapping(material.bumpMapping().withNormalMap(map()).withStrength(0.4))).toList())),
     CUTOUT(scene -> paint(scene, paint -> paint.withCutout(new AlphaCutout(map(), 0.6)))),
-    GLOW(scene -> paint(scene, paint -> paint.withGlow(new Rgb(0.1, 0.3, 0.2)).withBulb(new Bulb("key", -3, Rgb.BLACK)))),
+    GLOW(scene -> paint(scene, paint -> paint.withGlow(new Rgb(0.1, 0.3, 0.2)).withBulb(Bulb.NONE.withLight("key").withExposure(-3)))),
     BLOCKER(scene -> lens(scene, "blocker", new Vec3(1.2, 2, 1), material -> material
             .withTransmission(Transmission.NONE.withShadows(ShadowCasting.ONLY)))),
     NODE_GROUP(scene -> scene.withNodes(List.of(scene.nodes().getFirst(), new NodeGroup("group",

@@ -76,9 +76,9 @@ class LightFaceTest {
         Texture image = new Texture(2, 1, new float[] {1, 0, 0.5f, 0, 0, 0.5f});
         Light light = SOFTBOX.withIntensity(4).withTexture(Optional.of(new LightTexture("t.png", image)));
         Material face = faces(light).getFirst().material();
-        assertThat(face.bulb()).isEqualTo(new Bulb("", 0, Rgb.gray(4)));
+        assertThat(face.bulb()).isEqualTo(new Bulb(light.name(), 0, Rgb.gray(4), Rgb.gray(1)));
         assertThat(face.glowMap().orElseThrow().image()).isSameAs(image);
-        assertThat(faces(light.withOn(false)).getFirst().material()).isEqualTo(face.withBulb(Bulb.NONE));
+        assertThat(faces(light.withOn(false)).getFirst().material()).isEqualTo(face.withBulb(face.bulb().withGlow(Rgb.BLACK)));
     }
 
     @Test

@@ -22,7 +22,7 @@ import lightning.format.json.PixelReporter;
 import lightning.format.json.ReportMapper;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
-import lightning.render.relight.LightImage;
+import lightning.render.relight.ContributionScene;
 import lightning.render.shading.explanation.PixelExplainer;
 import lightning.render.shading.explanation.PointReport;
 import lightning.scene.Scene;
@@ -137,7 +137,7 @@ class ServerTest {
     @Test
     void light_isItsPartOfThePicture() throws Exception {
         client.open(SCENE);
-        assertThat(client.picture(1, "'light':'key'")).isEqualTo(trace(LightImage.scene(scene(), "key")).toScanlines());
+        assertThat(client.picture(1, "'light':'key'")).isEqualTo(trace(ContributionScene.of(scene(), "key")).toScanlines());
         assertThat(client.refused("render", "'scene':1,'light':'no'").get("place").asString()).isEqualTo("light");
     }
 

@@ -8,7 +8,7 @@ import lightning.render.engine.choice.Engines;
 import lightning.render.engine.lanes.PowerLanes;
 import lightning.render.relight.paper.RatioKernel;
 import lightning.render.relight.paper.RatioRows;
-import lightning.render.shading.BounceImages;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.KernelReferenceRows;
 import lightning.render.shading.TermKernel;
 import lightning.render.shading.WeightedLight;
@@ -17,6 +17,7 @@ import lightning.render.shading.layer.ConeChange;
 import lightning.render.shading.layer.LightKernel;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.shading.layer.LightRows;
+import lightning.render.trace.BounceKind;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.TileVisibility;
@@ -58,11 +59,14 @@ public class RowKernels {
     private final double[] powers = new double[ROWS];
     private Scene loadedScene;
     private HitRows rows;
-    private LevelComposer composer;
+    private TileComposer composer;
+    private FilmMixer mixer;
+    private FilmParts parts;
+    private final FilmColors films = new FilmColors();
+    private final FilmColors[] images = {new FilmColors(), new FilmColors()};
     private final float[][] colors = new float[3][ROWS];
     private LightKernel light;
     private RatioKernel ratio;
-    private WeightedLight[] lights;
     private LightLayer[] layers;
     private float[][] mirrored;
     private WeightedLight spot;
@@ -75,10 +79,12 @@ public class RowKernels {
         loadedScene = JenReader.read(Path.of("scenes", scene + ".jen")).scene();
         Geometry geometry = Geometry.of(loadedScene);
         Tracer tracer = Engines.LANES.tracer(geometry);
-        composer = new LevelComposer(geometry.materials(), Engines.LANES.sums(), ViewEffects.ALL);
+        composer = new TileComposer(loadedScene, geometry.materials(), Engines.LANES.sums(), ViewEffects.ALL);
         light = new LightKernel(geometry, tracer, Engines.LANES.terms(), ViewEffects.ALL);
         ratio = new RatioKernel(light);
-        lights = WeightedLight.ofScene(loadedScene);
+        parts = FilmParts.of(loadedScene);
+        mixer = new FilmMixer(parts, null);
+        WeightedLight[] lights = parts.lights();
         Light first = loadedScene.lights().stream().filter(l -> l.type() == LightType.SPOT).findFirst().orElseThrow();
         spot = WeightedLight.of(first, loadedScene);
         brighter = WeightedLight.of(first.withIntensity(1.25 * first.intensity()), loadedScene);
@@ -91,6 +97,14 @@ public class RowKernels {
         for (int i = 0; i < ROWS; i++) {
             bases[i] = (i + 0.5) / ROWS;
             mirrored[i % 3][i] = i / 1024f;
+        }
+        for (FilmColors image : images) {
+            image.clear(parts.count());
+        }
+        for (int film = 0; film < parts.count(); film++) {
+            for (int c = 0; c < 3; c++) {
+                System.arraycopy(mirrored[c], 0, images[BounceKind.MIRRORED.ordinal()].toWrite(film)[c], 0, ROWS);
+            }
         }
         new KernelReferenceRows(rows, geometry).require(this);
     }
@@ -115,8 +129,8 @@ public class RowKernels {
         return spot;
     }
 
-    public WeightedLight[] lights() {
-        return lights;
+    public FilmParts parts() {
+        return parts;
     }
 
     public LightLayer[] layers() {
@@ -125,10 +139,6 @@ public class RowKernels {
 
     public float[][] mirrored() {
         return mirrored;
-    }
-
-    public float ambience() {
-        return (float) loadedScene.world().ambience();
     }
 
     public RatioRows contributions() {
@@ -143,11 +153,13 @@ public class RowKernels {
         return PowerFunction.pow(bases[i], EXPONENT);
     }
 
-    /** Composes all lights into linear colors. */
+    /** Composes all films and adds them to linear colors. */
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public Object compose() {
-        composer.compose(rows, lights, layers, null, null, loadedScene.world(), null, new BounceImages(mirrored, null), colors);
+        films.clear(mixer.films());
+        composer.composeLevel(rows, parts, parts.shining(), layers, null, images, films);
+        mixer.mix(films::get, colors);
         return colors;
     }
 

@@ -128,6 +128,15 @@ public sealed interface MixerChannel {
         };
     }
 
+    /** Returns its contributions: itself, or the lights of a group. */
+    default List<Contribution> contributions(Scene scene) {
+        return switch (this) {
+            case OfContribution(Contribution contribution) -> List.of(contribution);
+            case OfLightGroup(String name) ->
+                    scene.lights().stream().filter(light -> light.lightGroup().equals(name)).map(Contribution::of).toList();
+        };
+    }
+
     /** Returns the indices of the channel's lights, as {@link Contribution#effectiveLights}. */
     default int[] effectiveLights(Scene scene) {
         return switch (this) {

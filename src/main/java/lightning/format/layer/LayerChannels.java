@@ -3,11 +3,10 @@ package lightning.format.layer;
 import static java.util.Objects.requireNonNull;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import lightning.base.work.Progress;
-import lightning.base.work.WorkerPool;
 import lightning.format.exr.ExrAttribute;
 import lightning.format.exr.ExrChannel;
 import lightning.format.exr.ExrPrimaries;
@@ -17,6 +16,7 @@ import lightning.render.cache.PixelCache;
 import lightning.render.engine.Engine;
 import lightning.render.engine.EngineChoice;
 import lightning.render.image.Film;
+import lightning.render.shading.FilmParts;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.GatherSettings;
 import tools.jackson.databind.json.JsonMapper;
@@ -37,8 +37,9 @@ final class LayerChannels implements ChannelSource {
     private final List<Layer> layers;
     /** Names of the layers, without the residual. */
     private final List<String> names;
-    /** Light of each set, and last that of no set; empty until it is prepared. */
-    private List<SetLight> setLight = List.of();
+    private final FilmParts parts;
+    /** Films of each set, and last those of no set. */
+    private final List<BitSet> films;
 
     /**
      * @param cache cache of a finished image
@@ -55,6 +56,8 @@ final class LayerChannels implements ChannelSource {
         this.engines = engines;
         sets = LightSet.of(cache.scene(), all, grouped);
         mirrorsSets = Layer.canShowReflections(cache.scene(), all) && cache.allTiles().stream().allMatch(CachedTile::storesRows);
+        parts = cache.parts();
+        films = LightSet.films(sets, parts);
         layers = Layer.of(cache.scene(), sets, mirrorsSets, all);
         names = LayerNames.of(layers, GatherSettings.of(cache.scene()));
     }
@@ -91,19 +94,8 @@ final class LayerChannels implements ChannelSource {
     }
 
     @Override
-    public void prepare(WorkerPool workers, Progress progress) {
-        setLight = SetLight.of(cache, sets, engines, workers, progress);
-    }
-
-    /** Returns the bytes that {@link #prepare} keeps. */
-    long preparedBytes() {
-        return cache.indirect() == null ? 0
-                : (long) (sets.size() + 1) * cache.indirect().structure().lightBytes() * (cache.hasSameIndirectInMirrors() ? 1 : 2);
-    }
-
-    @Override
     public TileWriter writer(Engine engine) {
-        LayerCompositor painter = new LayerCompositor(cache, setLight, mirrorsSets, engine);
+        LayerCompositor painter = new LayerCompositor(cache, parts, films, mirrorsSets, engine);
         return (tile, centers, sink) -> {
             LayerSum layerSum = new LayerSum(Film.TILE_PIXELS);
             for (int k = 0; k < layers.size(); k++) {
@@ -120,14 +112,8 @@ final class LayerChannels implements ChannelSource {
 
     /** Returns the pixels of a layer's tile, averaged over samples if it has several. */
     private float[][] layerPixels(LayerCompositor painter, Layer layer, int tile, SamplePositions centers) {
-        CachedTile center = cache.tileCount() == 0 ? null : composeLayer(painter, layer, cache.tile(tile), centers);
-        float[][] pixels = cache.fineCount() == 0 ? requireNonNull(center).film : cache.fineTile(tile)
-                .map(center, centers, (at, block) -> composeLayer(painter, layer, block, at))
-                .film();
-        return requireNonNull(pixels);
-    }
-
-    private static CachedTile composeLayer(LayerCompositor painter, Layer layer, CachedTile tile, SamplePositions samplePositions) {
-        return new CachedTile(tile.levels, tile.hitShapes, tile.images, painter.colors(layer, tile, samplePositions), tile.edges, tile.fog);
+        float[][] center = cache.tileCount() == 0 ? null : painter.colors(layer, cache.tile(tile), centers);
+        return cache.fineCount() == 0 ? requireNonNull(center)
+                : cache.fineTile(tile).film(center, centers, (block, places) -> painter.colors(layer, block, places));
     }
 }

@@ -1,161 +1,129 @@
 package lightning.format.layer;
 
-import static java.util.Objects.requireNonNull;
-
-import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.EnumSet;
 import java.util.List;
-import lightning.base.math.Rgb;
+import java.util.Set;
+import lightning.render.cache.CachedScene;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.PixelCache;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
 import lightning.render.image.Film;
-import lightning.render.relight.LightImage;
 import lightning.render.relight.tile.TileRecomposer;
-import lightning.render.shading.BounceImages;
-import lightning.render.shading.IndirectRows;
-import lightning.render.shading.WeightedLight;
+import lightning.render.shading.FilmParts;
+import lightning.render.shading.FilmSum;
+import lightning.render.shading.LightWeight;
+import lightning.render.shading.composition.FilmColors;
 import lightning.render.shading.composition.LightComponent;
-import lightning.render.shading.composition.TileComposer;
 import lightning.render.shading.fog.BounceFog;
 import lightning.render.shading.fog.FogComposer;
-import lightning.render.shading.fog.FogTile;
-import lightning.render.shading.layer.LightLayer;
-import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
-import lightning.scene.Scene;
-import lightning.scene.World;
+import lightning.scene.Contribution;
 import lightning.scene.effects.ViewEffects;
-import lightning.scene.value.Fog;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Compositor of single tile layers from cached data: casts no rays and evaluates no lights. Contains scratch memory; use one
  * per thread.
  */
 final class LayerCompositor {
-    private static final WeightedLight[] NO_LIGHTS = {};
-    private static final LightLayer[] NO_LAYERS = {};
-    private static final BounceImages BLACK = new BounceImages(new float[3][Film.TILE_PIXELS], new float[3][Film.TILE_PIXELS]);
-
-    private final Scene scene;
-    private final World darkWorld;
-    private final Scene mirrored;
-    private final World darkMirroredWorld;
-    /** Light of each set, and last that of no set. */
-    private final List<SetLight> sets;
+    private final PixelCache cache;
+    private final FilmParts parts;
+    private final LightWeight[] weights;
+    /** Films of each set of lights, and last those of no set. */
+    private final List<BitSet> sets;
     /** Whether each set has a layer of its reflections. */
     private final boolean mirrorsSets;
-    private final TileComposer composer;
-    /** Composers of what mirrors show of the lights of sets, and of all else. */
-    private final TileRecomposer ofSets;
-    private final TileRecomposer ofRest;
+    private final TileRecomposer recomposer;
     private final FogComposer fogComposer = new FogComposer();
+    private final FilmColors films = new FilmColors();
+    private final FilmSum sum = new FilmSum();
 
     /**
-     * @param sets        light of each set of lights, and last that of no set
+     * @param sets        films of each set of lights, and last those of no set
      * @param mirrorsSets whether each set has a layer of its reflections
      */
-    LayerCompositor(PixelCache cache, List<SetLight> sets, boolean mirrorsSets, Engine engine) {
+    LayerCompositor(PixelCache cache, FilmParts parts, List<BitSet> sets, boolean mirrorsSets, Engine engine) {
+        this.cache = cache;
+        this.parts = parts;
         this.sets = sets;
         this.mirrorsSets = mirrorsSets;
-        scene = cache.scene();
-        darkWorld = scene.world().withAmbience(0);
-        mirrored = cache.mirrored().scene();
-        darkMirroredWorld = LightImage.darkWorld(mirrored.world());
-        composer = new TileComposer(scene, cache.geometry().materials(), engine.sums(), ViewEffects.ALL);
-        composer.setShowsGlow(false);
-        ofSets = new TileRecomposer(cache, engine, ViewEffects.ALL);
-        ofSets.setShowsGlow(false);
-        ofSets.setMirrorFog(BounceFog.of(mirrored.withWorld(darkMirroredWorld), cache.mirrored().fog()));
-        ofRest = new TileRecomposer(cache, engine, ViewEffects.ALL);
-        ofRest.setMirrorFog(BounceFog.of(mirrored, cache.mirrored().fog()));
+        weights = parts.weights();
+        var shown = shown(cache.shown(), cache.geometry().materials(), parts);
+        recomposer = new TileRecomposer(shown, !cache.areMirrorsOutdated() ? shown
+                : shown(cache.mirrored(), cache.mirroredGeometry().materials(), cache.mirroredParts()), engine,
+                ViewEffects.ALL);
+        recomposer.setMirrorFog(BounceFog.of(cache.mirrored().scene(), cache.mirrored().fog()));
+    }
+
+    private static TileRecomposer.Shown shown(CachedScene scene, MaterialTable materials, FilmParts parts) {
+        return new TileRecomposer.Shown(parts, materials, scene.indirect() == null ? null : scene.indirect().light().light());
     }
 
     /** Returns the colors of a layer: red, green, blue, {@code float[1024]} each; for a block of samples those of the samples. */
-    float[][] colors(Layer layer, CachedTile tile, SamplePositions samplePositions) {
-        float[][] result = new float[3][Film.TILE_PIXELS];
-        HitRows rows = tile.rows();
+    float[][] colors(Layer layer, CachedTile tile, SamplePositions places) {
+        TileLevel top = tile.levels[0];
+        BitSet shining = parts.shining();
         switch (layer) {
-            case Layer.Background _ -> {
-                composer.fillBackground(rows, scene, samplePositions, result);
-                composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld, BLACK, result);
-            }
-            case Layer.Ambient _ -> composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, scene.world(), BLACK, result);
+            case Layer.Background _ -> recomposer.composeBackground(top, places, shining, films);
+            case Layer.Ambient _ -> compose(LightComponent.EMITTED, top, of(new Contribution.OfAmbience()));
             case Layer.Emission _ -> {
-                composer.setShowsGlow(true);
-                composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld, BLACK, result);
-                composer.setShowsGlow(false);
+                shining.andNot(of(new Contribution.OfAmbience()));
+                compose(LightComponent.EMITTED, top, shining);
             }
-            case Layer.OfLights some -> addPart(some, sets.get(some.set()), samplePositions, tile, result);
-            case Layer.Gathered _ -> addGathered(tile.levels[0], sets.getLast().gathered(), result);
-            case Layer.Reflections _ -> addReflections(rows,
-                    mirrorsSets ? images(ofRest, sets.getLast(), samplePositions, tile, mirrored.world()) : tile.images, result);
+            case Layer.OfLights some -> {
+                switch (some.part()) {
+                    case DIFFUSE -> compose(LightComponent.DIFFUSE, top, sets.get(some.set()));
+                    case SPECULAR -> compose(LightComponent.SPECULAR, top, sets.get(some.set()));
+                    case GATHERED -> compose(LightComponent.GATHERED, top, sets.get(some.set()));
+                    case REFLECTIONS -> composeReflections(top, tile, places, sets.get(some.set()), false);
+                    case FOG -> films.clear(parts.count());
+                }
+            }
+            case Layer.Gathered _ -> compose(LightComponent.GATHERED, top, sets.getLast());
+            case Layer.Reflections _ -> composeReflections(top, tile, places, mirrorsSets ? sets.getLast() : shining, true);
         }
         if (tile.fog != null) {
-            addFog(layer, tile.fog, result);
+            fogComposer.dim(tile.fog, parts, films);
+            if (layer instanceof Layer.OfLights some && some.part() == LightPart.FOG) {
+                fogComposer.add(tile.fog, parts, sets.get(some.set()), parts.scene().world().fog(), films);
+            }
+            if (layer instanceof Layer.Ambient) {
+                fogComposer.add(tile.fog, parts, of(new Contribution.OfRest()), parts.scene().world().fog(), films);
+            }
+        }
+        float[][] result = new float[3][Film.TILE_PIXELS];
+        sum.add(weights, films::get, Film.TILE_PIXELS, result);
+        float[][] earlier = films.get(parts.count());
+        for (int c = 0; earlier != null && c < 3; c++) {
+            for (int i = 0; i < Film.TILE_PIXELS; i++) {
+                result[c][i] += earlier[c][i];
+            }
         }
         return result;
     }
 
-    private void addPart(Layer.OfLights some, SetLight light, SamplePositions places, CachedTile tile, float[][] to) {
-        if (!light.shines()) {
+    private BitSet of(Contribution contribution) {
+        BitSet some = parts.of(contribution);
+        some.and(parts.shining());
+        return some;
+    }
+
+    private void compose(LightComponent component, TileLevel top, BitSet some) {
+        recomposer.composeComponents(EnumSet.of(component), top, some, null, films);
+    }
+
+    /** Mirrors that show an earlier scene, or of which the rows were not kept, belong to no set. */
+    private void composeReflections(TileLevel top, CachedTile tile, SamplePositions places, BitSet some, boolean isRest) {
+        Set<LightComponent> bounced = EnumSet.of(LightComponent.BOUNCED);
+        if (tile.storesRows() && !cache.areMirrorsOutdated()) {
+            recomposer.composeComponents(bounced, top, some, recomposer.composeImages(places, tile.levels.clone(), some), films);
             return;
         }
-        HitRows rows = tile.rows();
-        switch (some.part()) {
-            case DIFFUSE -> addDirect(LightComponent.DIFFUSE, some, light, tile, to);
-            case SPECULAR -> addDirect(LightComponent.SPECULAR, some, light, tile, to);
-            case GATHERED -> addGathered(tile.levels[0], light.gathered(), to);
-            case REFLECTIONS -> addReflections(rows, images(ofSets, light, places, tile, darkMirroredWorld), to);
-            // Fog is added to all layers.
-            case FOG -> {
-            }
+        recomposer.composeComponents(bounced, top, new BitSet(), null, films);
+        if (tile.images != null && isRest) {
+            recomposer.addEarlierMirrors(top, tile.images, films);
         }
-    }
-
-    private void addDirect(LightComponent component, Layer.OfLights some, SetLight light, CachedTile tile, float[][] to) {
-        List<WeightedLight> lights = new ArrayList<>();
-        List<LightLayer> layers = new ArrayList<>();
-        for (int i : some.lights().indices(scene)) {
-            if (!light.lights()[i].isDark()) {
-                lights.add(light.lights()[i]);
-                layers.add(tile.levels[0].layers()[i]);
-            }
-        }
-        if (!lights.isEmpty()) {
-            composer.setComponent(component);
-            composer.composeLevel(tile.rows(), lights.toArray(WeightedLight[]::new), layers.toArray(LightLayer[]::new), darkWorld, BLACK,
-                    to);
-            composer.setComponent(LightComponent.ALL);
-        }
-    }
-
-    private void addGathered(TileLevel level, float @Nullable [][] light, float[][] to) {
-        if (light != null) {
-            composer.composeLevel(level.rows(), NO_LIGHTS, NO_LAYERS, darkWorld, new IndirectRows(requireNonNull(level.weights()), light),
-                    BLACK,
-                    to);
-        }
-    }
-
-    private void addReflections(HitRows rows, @Nullable BounceImages images, float[][] to) {
-        if (rows.reflectiveCount > 0) {
-            composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, darkWorld, images, to);
-        }
-    }
-
-    private static @Nullable BounceImages images(TileRecomposer recomposer, SetLight light, SamplePositions places, CachedTile tile,
-            World world) {
-        recomposer.setIndirect(light.gathered(), light.mirroredGathered());
-        return tile.rows().reflectiveCount == 0 ? null : recomposer.composeImages(places, tile.levels, light.mirrored(), world);
-    }
-
-    /** Dims a layer by fog, and adds what fog itself shows: a part of each set's light, and ambient light to the ambient layer. */
-    private void addFog(Layer layer, FogTile tile, float[][] colors) {
-        Fog fog = scene.world().fog();
-        boolean isLit = layer instanceof Layer.OfLights some && some.part() == LightPart.FOG;
-        WeightedLight[] lights = isLit ? sets.get(((Layer.OfLights) layer).set()).lights() : NO_LIGHTS;
-        fogComposer.add(tile, lights, 0, lights.length, fog.color(), layer instanceof Layer.Ambient ? fog.ambient() : Rgb.BLACK, colors);
     }
 }

@@ -43,7 +43,6 @@ public final class LayeredExrWriter {
     /** Indices of each source's channels in {@link #slots}. */
     private final List<int[]> indices = new ArrayList<>();
     private final int layerCount;
-    private final long preparedBytes;
     /** Mattes; null if there are none. */
     private final @Nullable MatteChannels mattes;
     private boolean isPrepared;
@@ -68,10 +67,8 @@ public final class LayeredExrWriter {
             sources.add(layers);
             sources.add(new SurfaceChannels(cache, content.type(), frame));
             layerCount = layers.layerNames().size();
-            preparedBytes = layers.preparedBytes();
         } else {
             layerCount = 0;
-            preparedBytes = 0;
         }
         mattes = content.matteLevels() == 0 ? null : new MatteChannels(cache, content.matteLevels());
         if (mattes != null) {
@@ -124,7 +121,7 @@ public final class LayeredExrWriter {
 
     /** Returns the memory in bytes for writing, in addition to the cache. */
     public long bytesToWrite(int threads) {
-        return (long) COPIES_PER_WORKER * threads * parts.bytesPerLine() * LayerBand.LINES + preparedBytes;
+        return (long) COPIES_PER_WORKER * threads * parts.bytesPerLine() * LayerBand.LINES;
     }
 
     /** Returns the bytes of all pixels before compression. */

@@ -2,11 +2,13 @@ package lightning.format.layer;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.WeightedLight;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
@@ -50,6 +52,20 @@ record LightSet(String name, Set<Contribution> contributions) {
 
     boolean isEnvironment() {
         return contributions.stream().noneMatch(Contribution.OfLight.class::isInstance);
+    }
+
+    /** Returns the films of each set, and last those of no set. Dark films are in none. */
+    static List<BitSet> films(List<LightSet> sets, FilmParts parts) {
+        BitSet rest = parts.shining();
+        List<BitSet> films = new ArrayList<>();
+        for (LightSet set : sets) {
+            BitSet its = parts.of(set.contributions);
+            its.and(parts.shining());
+            rest.andNot(its);
+            films.add(its);
+        }
+        films.add(rest);
+        return films;
     }
 
     /** Returns the indices of its lights among all lights of a scene; those of an environment follow the scene's own lights. */

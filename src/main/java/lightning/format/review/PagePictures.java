@@ -7,7 +7,7 @@ import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
-import lightning.render.relight.LightFilms;
+import lightning.render.relight.PictureFilms;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
@@ -58,7 +58,7 @@ final class PagePictures {
         ArrayNode lights = node.putArray("lights");
         float[] rest = film.toScanlines();
         try {
-            LightFilms.forEach(cache, options, _ -> true, dividing, (light, layer) -> {
+            new PictureFilms(cache, options).forEachShining(dividing, (light, layer) -> {
                 float[] part = layer.toScanlines();
                 for (int i = 0; i < part.length; i++) {
                     rest[i] -= part[i];

@@ -73,7 +73,6 @@ public final class CacheSerializer {
         for (int i = 0; i < cache.fineCount(); i++) {
             for (SampleBlock block : cache.fineTile(i).blocks().toList()) {
                 writeColors(block.rows(), out);
-                out.writeFloatArrays(block.means());
             }
             out.writeFloatArrays(cache.fineTile(i).film());
         }
@@ -100,7 +99,7 @@ public final class CacheSerializer {
         }
         FineTile[] fine = new FineTile[rows.readCount()];
         for (int i = 0; i < fine.length; i++) {
-            fine[i] = new FineTile(readSamples(paths, rows), readSamples(paths, rows), null);
+            fine[i] = new FineTile(readSamples(paths, rows), readSamples(paths, rows), null, null);
         }
         rows.expectEnd();
         IndirectSerializer.Pair indirect = IndirectSerializer.withLight(paths, colors);
@@ -111,13 +110,13 @@ public final class CacheSerializer {
         }
         for (int i = 0; i < fine.length; i++) {
             fine[i] =
-                    new FineTile(withColors(fine[i].first(), fog, colors), withColors(fine[i].rest(), fog, colors),
+                    new FineTile(withColors(fine[i].first(), fog, colors), withColors(fine[i].rest(), fog, colors), null,
                             colors.readOptionalFloatArrays());
         }
         colors.expectEnd();
         return new PixelCache(outline.geometry(), tiles, fine,
                 new CachedScene(outline.scenes().scene(), outline.lights(), indirect.scene(), fog),
-                new CachedScene(outline.scenes().mirrored(), outline.mirroredLights(), indirect.mirrored(), bounceFog));
+                new CachedScene(outline.scenes().mirrored(), outline.mirroredLights(), indirect.mirrored(), bounceFog), false);
     }
 
     private static FineSamples readSamples(IndirectSerializer.Pair indirect, ColumnReader in) throws IOException {
@@ -141,21 +140,21 @@ public final class CacheSerializer {
             hitShapes[i] = in.readInts();
         }
         EdgeColors edges = in.readInt() == 0 ? null : new EdgeColors(in.readInts(), readImages(in));
-        return new CachedTile(levels, hitShapes, null, null, edges, null);
+        return new CachedTile(levels, hitShapes, null, null, null, edges, null);
     }
 
     private static FineSamples withColors(FineSamples samples, @Nullable PictureFog fog, ColumnReader in) throws IOException {
         SampleBlock[] blocks = new SampleBlock[samples.blocks().length];
         for (int b = 0; b < blocks.length; b++) {
             SampleBlock block = samples.blocks()[b];
-            blocks[b] = new SampleBlock(block.pixels(), withColors(block.rows(), fog, in), in.readOptionalFloatArrays());
+            blocks[b] = new SampleBlock(block.pixels(), withColors(block.rows(), fog, in), null);
         }
         return new FineSamples(samples.cells(), samples.pixels(), blocks);
     }
 
     private static CachedTile withColors(CachedTile tile, @Nullable PictureFog fog, ColumnReader in) throws IOException {
         float[][] film = in.readOptionalFloatArrays();
-        return new CachedTile(tile.levels, tile.hitShapes, readImages(in), film, tile.edges, FogSerializer.read(fog, in));
+        return new CachedTile(tile.levels, tile.hitShapes, readImages(in), film, null, tile.edges, FogSerializer.read(fog, in));
     }
 
     private static @Nullable BounceImages readImages(ColumnReader in) throws IOException {

@@ -3,6 +3,7 @@ package lightning.render.cache;
 import lightning.render.image.Film;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.EdgeColors;
+import lightning.render.shading.StoredFilms;
 import lightning.render.shading.fog.FogTile;
 import lightning.render.trace.HitRows;
 import org.jspecify.annotations.Nullable;
@@ -22,24 +23,27 @@ public final class CachedTile {
      * otherwise empty.
      */
     public final int[][] hitShapes;
-    /** Colors that level 0's secondary rays contribute; null if there are none. */
+    /** Colors that level 0's secondary rays show, where mirrors may show an earlier scene or its levels are not stored; otherwise null. */
     public final @Nullable BounceImages images;
     /**
      * Colors of the pixel centers or samples: red, green, blue, {@code float[1024]} each. Null for samples at accuracy exact,
      * for which only the resulting pixels are stored.
      */
     public final float @Nullable [][] film;
+    /** Films of the pixel centers; null if they are not kept, and for samples. */
+    public final @Nullable StoredFilms films;
     /** Colors by which edges are detected; null if they are not. */
     public final @Nullable EdgeColors edges;
     /** Fog before the first level's rows; null if the air is clear. */
     public final @Nullable FogTile fog;
 
     public CachedTile(TileLevel[] levels, int[][] hitShapes, @Nullable BounceImages images, float @Nullable [][] film,
-            @Nullable EdgeColors edges, @Nullable FogTile fog) {
+            @Nullable StoredFilms films, @Nullable EdgeColors edges, @Nullable FogTile fog) {
         this.levels = levels;
         this.hitShapes = hitShapes;
         this.images = images;
         this.film = film;
+        this.films = films;
         this.edges = edges;
         this.fog = fog;
     }
@@ -77,14 +81,9 @@ public final class CachedTile {
         return bytes + (images == null ? 0 : images.bytes()) + (edges == null ? 0 : edges.bytes()) + (fog == null ? 0 : fog.bytes());
     }
 
-    /** Returns the bytes of the stored colors. */
+    /** Returns the bytes of the stored colors and films. */
     public long colorBytes() {
-        return film == null ? 0 : 3L * Float.BYTES * Film.TILE_PIXELS;
-    }
-
-    /** Returns the same tile without its colors. */
-    CachedTile withoutColors() {
-        return new CachedTile(levels, hitShapes, images, null, edges, fog);
+        return (film == null ? 0 : 3L * Float.BYTES * Film.TILE_PIXELS) + (films == null ? 0 : films.bytes());
     }
 
     /** Returns the number of hit rows of all levels. */

@@ -1,14 +1,11 @@
 package lightning.render.cache;
 
-import static java.util.Objects.requireNonNull;
-
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.function.BiFunction;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import lightning.render.shading.SampleMean;
 import lightning.render.trace.SampleCells;
-import lightning.render.trace.SamplePositions;
 
 /**
  * Samples of some pixels of a tile. Blocks may contain other pixels, too, whose samples were needed before and may be needed again;
@@ -61,21 +58,9 @@ public record FineSamples(SampleCells cells, short[] pixels, SampleBlock[] block
         return SampleMean.ofPixels(block.pixels().length, cells.count(), colors);
     }
 
-    /**
-     * Returns the same samples with other rows, each computed from its sample positions and its old rows; the new rows have colors.
-     *
-     * @param centers positions of the tile
-     */
-    FineSamples map(SamplePositions centers, BiFunction<SamplePositions, CachedTile, CachedTile> change) {
-        return new FineSamples(cells, pixels, Arrays.stream(blocks).map(block -> {
-            CachedTile rows = change.apply(block.positions(centers, cells), block.rows());
-            return new SampleBlock(block.pixels(), rows, means(block, requireNonNull(rows.film)));
-        }).toArray(SampleBlock[]::new));
+    /** Returns the same samples with other rows, each computed from a block and its means. */
+    public FineSamples map(UnaryOperator<SampleBlock> change) {
+        return new FineSamples(cells, pixels, Arrays.stream(blocks).map(change).toArray(SampleBlock[]::new));
     }
 
-    /** Returns the same samples without the colors of single samples. */
-    FineSamples withoutColors() {
-        return new FineSamples(cells, pixels, Arrays.stream(blocks)
-                .map(block -> new SampleBlock(block.pixels(), block.rows().withoutColors(), block.means())).toArray(SampleBlock[]::new));
-    }
 }

@@ -1,11 +1,17 @@
 package lightning.render.cache;
 
+import static java.util.Objects.requireNonNull;
+
+import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import lightning.render.image.Film;
 import lightning.render.shading.SampleMean;
+import lightning.render.shading.StoredFilms;
+import lightning.render.shading.composition.FilmMixer;
 import lightning.render.trace.SamplePositions;
 import org.jspecify.annotations.Nullable;
 
@@ -14,17 +20,71 @@ import org.jspecify.annotations.Nullable;
  *
  * @param first samples of the pixels at an edge, or of all pixels
  * @param rest  further samples of those of these pixels whose first samples differ visibly
+ * @param films resulting films of the pixels of {@code first}, in their order; null if they are not known
  * @param film  tile of the film: red, green, blue, {@code float[1024]} each
  */
-public record FineTile(FineSamples first, FineSamples rest, float @Nullable [][] film) {
+public record FineTile(FineSamples first, FineSamples rest, @Nullable StoredFilms films, float @Nullable [][] film) {
 
     /**
      * Creates the tile of samples and centers.
      *
      * @param center colors of the tile's pixel centers; null if all pixels have several samples
+     * @param films  films of the pixels of {@code first}
+     * @param mixer  adds them
      */
-    public static FineTile of(float @Nullable [][] center, FineSamples first, FineSamples rest) {
-        return new FineTile(first, rest, film(center, first, SampleBlock::means, rest, SampleBlock::means));
+    public static FineTile of(float @Nullable [][] center, FineSamples first, FineSamples rest, StoredFilms films, FilmMixer mixer) {
+        float[][] film = center == null ? new float[3][Film.TILE_PIXELS]
+                : new float[][] {center[0].clone(), center[1].clone(), center[2].clone()};
+        short[] pixels = first.pixels();
+        float[][] colors = new float[3][pixels.length];
+        mixer.mix(films::get, colors);
+        for (int c = 0; c < 3; c++) {
+            for (int i = 0; i < pixels.length; i++) {
+                film[c][pixels[i]] = colors[c][i];
+            }
+        }
+        return new FineTile(first, rest, films, film);
+    }
+
+    /** Returns the films of the pixels of some samples, in their order. @param films number of all films */
+    public static StoredFilms films(FineSamples first, FineSamples rest, int films) {
+        short[] pixels = first.pixels();
+        short[] place = new short[Film.TILE_PIXELS];
+        for (int i = 0; i < pixels.length; i++) {
+            place[pixels[i]] = (short) i;
+        }
+        int count = first.cells().count();
+        int restCount = rest.cells().count();
+        float[] @Nullable [][] colors = new float[films][][];
+        for (int f = 0; f < films; f++) {
+            int film = f;
+            if (!shows(first, film) && !shows(rest, film)) {
+                continue;
+            }
+            float[][] to = new float[3][pixels.length];
+            first.forEachMean(block -> mean(block, film), (pixel, red, green, blue) -> {
+                to[0][place[pixel]] = red;
+                to[1][place[pixel]] = green;
+                to[2][place[pixel]] = blue;
+            });
+            rest.forEachMean(block -> mean(block, film), (pixel, red, green, blue) -> {
+                int i = place[pixel];
+                to[0][i] = SampleMean.combine(to[0][i], count, red, restCount);
+                to[1][i] = SampleMean.combine(to[1][i], count, green, restCount);
+                to[2][i] = SampleMean.combine(to[2][i], count, blue, restCount);
+            });
+            colors[film] = to;
+        }
+        return new StoredFilms(colors, new BitSet());
+    }
+
+    private static boolean shows(FineSamples samples, int film) {
+        return Arrays.stream(samples.blocks()).anyMatch(block -> requireNonNull(block.means()).get(film) != null);
+    }
+
+    private static float[][] mean(SampleBlock block, int film) {
+        float[][] mean = requireNonNull(block.means()).get(film);
+        return mean == null ? new float[3][block.pixels().length] : mean;
     }
 
     private static float[][] film(float @Nullable [][] center, FineSamples first, Function<SampleBlock, float[][]> firstMeans,
@@ -49,9 +109,16 @@ public record FineTile(FineSamples first, FineSamples rest, float @Nullable [][]
     /**
      * Returns the film of the same samples in other colors.
      *
-     * @param center rows of the pixel centers, or null if all pixels have several samples
-     * @param colors returns the colors of rows
+     * @param center colors of the pixel centers, or null if all pixels have several samples
+     * @param colors returns the colors of rows at some places
      */
+    public float[][] film(float @Nullable [][] center, SamplePositions centers,
+            BiFunction<CachedTile, SamplePositions, float[][]> colors) {
+        return film(center, first, block -> first.means(block, colors.apply(block.rows(), block.positions(centers, first.cells()))), rest,
+                block -> rest.means(block, colors.apply(block.rows(), block.positions(centers, rest.cells()))));
+    }
+
+    /** Returns the film of the same samples in other colors, which do not depend on their places. */
     public float[][] film(@Nullable CachedTile center, Function<CachedTile, float[][]> colors) {
         return film(center == null ? null : colors.apply(center), first, block -> first.means(block, colors.apply(block.rows())), rest,
                 block -> rest.means(block, colors.apply(block.rows())));
@@ -67,18 +134,8 @@ public record FineTile(FineSamples first, FineSamples rest, float @Nullable [][]
         return stages().stream().flatMap(samples -> Stream.of(samples.blocks()));
     }
 
-    /** Returns the same tile without the colors of single samples. */
-    public FineTile withoutColors() {
-        return new FineTile(first.withoutColors(), rest.withoutColors(), film);
-    }
-
-    /**
-     * Returns the tile with changed rows, which then have colors.
-     *
-     * @param center  the changed rows of the pixel centers
-     * @param centers positions of the tile
-     */
-    public FineTile map(@Nullable CachedTile center, SamplePositions centers, BiFunction<SamplePositions, CachedTile, CachedTile> change) {
-        return of(center == null ? null : center.film, first.map(centers, change), rest.map(centers, change));
+    /** Returns the bytes of the resulting films. */
+    public long filmBytes() {
+        return films == null ? 0 : films.bytes();
     }
 }

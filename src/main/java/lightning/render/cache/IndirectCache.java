@@ -23,6 +23,6 @@ public record IndirectCache(GatherSettings settings, TileLevel[] surfels, Indire
     /** Returns the bytes of all columns. */
     public long bytes() {
         return structure().bytes() + Arrays.stream(surfels).mapToLong(block -> block.bytes() - block.rows().bytes()).sum()
-                + (light.edgeLight() == null ? 12L : 24L) * structure().pointCount();
+                + light.films().bytes();
     }
 }

@@ -3,17 +3,20 @@ package lightning.render.cache;
 import static java.util.Objects.requireNonNull;
 
 import java.io.IOException;
+import java.util.BitSet;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.RowWeights;
 import lightning.render.shading.IndirectLight;
+import lightning.render.shading.StoredFilms;
 import lightning.render.trace.HitRows;
 import org.jspecify.annotations.Nullable;
 
 /** Serializer of cached indirect light: its paths, the layers of its surfels, the weights of rows, and the light. */
 final class IndirectSerializer {
     private static final int NO_PATHS = -1;
+    private static final StoredFilms NONE = new StoredFilms(new float[0][][], new BitSet());
 
     /** Relation of the indirect light in mirrors to that of the scene. */
     private enum Mirrored {
@@ -95,7 +98,7 @@ final class IndirectSerializer {
         for (int b = 0; b < rows.length; b++) {
             surfels[b] = new TileLevel(rows[b], LayerSerializer.read(in));
         }
-        return new IndirectCache(metadata.settings(), surfels, new IndirectLight(structure, new float[3][0], null));
+        return new IndirectCache(metadata.settings(), surfels, new IndirectLight(structure, NONE, NONE.colors()));
     }
 
     /** Writes the weights of rows. Weights of other paths are of no use and left out. */
@@ -125,8 +128,30 @@ final class IndirectSerializer {
     }
 
     private static void write(IndirectLight light, ColumnWriter out) throws IOException {
-        out.writeFloatArrays(light.light());
-        out.writeFloatArrays(light.edgeLight());
+        write(light.light(), light.films().known(), out);
+        boolean hasEdges = light.edgeLight() != light.light();
+        out.writeInt(hasEdges ? 1 : 0);
+        if (hasEdges) {
+            write(light.edgeLight(), light.films().known(), out);
+        }
+    }
+
+    private static void write(float[] @Nullable [][] films, BitSet known, ColumnWriter out) throws IOException {
+        out.writeInt(films.length);
+        for (int film = 0; film < films.length; film++) {
+            out.writeInt(known.get(film) ? 1 : 0);
+            out.writeFloatArrays(films[film]);
+        }
+    }
+
+    private static StoredFilms readFilms(ColumnReader in) throws IOException {
+        float[] @Nullable [][] films = new float[in.readCount()][][];
+        BitSet known = new BitSet();
+        for (int film = 0; film < films.length; film++) {
+            known.set(film, in.readInt() != 0);
+            films[film] = in.readOptionalFloatArrays();
+        }
+        return new StoredFilms(films, known);
     }
 
     /** Returns indirect light with what {@link #writeLight} wrote. */
@@ -137,8 +162,9 @@ final class IndirectSerializer {
     }
 
     private static IndirectCache withLight(IndirectCache dark, ColumnReader in) throws IOException {
+        StoredFilms films = readFilms(in);
         return new IndirectCache(dark.settings(), dark.surfels(),
-                new IndirectLight(dark.structure(), in.readFloatArrays(), in.readOptionalFloatArrays()));
+                new IndirectLight(dark.structure(), films, in.readInt() == 0 ? films.colors() : readFilms(in).colors()));
     }
 
     /** Returns whether two images have the same paths and layers of surfels, and differ at most in the light. */

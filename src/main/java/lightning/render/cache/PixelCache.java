@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import lightning.render.image.Film;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
@@ -21,19 +22,23 @@ public final class PixelCache {
     private final FineTile[] fineTiles;
     private final CachedScene shown;
     private final CachedScene mirrored;
+    private final boolean containsWeights;
 
     /**
      * @param tiles pixel centers; empty if all pixels have several samples
      * @param fineTiles finer samples of each tile; empty without anti-aliasing
      * @param shown scene of the film and the first level
      * @param mirrored scene of the reflection levels and Cr
+     * @param containsWeights whether layers and gathered light contain the weights of lights, as the method of 1998 stores them
      */
-    public PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fineTiles, CachedScene shown, CachedScene mirrored) {
+    public PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fineTiles, CachedScene shown, CachedScene mirrored,
+            boolean containsWeights) {
         this.geometry = geometry;
         this.tiles = tiles;
         this.fineTiles = fineTiles;
         this.shown = shown;
         this.mirrored = mirrored;
+        this.containsWeights = containsWeights;
     }
 
     /** Returns the geometry with the materials of the first level. */
@@ -44,6 +49,21 @@ public final class PixelCache {
     /** Returns the geometry with the materials of the reflection levels. */
     public Geometry mirroredGeometry() {
         return geometry.withMaterialsOf(mirrored.scene());
+    }
+
+    /** Returns the films of the scene, as its layers contain them. */
+    public FilmParts parts() {
+        return containsWeights ? FilmParts.weighted(shown.scene()) : FilmParts.of(shown.scene());
+    }
+
+    /** Returns the films of the scene that mirrors show. */
+    public FilmParts mirroredParts() {
+        return containsWeights ? FilmParts.weighted(mirrored.scene()) : FilmParts.of(mirrored.scene());
+    }
+
+    /** Returns the same pixel centers with other finer samples; none for an empty array. */
+    public PixelCache withFineTiles(FineTile[] fine) {
+        return new PixelCache(geometry, tiles, fine, shown, mirrored, containsWeights);
     }
 
     /** Returns the number of tiles of pixel centers; 0 if all pixels have several samples. */
@@ -105,6 +125,11 @@ public final class PixelCache {
         return mirrored.scene().equals(shown.scene());
     }
 
+    /** Returns whether what mirrors show is a film of its own: they visibly show an earlier scene. */
+    public boolean areMirrorsOutdated() {
+        return !scenes().areReflectionsCurrent();
+    }
+
     /** Returns whether mirror images show the same scene by the same indirect light. */
     public boolean hasSameIndirectInMirrors() {
         return mirrored.indirect() == shown.indirect() && hasCurrentReflections();
@@ -142,8 +167,17 @@ public final class PixelCache {
 
     /** Returns the bytes of the stored colors of all centers and samples, without the film. */
     public long colorBytes() {
-        return allTiles().stream().mapToLong(CachedTile::colorBytes).sum()
-                + Arrays.stream(fineTiles).flatMap(FineTile::blocks).mapToLong(SampleBlock::meanBytes).sum();
+        return allTiles().stream().mapToLong(CachedTile::colorBytes).sum() + sampleFilmBytes();
+    }
+
+    /** Returns the bytes of the films of finer samples. */
+    public long sampleFilmBytes() {
+        return Arrays.stream(fineTiles).mapToLong(tile -> tile.blocks().mapToLong(SampleBlock::meanBytes).sum() + tile.filmBytes()).sum();
+    }
+
+    /** Returns the bytes of the films that pixel centers keep. */
+    public long centerFilmBytes() {
+        return Arrays.stream(tiles).mapToLong(tile -> tile.films == null ? 0 : tile.films.bytes()).sum();
     }
 
     /** Returns the bytes of all rows, without colors. */

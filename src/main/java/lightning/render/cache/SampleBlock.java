@@ -1,5 +1,6 @@
 package lightning.render.cache;
 
+import lightning.render.shading.StoredFilms;
 import lightning.render.trace.SampleCells;
 import lightning.render.trace.SamplePositions;
 import org.jspecify.annotations.Nullable;
@@ -9,18 +10,18 @@ import org.jspecify.annotations.Nullable;
  *
  * @param pixels indices of the pixels in the tile, ascending
  * @param rows   the samples; all of the first pixel come first
- * @param means  mean color of each pixel's samples: red, green and blue, {@code float[pixels]} each
+ * @param means  means of each pixel's samples in each film: red, green and blue, {@code float[pixels]} each; null if unknown
  */
-public record SampleBlock(short[] pixels, CachedTile rows, float @Nullable [][] means) {
+public record SampleBlock(short[] pixels, CachedTile rows, @Nullable StoredFilms means) {
     // Arrays in a record: written once by their creator.
 
     /** Returns the positions of the samples in a tile. */
-    SamplePositions positions(SamplePositions centers, SampleCells cells) {
+    public SamplePositions positions(SamplePositions centers, SampleCells cells) {
         return new SamplePositions(centers.x0(), centers.y0(), pixels, cells);
     }
 
-    /** Returns the bytes of the mean colors. */
+    /** Returns the bytes of the means. */
     public long meanBytes() {
-        return 3L * Float.BYTES * pixels.length;
+        return means == null ? 0 : means.bytes();
     }
 }

@@ -3,8 +3,6 @@ package lightning.render.cache;
 import java.util.Arrays;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.RowWeights;
-import lightning.render.shading.ClearTerms;
-import lightning.render.shading.composition.BranchSums;
 import lightning.render.shading.fog.BounceColumns;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.HitRows;
@@ -15,39 +13,30 @@ import org.jspecify.annotations.Nullable;
  *
  * @param rows hits of the level's rays
  * @param layers layers of the lights of the scene that the level was lit for, in order; null for lights that were never on
- * @param branches optional partial sums that speed up composing while one light is edited, or null; valid only if their key is
- *     that of the update
- * @param clearTerms optional terms of the clear rows that speed up composing
  * @param weights weights of gather points for the rows
  * @param fog optional light in fog along the rays to these rows
  */
-public record TileLevel(HitRows rows, LightLayer[] layers, @Nullable BranchSums branches, @Nullable ClearTerms clearTerms,
-        @Nullable RowWeights weights, @Nullable BounceColumns fog) {
+public record TileLevel(HitRows rows, LightLayer[] layers, @Nullable RowWeights weights, @Nullable BounceColumns fog) {
     // An array in a record: written once by its creator.
 
-    /** Creates a level without partial sums, terms of clear rows, weights and light in fog. */
+    /** Creates a level without weights and light in fog. */
     public TileLevel(HitRows rows, LightLayer[] layers) {
-        this(rows, layers, null, null, null, null);
-    }
-
-    /** Returns this level with other partial sums and terms of clear rows. */
-    public TileLevel withCached(@Nullable BranchSums sums, @Nullable ClearTerms terms) {
-        return sums == branches && terms == clearTerms ? this : new TileLevel(rows, layers, sums, terms, weights, fog);
+        this(rows, layers, null, null);
     }
 
     /** Returns this level with other owners of its rows, or none. */
     public TileLevel withOwner(int @Nullable [] owner) {
-        return new TileLevel(rows.withOwner(owner), layers, branches, clearTerms, weights, null);
+        return new TileLevel(rows.withOwner(owner), layers, weights, null);
     }
 
     /** Returns this level with other weights of gather points, or none. */
     public TileLevel withWeights(@Nullable RowWeights to) {
-        return to == weights ? this : new TileLevel(rows, layers, branches, clearTerms, to, fog);
+        return to == weights ? this : new TileLevel(rows, layers, to, fog);
     }
 
     /** Returns this level with other light in fog along the rays to it, or none. */
     public TileLevel withFog(@Nullable BounceColumns to) {
-        return to == fog ? this : new TileLevel(rows, layers, branches, clearTerms, weights, to);
+        return to == fog ? this : new TileLevel(rows, layers, weights, to);
     }
 
     /** Returns whether another level has the same arrays of layers. */
@@ -60,13 +49,13 @@ public record TileLevel(HitRows rows, LightLayer[] layers, @Nullable BranchSums 
         return weights != null && weights.structure() == structure;
     }
 
-    /** Returns the bytes of all columns without array headers and partial sums. */
+    /** Returns the bytes of all columns without array headers. */
     public long bytes() {
         long bytes = rows.bytes();
         for (LightLayer layer : layers) {
             bytes += layer == null ? 0 : layer.bytes();
         }
-        return bytes + (clearTerms == null ? 0 : clearTerms.bytes()) + (weights == null ? 0 : weights.bytes())
+        return bytes + (weights == null ? 0 : weights.bytes())
                 + (fog == null ? 0 : fog.bytes());
     }
 }

@@ -4,14 +4,14 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import lightning.base.work.Progress;
 import lightning.render.engine.Engine;
 import lightning.render.gather.RowWeigher;
-import lightning.render.gather.RowWeights;
 import lightning.render.image.Film;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.EdgeColors;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.IndirectRows;
 import lightning.render.shading.RayCounts;
@@ -19,6 +19,9 @@ import lightning.render.shading.RenderedScenes;
 import lightning.render.shading.SampleMean;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.EdgeDetector;
+import lightning.render.shading.composition.FilmColors;
+import lightning.render.shading.composition.FilmMeans;
+import lightning.render.shading.composition.FilmMixer;
 import lightning.render.shading.composition.TileComposer;
 import lightning.render.shading.fog.BounceFog;
 import lightning.render.shading.fog.BounceStart;
@@ -39,7 +42,6 @@ import lightning.render.trace.Tracer;
 import lightning.scene.AntialiasMode;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
-import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
 import org.jspecify.annotations.Nullable;
 
@@ -60,9 +62,11 @@ final class TileTracer {
     /** Those of the current rays. */
     private HitRows[] levels = {};
     private final LightLayer[] layers;
-    private final float @Nullable [][] samples;
-    /** Colors by which edges are detected; null without edge detection. */
-    private final float @Nullable [][] edgeColors;
+    /** Films of the current rays, and of pixels that have several samples. */
+    private final FilmColors films = new FilmColors();
+    private final FilmMeans means;
+    private final FilmMixer mixer;
+    private final float[][] colors = new float[3][Film.TILE_PIXELS];
     private final SampleCells firstCells;
     private final SampleCells restCells;
     private long eyeRays;
@@ -71,19 +75,18 @@ final class TileTracer {
     /**
      * Lights of the two scenes of a trace.
      *
-     * @param direct           lights of the first level
-     * @param mirrored         lights of the levels in mirrors
+     * @param direct           films of the first level
+     * @param mirrored         films of the levels in mirrors
      * @param indirect         indirect light of the first level; null if the scene has none
      * @param mirroredIndirect indirect light of the levels in mirrors; null if their scene has none
      * @param fog              fog before the first level; null if the air is clear
      * @param bounceFog        fog along bounced rays; null if no light is seen there
      */
-    record SceneLights(WeightedLight[] direct, WeightedLight[] mirrored, @Nullable IndirectLight indirect,
+    record SceneLights(FilmParts direct, FilmParts mirrored, @Nullable IndirectLight indirect,
             @Nullable IndirectLight mirroredIndirect, @Nullable PictureFog fog, @Nullable PictureFog bounceFog) {
         static SceneLights of(RenderedScenes scenes) {
-            WeightedLight[] lights = WeightedLight.ofScene(scenes.scene());
-            return new SceneLights(lights, scenes.mirrored() == scenes.scene() ? lights : WeightedLight.ofScene(scenes.mirrored()), null,
-                    null, null, null);
+            FilmParts parts = FilmParts.of(scenes.scene());
+            return new SceneLights(parts, scenes.areReflectionsCurrent() ? parts : FilmParts.of(scenes.mirrored()), null, null, null, null);
         }
 
         SceneLights withIndirect(@Nullable IndirectLight light, @Nullable IndirectLight inMirrors) {
@@ -93,46 +96,39 @@ final class TileTracer {
         SceneLights withFog(@Nullable PictureFog v, @Nullable PictureFog bounced) {
             return new SceneLights(direct, mirrored, indirect, mirroredIndirect, v, bounced);
         }
+
+        /** Returns whether mirrors show an earlier scene. */
+        boolean areMirrorsOutdated() {
+            return direct != mirrored;
+        }
     }
 
     /** Data needed for the first level, or for the levels in mirrors. */
     private static final class LevelContext {
-        private final WeightedLight[] lights;
-        private final WeightedLight[] edgeLights;
+        private final FilmParts parts;
+        /** Films that are not dark. */
+        private final BitSet films;
         private final Scene scene;
-        private final World world;
         private final MaterialTable materials;
         private final TileVisibility visibility;
         private final LightKernel kernel;
         private final TileComposer composer;
-        /** Composes the colors by which edges are detected. */
-        private final TileComposer edgeComposer;
         /** Null if the scene has no indirect light, as the weigher. */
         private final @Nullable IndirectLight indirect;
         private final @Nullable RowWeigher weigher;
 
-        LevelContext(Geometry geometry, Scene scene, WeightedLight[] lights, @Nullable IndirectLight indirect, Engine engine,
-                Tracer tracer) {
-            this.lights = lights;
+        LevelContext(Geometry geometry, FilmParts parts, @Nullable IndirectLight indirect, Engine engine, Tracer tracer) {
+            this.parts = parts;
+            films = parts.shining();
             this.indirect = indirect;
             weigher = indirect == null ? null : new RowWeigher(indirect.structure());
-            edgeLights = WeightedLight.forEdges(lights);
-            this.scene = scene;
-            world = scene.world();
+            scene = parts.scene();
             materials = geometry.materials();
             visibility = new TileVisibility(geometry, scene, tracer);
             kernel = new LightKernel(geometry, tracer, engine.terms(), ViewEffects.ALL);
             composer = new TileComposer(scene, materials, engine.sums(), ViewEffects.ALL);
-            edgeComposer = new TileComposer(scene, materials, engine.sums(), ViewEffects.ALL);
         }
     }
-
-    /**
-     * Colors of the rays that bounce from the rows of a level.
-     *
-     * @param edges the same as edge detection sees them; null without edge detection
-     */
-    private record BouncedColors(@Nullable BounceImages colors, @Nullable BounceImages edges) {}
 
     /** @param lights lights of both scenes, shared by all threads and not modified */
     TileTracer(Geometry geometry, Geometry mirroredGeometry, RenderedScenes scenes, SceneLights lights, SamplingSettings sampling,
@@ -140,20 +136,18 @@ final class TileTracer {
         this.sampling = sampling;
         depth = scenes.scene().picture().depth();
         Tracer tracer = engine.tracer(geometry);
-        eyeLevel = new LevelContext(geometry, scenes.scene(), lights.direct(), lights.indirect(), engine, tracer);
-        mirrorLevels =
-                scenes.mirrored() == scenes.scene() ? eyeLevel
-                        : new LevelContext(mirroredGeometry, scenes.mirrored(), lights.mirrored(), lights.mirroredIndirect(), engine,
-                                tracer);
-        fogLookup = lights.fog() == null ? null : new FogLookup(lights.fog(), lights.direct());
-        bounceFog = BounceFog.of(scenes.mirrored(), lights.bounceFog());
+        eyeLevel = new LevelContext(geometry, lights.direct(), lights.indirect(), engine, tracer);
+        mirrorLevels = !lights.areMirrorsOutdated() ? eyeLevel
+                : new LevelContext(mirroredGeometry, lights.mirrored(), lights.mirroredIndirect(), engine, tracer);
+        mixer = new FilmMixer(lights.direct(), lights.areMirrorsOutdated() ? lights.mirrored() : null);
+        fogLookup = lights.fog() == null ? null : new FogLookup(lights.fog(), lights.direct().lights());
+        bounceFog = BounceFog.of(mirrorLevels.scene, lights.bounceFog());
         centerLevels = new HitRows[depth + 1];
         sampleLevels = new HitRows[depth + 1];
-        layers = new LightLayer[Math.max(eyeLevel.lights.length, mirrorLevels.lights.length)];
-        samples = sampling.isSupersampled() ? new float[3][Film.TILE_PIXELS] : null;
-        edgeColors = sampling.antialias() == AntialiasMode.EDGES ? new float[3][Film.TILE_PIXELS] : null;
+        layers = new LightLayer[Math.max(eyeLevel.parts.lights().length, mirrorLevels.parts.lights().length)];
         firstCells = SampleCells.first(sampling);
         restCells = SampleCells.rest(sampling);
+        means = new FilmMeans(firstCells.count(), restCells.count());
     }
 
     /** Returns the rays cast so far. */
@@ -164,22 +158,19 @@ final class TileTracer {
 
     /** Traces the centers of a tile's pixels. */
     void traceCenters(Film film, int tile, Progress progress) {
-        traceCenters(film, tile, false, progress);
-    }
-
-    /** Traces the centers of a tile's pixels; returns the colors by which edges are detected. */
-    EdgeColors traceCentersWithEdges(Film film, int tile, Progress progress) {
-        traceCenters(film, tile, true, progress);
-        return new EdgeColors(EdgeColors.pack(requireNonNull(edgeColors)), null);
-    }
-
-    private void traceCenters(Film film, int tile, boolean detectEdges, Progress progress) {
         int x0 = tile % film.tilesX() * Film.TILE_SIZE;
         int y0 = tile / film.tilesX() * Film.TILE_SIZE;
         levels = centerLevels;
         eyeLevel.visibility.traceEyeRays(x0, y0, Film.TILE_SIZE, (count, textured, clear) -> levelRows(0));
         eyeRays += (long) Math.min(Film.TILE_SIZE, film.width() - x0) * Math.min(Film.TILE_SIZE, film.height() - y0);
-        composeTile(SamplePositions.centers(x0, y0), detectEdges, tileColors(film, tile), progress);
+        composeTile(SamplePositions.centers(x0, y0), progress);
+        mixer.mix(films::get, tileColors(film, tile));
+    }
+
+    /** Traces the centers of a tile's pixels; returns the colors by which edges are detected. */
+    EdgeColors traceCentersWithEdges(Film film, int tile, Progress progress) {
+        traceCenters(film, tile, progress);
+        return new EdgeColors(mixer.edgeColors(films::get), null);
     }
 
     private static float[][] tileColors(Film film, int tile) {
@@ -190,106 +181,93 @@ final class TileTracer {
     void traceSamples(Film film, int tile, short[] pixels, Progress progress) {
         boolean refines = restCells.count() > 0;
         BitSet refined = new BitSet();
-        forEachBatch(film, tile, pixels, firstCells, refines, (batch, colors) -> {
-            float[][] pixel = tileColors(film, tile);
-            float[][] means = SampleMean.ofPixels(batch.length, firstCells.count(), colors);
-            int[] packed = refines ? EdgeColors.pack(requireNonNull(edgeColors)) : null;
-            for (int i = 0; i < batch.length; i++) {
-                for (int c = 0; c < 3; c++) {
-                    pixel[c][batch[i]] = means[c][i];
-                }
-                refined.set(batch[i], packed != null && EdgeColors.needMore(packed, i * firstCells.count(), firstCells.count()));
+        means.clear(mixer.films());
+        forEachBatch(tile, pixels, firstCells, batch -> {
+            means.setFirst(batch, films);
+            int[] packed = refines ? mixer.edgeColors(films::get) : null;
+            for (int i = 0; packed != null && i < batch.length; i++) {
+                refined.set(batch[i], EdgeColors.needMore(packed, i * firstCells.count(), firstCells.count()));
             }
         }, progress);
-        forEachBatch(film, tile, EdgeDetector.toPixels(refined), restCells, false, (batch, colors) -> {
-            float[][] pixel = tileColors(film, tile);
-            float[][] means = SampleMean.ofPixels(batch.length, restCells.count(), colors);
-            for (int i = 0; i < batch.length; i++) {
-                for (int c = 0; c < 3; c++) {
-                    pixel[c][batch[i]] =
-                            SampleMean.combine(pixel[c][batch[i]], firstCells.count(), means[c][i], restCells.count());
-                }
+        forEachBatch(tile, EdgeDetector.toPixels(refined), restCells, batch -> means.addRest(batch, refined, films), progress);
+        mixer.mix(means.films()::get, colors);
+        float[][] pixel = tileColors(film, tile);
+        for (short i : pixels) {
+            for (int c = 0; c < 3; c++) {
+                pixel[c][i] = colors[c][i];
             }
-        }, progress);
+        }
     }
 
-    /** Traces samples of pixels in batches; the consumer receives the pixels of each batch and the colors of their samples. */
-    private void forEachBatch(Film film, int tile, short[] pixels, SampleCells cells, boolean detectEdges,
-            BiConsumer<short[], float[][]> consumer, Progress progress) {
+    /** Traces samples of pixels in batches; the consumer receives the pixels of each batch, whose samples are then in the films. */
+    private void forEachBatch(int tile, short[] pixels, SampleCells cells, Consumer<short[]> consumer, Progress progress) {
         int batchSize = pixels.length == 0 ? 0 : SampleMean.pixelsPerBatch(cells.count());
         levels = sampleLevels;
-        float[][] colors = requireNonNull(samples);
+        int tilesX = Film.tilesAlong(eyeLevel.scene.picture().width());
         for (int from = 0; from < pixels.length && !progress.isCanceled(); from += batchSize) {
             short[] batch = Arrays.copyOfRange(pixels, from, Math.min(pixels.length, from + batchSize));
-            var places = new SamplePositions(tile % film.tilesX() * Film.TILE_SIZE, tile / film.tilesX() * Film.TILE_SIZE, batch, cells);
+            var places = new SamplePositions(tile % tilesX * Film.TILE_SIZE, tile / tilesX * Film.TILE_SIZE, batch, cells);
             eyeLevel.visibility.traceSamples(places, (count, textured, clear) -> levelRows(0));
             eyeRays += places.count();
-            composeTile(places, detectEdges, colors, progress);
-            consumer.accept(batch, colors);
+            composeTile(places, progress);
+            consumer.accept(batch);
         }
     }
 
-    /** Composes the colors of the first level's rows. */
-    private void composeTile(SamplePositions places, boolean detectEdges, float[][] colors, Progress progress) {
-        BouncedColors images = traceImages(0, bounceFog == null ? null : bounceFog.start(places, levels[0]), detectEdges, progress);
-        eyeLevel.composer.fillBackground(levels[0], eyeLevel.scene, places, colors);
-        if (detectEdges) {
-            eyeLevel.edgeComposer.fillBackground(levels[0], eyeLevel.scene, places, requireNonNull(edgeColors));
+    /** Composes the colors of the first level's rows in all films. */
+    private void composeTile(SamplePositions places, Progress progress) {
+        FilmColors[] images = traceImages(0, bounceFog == null ? null : bounceFog.start(places, levels[0]), progress);
+        eyeLevel.composer.fillBackground(levels[0], eyeLevel.parts, eyeLevel.films, places, films);
+        compose(eyeLevel, 0, mirrorLevels == eyeLevel ? images : null, films, progress);
+        if (mirrorLevels != eyeLevel && images != null) {
+            BounceImages earlier = mixer.images(levels[0], images, false).compact(levels[0]);
+            BounceImages edges = sampling.antialias() == AntialiasMode.EDGES ? mixer.images(levels[0], images, true) : null;
+            mixer.addEarlierMirrors(levels[0], earlier, edges, eyeLevel.composer, films);
         }
-        compose(eyeLevel, 0, images, colors, detectEdges ? edgeColors : null, progress);
         if (fogLookup != null) {
-            fogComposer.add(fogLookup.tile(places, levels[0], null), eyeLevel.lights, eyeLevel.world.fog(), colors);
+            fogComposer.add(fogLookup.tile(places, levels[0], null), eyeLevel.parts, eyeLevel.films, eyeLevel.scene.world().fog(), films);
         }
     }
 
     /**
-     * Traces the rays that bounce from the rows of a level; returns their colors.
+     * Traces the rays that bounce from the rows of a level; returns their colors, null if they are black.
      *
      * @param start the rows as the start of bounced rays; null if these show no light in fog
      */
-    private BouncedColors traceImages(int level, @Nullable BounceStart start, boolean detectEdges, Progress progress) {
+    private FilmColors @Nullable [] traceImages(int level, @Nullable BounceStart start, Progress progress) {
         HitRows rows = levels[level];
         if (level == depth || rows.reflectiveCount == 0) {
-            return new BouncedColors(mirrorLevels.composer.blackImages(rows),
-                    detectEdges ? mirrorLevels.edgeComposer.blackImages(rows) : null);
+            return null;
         }
-        BounceImages images = mirrorLevels.composer.backgroundImages(rows, mirrorLevels.world, level);
-        BounceImages edges = detectEdges ? mirrorLevels.edgeComposer.backgroundImages(rows, mirrorLevels.world, level) : null;
+        FilmColors[] images = mirrorLevels.composer.backgrounds(rows, mirrorLevels.parts, mirrorLevels.films, level);
         for (BounceKind bounce : BounceKind.values()) {
             if (bounce.rowCount(rows) > 0 && !progress.isCanceled()) {
                 mirrorLevels.visibility.traceBounceRays(rows, bounce, null, (count, textured, clear) -> levelRows(level + 1));
                 bounceRays += mirrorLevels.visibility.rayCount();
-                BouncedColors below =
-                        traceImages(level + 1, start == null ? null : start.below(bounce, levels[level + 1]), detectEdges, progress);
-                assert images != null;
-                compose(mirrorLevels, level + 1, below, images.forBounce(bounce), edges != null ? edges.forBounce(bounce) : null, progress);
+                FilmColors[] below = traceImages(level + 1, start == null ? null : start.below(bounce, levels[level + 1]), progress);
+                FilmColors colors = images[bounce.ordinal()];
+                compose(mirrorLevels, level + 1, below, colors, progress);
                 if (bounceFog != null) {
                     bounceFog.add(rows, levels[level + 1], bounce, mirrorLevels.materials,
-                            bounceFog.columns(rows, levels[level + 1], bounce, mirrorLevels.materials, start, mirrorLevels.lights, null),
-                            mirrorLevels.lights, images.forBounce(bounce));
+                            bounceFog.columns(rows, levels[level + 1], bounce, mirrorLevels.materials, start, mirrorLevels.parts.lights(),
+                                    null),
+                            mirrorLevels.parts, mirrorLevels.films, colors);
                 }
             }
         }
-        return new BouncedColors(images, edges);
+        return images;
     }
 
-    /** @param edgeTo receives the colors by which edges are detected; null without edge detection */
-    private void compose(LevelContext side, int level, BouncedColors images, float[][] to, float @Nullable [][] edgeTo, Progress progress) {
+    private void compose(LevelContext side, int level, FilmColors @Nullable [] images, FilmColors to, Progress progress) {
         columns.reset();
-        for (int l = 0; l < side.lights.length && !progress.isCanceled(); l++) {
-            layers[l] = side.lights[l].isDark() ? null : side.kernel.recompute(levels[level], side.lights[l].source(), columns);
+        WeightedLight[] lights = side.parts.lights();
+        for (int l = 0; l < lights.length && !progress.isCanceled(); l++) {
+            layers[l] = lights[l].isDark() ? null : side.kernel.recompute(levels[level], lights[l].source(), columns);
         }
         if (!progress.isCanceled()) {
-            RowWeights weights = side.weigher == null ? null : side.weigher.weigh(levels[level]);
-            side.composer.composeLevel(levels[level], side.lights, layers, side.world,
-                    weights == null || side.indirect == null ? null : new IndirectRows(weights, side.indirect.light()), images.colors(),
-                    to);
-            if (edgeTo != null) {
-                side.edgeComposer.composeLevel(levels[level], side.edgeLights, layers, side.world,
-                        weights == null || side.indirect == null ? null
-                                : new IndirectRows(weights, requireNonNull(side.indirect.edgeLight())),
-                        images.edges(), edgeTo);
-            }
+            IndirectRows indirect = side.weigher == null ? null
+                    : new IndirectRows(side.weigher.weigh(levels[level]), requireNonNull(side.indirect).light());
+            side.composer.composeLevel(levels[level], side.parts, side.films, layers, indirect, images, to);
         }
     }
 
@@ -299,7 +277,7 @@ final class TileTracer {
                     eyeLevel.materials.anyTexels().or(mirrorLevels.materials.anyTexels()),
                     eyeLevel.materials.clearCount() > 0 || mirrorLevels.materials.clearCount() > 0,
                     levels == sampleLevels,
-                    WeightedLight.needOwners(eyeLevel.lights) || WeightedLight.needOwners(mirrorLevels.lights));
+                    WeightedLight.needOwners(eyeLevel.parts.lights()) || WeightedLight.needOwners(mirrorLevels.parts.lights()));
         }
         return levels[k];
     }

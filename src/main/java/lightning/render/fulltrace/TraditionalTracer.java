@@ -10,10 +10,10 @@ import lightning.render.engine.EngineWorkers;
 import lightning.render.engine.choice.Engines;
 import lightning.render.image.Film;
 import lightning.render.shading.EdgeColors;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.RenderedScenes;
-import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.EdgeDetector;
 import lightning.render.shading.fog.PictureFog;
 import lightning.render.trace.Geometry;
@@ -92,7 +92,7 @@ public final class TraditionalTracer {
      * @throws java.util.concurrent.CancellationException if {@code progress} requested cancellation
      */
     public @Nullable IndirectLight traceIndirect(WorkerPool workers, Progress progress) {
-        return new IndirectTracer(geometry, scene, WeightedLight.ofScene(scene), engines, workers, progress).trace();
+        return new IndirectTracer(geometry, FilmParts.of(scene), engines, workers, progress).trace();
     }
 
     /**
@@ -101,7 +101,7 @@ public final class TraditionalTracer {
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
     public @Nullable PictureFog traceFog(WorkerPool workers, Progress progress) {
-        return new FogTracer(geometry, scene, engines, workers, new ProgressPart(progress, 0, 1)).trace(WeightedLight.ofScene(scene));
+        return new FogTracer(geometry, scene, engines, workers, new ProgressPart(progress, 0, 1)).trace(FilmParts.of(scene).lights());
     }
 
     /**
@@ -111,7 +111,7 @@ public final class TraditionalTracer {
      */
     public @Nullable PictureFog traceBounceFog(WorkerPool workers, Progress progress) {
         return new FogTracer(mirroredGeometry, mirrored, engines, workers, new ProgressPart(progress, 0, 1))
-                .traceBounces(WeightedLight.ofScene(mirrored));
+                .traceBounces(FilmParts.of(mirrored).lights());
     }
 
     private int[] allTiles() {
@@ -146,16 +146,16 @@ public final class TraditionalTracer {
     private Result trace(WorkerPool workers, int[] tiles, Progress indirectProgress, Progress progress) {
         RenderedScenes scenes = new RenderedScenes(scene, mirrored);
         TileTracer.SceneLights lights = TileTracer.SceneLights.of(scenes);
-        IndirectTracer indirect = new IndirectTracer(geometry, scene, lights.direct(), engines, workers, indirectProgress);
-        IndirectTracer inMirrors = scene == mirrored ? indirect
-                : new IndirectTracer(mirroredGeometry, mirrored, lights.mirrored(), engines, workers, indirectProgress);
+        IndirectTracer indirect = new IndirectTracer(geometry, lights.direct(), engines, workers, indirectProgress);
+        IndirectTracer inMirrors = !lights.areMirrorsOutdated() ? indirect
+                : new IndirectTracer(mirroredGeometry, lights.mirrored(), engines, workers, indirectProgress);
         IndirectLight light = indirect.trace();
         ProgressPart fogProgress = new ProgressPart(progress, 0, FOG_SHARE);
         FogTracer fog = new FogTracer(geometry, scene, engines, workers, fogProgress.section(0, 2));
         FogTracer mirroredFog = new FogTracer(mirroredGeometry, mirrored, engines, workers, fogProgress.section(1, 2));
         List<EngineWorkers<TileTracer>> threads =
                 createTracers(workers, scenes, lights.withIndirect(light, inMirrors == indirect ? light : inMirrors.trace())
-                        .withFog(fog.trace(lights.direct()), mirroredFog.traceBounces(lights.mirrored())));
+                        .withFog(fog.trace(lights.direct().lights()), mirroredFog.traceBounces(lights.mirrored().lights())));
         Film film = trace(workers, threads, tiles,
                 scene.world().fog().isPresent() ? new ProgressPart(progress, FOG_SHARE, 1) : progress);
         RayCounts rays = indirect.rays().plus(inMirrors == indirect ? RayCounts.NONE : inMirrors.rays());

@@ -257,11 +257,6 @@ public final class GatherStructure {
         return light;
     }
 
-    /** Returns the bytes of the light at all points. */
-    public long lightBytes() {
-        return (long) Float.BYTES * (3L * pointCount() + (reflections == null ? 0 : 6L * reflections.count()));
-    }
-
     /** Returns the rays that were cast to build it. */
     public long rays() {
         return rays;

@@ -33,7 +33,7 @@ public final class LightMatch {
      */
     public static MatchResult of(PixelCache cache, RenderOptions options, ReferenceImage reference, MatchSettings settings,
             Progress progress) {
-        return of(MatchContributions.of(cache, options, Optional.empty(), progress), cache, options, reference, settings, progress);
+        return of(MatchContributions.of(cache, options, progress), cache, options, reference, settings, progress);
     }
 
     /**
@@ -57,7 +57,7 @@ public final class LightMatch {
             renderer.restore(cache);
             renderer.render(moved, progress.cancellationOnly());
             MatchResult result = linear(
-                    MatchContributions.of(renderer.cache(), options, Optional.of(contributions), progress.cancellationOnly()),
+                    MatchContributions.of(renderer.cache(), options, progress.cancellationOnly()),
                     renderer.cache(), reference, settings);
             return result.errorAfter() >= linear.errorAfter() ? linear
                     : new MatchResult(Optional.of(moved), result.factors(), linear.errorBefore(), result.errorAfter(), result.exposure(),
@@ -68,8 +68,8 @@ public final class LightMatch {
     private static MatchResult linear(MatchContributions contributions, PixelCache cache, ReferenceImage reference,
             MatchSettings settings) {
         MatchImages images =
-                MatchImages.of(contributions, contributions.picture(cache), contributions.skipped(cache), settings.lights());
-        LinearMatch match = new LinearMatch(images, List.of(), TargetCells.all(reference, images.grid(), images.skipped()), settings);
+                MatchImages.of(contributions, contributions.grid().of(cache.film()), settings.lights());
+        LinearMatch match = new LinearMatch(images, List.of(), TargetCells.all(reference, images.grid()), settings);
         int lights = images.names().size();
         double[][] after = match.solveSparsely();
         List<LightFactor> factors = IntStream.range(0, lights)

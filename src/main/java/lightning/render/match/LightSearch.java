@@ -1,9 +1,7 @@
 package lightning.render.match;
 
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.render.relight.Renderer;
@@ -47,8 +45,6 @@ final class LightSearch implements AutoCloseable {
     private final List<LightParameter> parameters;
     private final Renderer renderer;
     private final Progress progress;
-    /** Contributions at the best values so far: lights that did not move since then are not composed again. */
-    private Optional<MatchContributions> known = Optional.empty();
     private int stepsDone;
 
     /** The picture at some values of all parameters, over the cells of a level. */
@@ -91,7 +87,7 @@ final class LightSearch implements AutoCloseable {
         for (int level = 0; level < CELLS.length && !parameters.isEmpty(); level++) {
             PixelMeans grid = new PixelMeans(Math.ceilDiv(start.picture().width(), CELLS[level]),
                     Math.ceilDiv(start.picture().height(), CELLS[level]));
-            Level search = new Level(grid, TargetCells.all(reference, grid, new BitSet()));
+            Level search = new Level(grid, TargetCells.all(reference, grid));
             if (level == 0) {
                 values = search.turn(values);
             }
@@ -105,7 +101,7 @@ final class LightSearch implements AutoCloseable {
     private MatchContributions contributions(double[] values) {
         Scene scene = LightParameter.edited(start, parameters, values);
         renderer.render(scene, progress.cancellationOnly());
-        return MatchContributions.of(renderer.cache(), options, known, progress.cancellationOnly());
+        return MatchContributions.of(renderer.cache(), options, progress.cancellationOnly());
     }
 
     private static double[] with(double[] values, int index, double value) {
@@ -135,7 +131,7 @@ final class LightSearch implements AutoCloseable {
             for (int i = 0; i < parameters.size(); i++) {
                 LightParameter parameter = parameters.get(i);
                 if (parameter.isTurn()) {
-                    State found = start(best);
+                    State found = state(best);
                     for (int t = 1; t < TURNS; t++) {
                         State state = state(with(values, i, parameter.min() + t * (parameter.max() - parameter.min()) / TURNS));
                         found = state.error < found.error ? state : found;
@@ -148,7 +144,7 @@ final class LightSearch implements AutoCloseable {
 
         /** Returns the values after steps that make the error smaller. */
         double[] descend(double[] values, double firstRadius) {
-            State best = start(values);
+            State best = state(values);
             double radius = firstRadius;
             for (int step = 0; step < STEPS && radius > LEAST_RADIUS; step++) {
                 progress.report(stepsDone + step, CELLS.length * STEPS);
@@ -161,18 +157,10 @@ final class LightSearch implements AutoCloseable {
                 double gain = (best.error - next.error) / expected;
                 if (next.error < best.error) {
                     best = next;
-                    known = Optional.of(best.contributions);
                 }
                 radius *= gain < POOR ? SHRINK : gain > GOOD ? GROW : 1;
             }
             return best.values;
-        }
-
-        /** Returns the state at some values, whose contributions are those that later ones reuse. */
-        private State start(double[] values) {
-            State state = state(values);
-            known = Optional.of(state.contributions);
-            return state;
         }
 
         private State state(double[] values) {
@@ -184,11 +172,10 @@ final class LightSearch implements AutoCloseable {
         }
 
         private MatchImages images(MatchContributions contributions) {
-            float[][] picture = contributions.picture(renderer.cache());
-            MatchImages fine = MatchImages.of(contributions, picture, new BitSet(), settings.lights());
+            MatchImages fine = MatchImages.of(contributions, contributions.grid().of(renderer.film()), settings.lights());
             PixelMeans pixels = contributions.grid();
             return new MatchImages(grid, fine.names(), fine.lights().stream().map(image -> grid.of(image, pixels)).toList(),
-                    grid.of(fine.rest(), pixels), fine.unseen(), fine.skipped());
+                    grid.of(fine.rest(), pixels), fine.unseen());
         }
 
         /** Returns the best step of at most some radius, as if the picture changed in proportion. */

@@ -1,7 +1,6 @@
 package lightning.render.match;
 
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -15,17 +14,15 @@ import lightning.scene.Contribution;
  * @param lights  {@code float[channel][cell]} of each
  * @param rest    the picture without them, {@code float[channel][cell]}
  * @param unseen  contributions that are black
- * @param skipped cells that do not count
  */
-record MatchImages(PixelMeans grid, List<Contribution> names, List<float[][]> lights, float[][] rest, List<Contribution> unseen,
-        BitSet skipped) {
+record MatchImages(PixelMeans grid, List<Contribution> names, List<float[][]> lights, float[][] rest, List<Contribution> unseen) {
     // Arrays in a record: written once by their creator, never after.
 
     /**
      * @param picture the picture of the contributions, {@code float[channel][cell]}; not modified
      * @param chosen  contributions; empty for all that shine
      */
-    static MatchImages of(MatchContributions contributions, float[][] picture, BitSet skipped, Optional<Set<Contribution>> chosen) {
+    static MatchImages of(MatchContributions contributions, float[][] picture, Optional<Set<Contribution>> chosen) {
         float[][] rest = {picture[0].clone(), picture[1].clone(), picture[2].clone()};
         List<Contribution> names = new ArrayList<>();
         List<float[][]> lights = new ArrayList<>();
@@ -41,7 +38,7 @@ record MatchImages(PixelMeans grid, List<Contribution> names, List<float[][]> li
                 }
             }
         }
-        return new MatchImages(contributions.grid(), List.copyOf(names), List.copyOf(lights), rest, List.copyOf(unseen), skipped);
+        return new MatchImages(contributions.grid(), List.copyOf(names), List.copyOf(lights), rest, List.copyOf(unseen));
     }
 
     /** Returns whether an image that was subtracted has any light. */

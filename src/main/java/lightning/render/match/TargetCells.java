@@ -1,6 +1,5 @@
 package lightning.render.match;
 
-import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -22,21 +21,19 @@ record TargetCells(float[][] values, double[] weights, double total) {
     /**
      * Returns the cells of a reference, and after them those that shall stay, if there are any.
      *
-     * @param skipped cells that do not count
      * @throws IllegalArgumentException if no cell counts
      */
-    static List<TargetCells> all(ReferenceImage reference, PixelMeans grid, BitSet skipped) {
+    static List<TargetCells> all(ReferenceImage reference, PixelMeans grid) {
         TargetCells counting =
-                of(reference, grid, skipped).orElseThrow(() -> new IllegalArgumentException("no pixel of the reference counts"));
+                of(reference, grid).orElseThrow(() -> new IllegalArgumentException("no pixel of the reference counts"));
         Optional<TargetCells> staying = reference.stays().length == 0 ? Optional.empty()
-                : of(new ReferenceImage(reference.film(), reference.stays()), grid, skipped);
+                : of(new ReferenceImage(reference.film(), reference.stays()), grid);
         return Stream.concat(Stream.of(counting), staying.stream()).toList();
     }
 
     /** Returns the cells that count; empty if none does. */
-    private static Optional<TargetCells> of(ReferenceImage reference, PixelMeans grid, BitSet skipped) {
+    private static Optional<TargetCells> of(ReferenceImage reference, PixelMeans grid) {
         PixelMeans.Means target = grid.of(reference.film(), reference.weights());
-        skipped.stream().forEach(i -> target.weights()[i] = 0);
         double[] weights = new double[target.weights().length];
         double sum = 0;
         double total = 0;

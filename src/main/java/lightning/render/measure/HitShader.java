@@ -1,7 +1,12 @@
 package lightning.render.measure;
 
+import java.util.Arrays;
+import java.util.BitSet;
 import java.util.stream.IntStream;
 import lightning.render.engine.Engine;
+import lightning.render.shading.FilmPart;
+import lightning.render.shading.FilmParts;
+import lightning.render.shading.LightWeight;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.SurfelShader;
 import lightning.render.shading.layer.LightKernel;
@@ -20,8 +25,9 @@ final class HitShader {
 
     private final LightKernel kernel;
     private final SurfelShader shader;
-    private final WeightedLight[] lights;
-    private final float ambience;
+    private final FilmParts parts;
+    private final BitSet shining;
+    private final float[][] film = new float[3][RayBatch.MAX_RAYS];
     private final ScratchColumns columns = new ScratchColumns();
     /** Lights' diffuse sum where each ray hits: red, green and blue. */
     final float[][] direct = new float[3][RayBatch.MAX_RAYS];
@@ -35,8 +41,8 @@ final class HitShader {
     HitShader(Scene scene, Geometry geometry, Engine engine, Tracer tracer) {
         kernel = new LightKernel(geometry, tracer, engine.terms(), ViewEffects.ALL);
         shader = new SurfelShader(geometry.materials(), engine.sums());
-        lights = WeightedLight.ofScene(scene);
-        ambience = (float) scene.world().ambience();
+        parts = FilmParts.of(scene);
+        shining = parts.shining();
     }
 
     /** Returns the hits of the traced rays of a batch. */
@@ -47,17 +53,49 @@ final class HitShader {
     /** Writes all columns at the rays that hit. */
     void shade(HitRows rows) {
         columns.reset();
+        WeightedLight[] lights = parts.lights();
         LightLayer[] layers = new LightLayer[lights.length];
         for (int l = 0; l < lights.length; l++) {
             layers[l] = lights[l].isDark() ? null : kernel.recompute(rows, lights[l].source(), columns);
         }
-        shader.writeDirectLight(rows, lights, layers, RAYS_BY_INDEX, direct);
         shadeUnlit(rows);
-        shader.addShownLight(rows, lights, layers, RAYS_BY_INDEX, seen, seen);
+        shader.start(rows);
+        clear(direct);
+        for (int part = shining.nextSetBit(0); part >= 0; part = shining.nextSetBit(part + 1)) {
+            clear(film);
+            if (shader.writeDirectLight(rows, parts, part, layers, RAYS_BY_INDEX, film)) {
+                addTo(direct, parts.get(part).weight());
+            }
+            clear(film);
+            shader.addShownLight(rows, parts, part, layers, RAYS_BY_INDEX, film);
+            addTo(seen, parts.get(part).weight());
+        }
     }
 
     /** Writes all columns but the lights' sum. */
     void shadeUnlit(HitRows rows) {
-        shader.writeReflection(rows, RAYS_BY_INDEX, albedo, glow, seen, ambience);
+        shader.writeAlbedo(rows, RAYS_BY_INDEX, albedo);
+        clear(seen);
+        for (int part = shining.nextSetBit(0); part >= 0; part = shining.nextSetBit(part + 1)) {
+            shader.writeEmission(rows, parts, part, RAYS_BY_INDEX, true, film);
+            addTo(seen, parts.get(part).weight());
+            if (parts.get(part).kind() == FilmPart.Kind.REST) {
+                shader.writeEmission(rows, parts, part, RAYS_BY_INDEX, false, glow);
+            }
+        }
+    }
+
+    private static void clear(float[][] columns) {
+        for (float[] column : columns) {
+            Arrays.fill(column, 0);
+        }
+    }
+
+    private void addTo(float[][] columns, LightWeight weight) {
+        for (int c = 0; c < 3; c++) {
+            for (int i = 0; i < columns[c].length; i++) {
+                columns[c][i] += weight.channel(c) * film[c][i];
+            }
+        }
     }
 }

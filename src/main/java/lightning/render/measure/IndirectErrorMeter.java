@@ -127,7 +127,7 @@ public final class IndirectErrorMeter implements AutoCloseable {
     private static double luminance(PixelCache cache, int pixel) {
         TileLevel level = SampledPixels.level(cache, pixel);
         float[][] light = new float[3][Film.TILE_SIZE * Film.TILE_SIZE];
-        requireNonNull(level.weights()).interpolate(requireNonNull(cache.indirect()).light().light(), light);
+        requireNonNull(level.weights()).interpolate(requireNonNull(cache.indirect()).light().sum(cache.parts()), light);
         int row = SampledPixels.row(cache, level.rows(), pixel);
         return BruteForceGather.luminance(light[0][row], light[1][row], light[2][row]);
     }

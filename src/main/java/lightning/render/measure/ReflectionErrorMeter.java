@@ -149,7 +149,7 @@ public final class ReflectionErrorMeter implements AutoCloseable {
     private static double luminance(PixelCache cache, Sample sample) {
         TileLevel level = SampledPixels.level(cache, sample.pixel);
         float[] light = new float[9];
-        requireNonNull(level.weights()).interpolate(requireNonNull(cache.indirect()).light().light(),
+        requireNonNull(level.weights()).interpolate(requireNonNull(cache.indirect()).light().sum(cache.parts()),
                 SampledPixels.row(cache, level.rows(), sample.pixel), light);
         double[] means = new double[6];
         for (int i = 0; i < means.length; i++) {

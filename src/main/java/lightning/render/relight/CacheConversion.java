@@ -2,6 +2,7 @@ package lightning.render.relight;
 
 import static java.util.Objects.requireNonNull;
 
+import java.util.BitSet;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
@@ -9,9 +10,11 @@ import lightning.base.work.WorkerPool;
 import lightning.render.cache.CachedLight;
 import lightning.render.cache.CachedScene;
 import lightning.render.cache.CachedTile;
+import lightning.render.cache.FineSamples;
 import lightning.render.cache.FineTile;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
+import lightning.render.cache.SampleBlock;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
 import lightning.render.engine.EngineWorkers;
@@ -24,14 +27,19 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.render.relight.tile.TileRecomposer;
 import lightning.render.relight.tile.WorkCounts;
 import lightning.render.shading.BounceImages;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.RayCounts;
+import lightning.render.shading.SampleMean;
+import lightning.render.shading.StoredFilms;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.composition.FilmColors;
+import lightning.render.shading.composition.FilmMixer;
 import lightning.render.shading.fog.BounceFog;
-import lightning.render.shading.fog.FogComposer;
 import lightning.render.shading.layer.LightKernel;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
+import lightning.render.trace.SampleCells;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
@@ -74,20 +82,20 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         FineTile[] fine = new FineTile[cache.fineCount()];
         int tilesX = Film.tilesAlong(cache.scene().picture().width());
         workers.run(Math.max(tiles.length, fine.length), (worker, i) -> {
+            TileConverter converter = threads.get(worker).forTile(i);
             SamplePositions centers = SamplePositions.centers(i % tilesX * Film.TILE_SIZE, i / tilesX * Film.TILE_SIZE);
-            CachedTile center = tiles.length == 0 ? null : threads.get(worker).forTile(i).convert(centers, cache.tile(i), top, mirrors);
+            CachedTile center = tiles.length == 0 ? null : converter.convert(centers, cache.tile(i), true, top, mirrors);
             if (center != null) {
                 tiles[i] = center;
             }
             if (fine.length > 0) {
-                FineTile tile = cache.fineTile(i).map(center, centers,
-                        (places, block) -> threads.get(worker).forTile(i).convert(places, block, top, mirrors));
-                fine[i] = options.method().isExact() ? tile.withoutColors() : tile;
+                fine[i] = converter.convert(cache.fineTile(i), center, centers, top, mirrors);
             }
         }, progress);
         WorkCounts work = threads.stream().flatMap(thread -> thread.workers().stream()).map(TileConverter::work).reduce(WorkCounts.NONE,
                 WorkCounts::plus);
-        return new Result(new PixelCache(cache.geometry(), tiles, fine, recomputed(cache.shown()), recomputed(cache.mirrored())), work);
+        return new Result(new PixelCache(cache.geometry(), tiles, fine, recomputed(cache.shown()), recomputed(cache.mirrored()),
+                !options.method().isExact()), work);
     }
 
     /** Returns the scene with stamps of layers that were just computed; only scenes without gathered light are converted. */
@@ -95,10 +103,10 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         return new CachedScene(known.scene(), known.lights().stream().map(CachedLight::withComputedStamp).toList(), null, known.fog());
     }
 
-    /** Lights of a scene that levels show: as they shine and as they are cached. */
-    private record LevelLights(Scene scene, WeightedLight[] lights, List<CachedLight> cachedLights) {
+    /** Lights of a scene that levels show: as they are cached. */
+    private record LevelLights(Scene scene, List<CachedLight> cachedLights) {
         static LevelLights of(CachedScene known) {
-            return new LevelLights(known.scene(), WeightedLight.ofScene(known.scene()), known.lights());
+            return new LevelLights(known.scene(), known.lights());
         }
     }
 
@@ -137,33 +145,66 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         private final LayerConverter eye;
         private final LayerConverter mirror;
         private final TileRecomposer recomposer;
-        private final FogComposer fogComposer = new FogComposer();
-        private long rowsComposed;
+        private final BitSet shining;
+        private final RenderOptions to;
+        private final FilmColors films = new FilmColors();
 
         TileConverter(PixelCache cache, RenderOptions to, Engine engine) {
+            this.to = to;
             eye = new LayerConverter(cache.geometry(), to, engine);
             mirror = new LayerConverter(cache.mirroredGeometry(), to, engine);
-            recomposer = new TileRecomposer(cache, engine, to.view());
+            var shown = shown(cache.scene(), cache.geometry());
+            recomposer = new TileRecomposer(shown,
+                    !cache.areMirrorsOutdated() ? shown : shown(cache.mirrored().scene(), cache.mirroredGeometry()), engine, to.view());
             recomposer.setMirrorFog(BounceFog.of(cache.mirrored().scene(), cache.mirrored().fog()));
+            shining = shown.parts().shining();
         }
 
-        CachedTile convert(SamplePositions places, CachedTile old, LevelLights top, LevelLights mirrors) {
+        private TileRecomposer.Shown shown(Scene scene, Geometry geometry) {
+            return new TileRecomposer.Shown(to.method().isExact() ? FilmParts.of(scene) : FilmParts.weighted(scene), geometry.materials(),
+                    null);
+        }
+
+        /** Converts a tile, whose films are then in {@link #films}. */
+        CachedTile convert(SamplePositions places, CachedTile old, boolean stores, LevelLights top, LevelLights mirrors) {
             TileLevel[] levels = new TileLevel[old.levels.length];
             for (int k = 0; k < levels.length; k++) {
                 levels[k] = k == 0 ? eye.convert(old.levels[k], top) : mirror.convert(old.levels[k], mirrors);
-                rowsComposed += levels[k].rows().count;
             }
-            BounceImages scratch = recomposer.composeImages(places, levels, mirrors.lights(), mirrors.scene().world());
-            BounceImages images = scratch == null ? null : scratch.compact(levels[0].rows());
-            float[][] film = recomposer.composeFilm(levels[0], top.lights(), top.scene(), places, images);
-            if (old.fog != null) {
-                fogComposer.add(old.fog, top.lights(), top.scene().world().fog(), film);
+            boolean areMirrorsCurrent = !recomposer.areMirrorsOutdated();
+            FilmColors[] bounced = recomposer.composeImages(places, levels, areMirrorsCurrent ? shining : recomposer.mirrored().shining());
+            BounceImages images = bounced == null ? null : recomposer.mixer().images(levels[0].rows(), bounced, false)
+                    .compact(levels[0].rows());
+            recomposer.composeFilms(levels[0], places, shining, areMirrorsCurrent ? bounced : null, areMirrorsCurrent ? null : images, null,
+                    old.fog, films);
+            float[][] colors = new float[3][Film.TILE_PIXELS];
+            recomposer.mixer().mix(films::get, colors);
+            return new CachedTile(levels, old.hitShapes, images, stores || !to.method().isExact() ? colors : null, null, old.edges,
+                    old.fog);
+        }
+
+        FineTile convert(FineTile tile, @Nullable CachedTile center, SamplePositions centers, LevelLights top, LevelLights mirrors) {
+            FineSamples first = tile.first().map(block -> convert(block, centers, tile.first().cells(), top, mirrors));
+            FineSamples rest = tile.rest().map(block -> convert(block, centers, tile.rest().cells(), top, mirrors));
+            return FineTile.of(center == null ? null : center.film, first, rest, FineTile.films(first, rest, recomposer.mixer().films()),
+                    recomposer.mixer());
+        }
+
+        private SampleBlock convert(SampleBlock block, SamplePositions centers, SampleCells cells, LevelLights top, LevelLights mirrors) {
+            CachedTile rows = convert(block.positions(centers, cells), block.rows(), false, top, mirrors);
+            int count = recomposer.mixer().films();
+            float[] @Nullable [][] means = new float[count][][];
+            for (int film = 0; film < count; film++) {
+                float[][] samples = films.get(film);
+                means[film] = samples == null ? null : SampleMean.ofPixels(block.pixels().length, cells.count(), samples);
             }
-            return new CachedTile(levels, old.hitShapes, images, film, old.edges, old.fog);
+            BitSet known = (BitSet) shining.clone();
+            known.set(count - FilmMixer.EARLIER_FILMS, count);
+            return new SampleBlock(block.pixels(), rows, new StoredFilms(means, known));
         }
 
         WorkCounts work() {
-            return eye.work(rowsComposed).plus(mirror.work(0));
+            return eye.work(recomposer.rowsComposed()).plus(mirror.work(0));
         }
     }
 }

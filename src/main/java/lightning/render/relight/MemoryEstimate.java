@@ -6,6 +6,7 @@ import java.util.function.ToLongFunction;
 import lightning.render.cache.PixelCache;
 import lightning.render.gather.RowWeights;
 import lightning.render.image.Film;
+import lightning.render.relight.tile.FilmMemory;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.fog.PictureFog;
 import lightning.render.trace.HitRows.ColumnGroup;
@@ -68,9 +69,11 @@ public final class MemoryEstimate {
         };
         // Samples store their colors if errors are bounded.
         long colored = !options.method().isExact() ? samples : sampling.antialias() == AntialiasMode.EVERY ? 0 : 1;
-        return IndirectEstimate.upperBound(scene, levels, texelBytes, lights, glows) + PictureFog.maxBytes(scene) + pixels(picture)
-                * (samples * (row + mirrored + PictureFog.maxBytesPerRay(scene)) + colored * BYTES_PER_COLOR + edgeColorBytes(sampling)
-                        + (sampling.isSupersampled() ? 3 * BYTES_PER_COLOR : 0));
+        return IndirectEstimate.upperBound(scene, levels, texelBytes, lights, glows) + PictureFog.maxBytes(scene)
+                + FilmMemory.maxBytes(scene, parts == PictureParts.CENTERS) + pixels(picture)
+                        * (samples * (row + mirrored + PictureFog.maxBytesPerRay(scene)) + colored * BYTES_PER_COLOR
+                                + edgeColorBytes(sampling)
+                                + (sampling.isSupersampled() ? 3 * BYTES_PER_COLOR : 0));
     }
 
     /** Returns the bytes of a cached picture: columns, colors and film. */

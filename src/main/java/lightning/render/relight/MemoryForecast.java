@@ -2,6 +2,7 @@ package lightning.render.relight;
 
 import lightning.render.cache.PixelCache;
 import lightning.render.gather.ray.PathsTooLargeException;
+import lightning.render.relight.tile.FilmMemory;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.SampleCells;
 import lightning.scene.AntialiasMode;
@@ -42,20 +43,26 @@ final class MemoryForecast {
     /** Bytes per pixel center in a picture of any size, and the additional bytes per center for a longer side of one pixel. */
     private final double bytesPerCenter;
     private final double borderBytes;
+    /** Part of these bytes for kept films, which EVERY does not multiply by its samples. */
+    private final double filmBytesPerCenter;
     /** Bytes of edge samples in the small picture, at the minimum number of samples per pixel. */
     private final double edgeBytes;
+    /** Bytes of their films: a mean of each pixel's first samples, and the pixel itself. */
+    private final double edgeFilmBytes;
     private final double edgeExponent;
     private final boolean isUpper;
     private final IndirectEstimate indirect;
 
-    private MemoryForecast(Scene scene, RenderOptions options, PictureParts parts, double bytesPerCenter, double borderBytes,
-            double edgeBytes, double edgeExponent, boolean isUpper, IndirectEstimate indirect) {
+    private MemoryForecast(Scene scene, RenderOptions options, PictureParts parts, double bytesPerCenter, double filmBytesPerCenter,
+            double borderBytes, double edgeBytes, double edgeFilmBytes, double edgeExponent, boolean isUpper, IndirectEstimate indirect) {
         this.scene = scene;
         this.options = options;
         this.parts = parts;
         this.bytesPerCenter = bytesPerCenter;
+        this.filmBytesPerCenter = filmBytesPerCenter;
         this.borderBytes = borderBytes;
         this.edgeBytes = edgeBytes;
+        this.edgeFilmBytes = edgeFilmBytes;
         this.edgeExponent = edgeExponent;
         this.isUpper = isUpper;
         this.indirect = indirect;
@@ -74,7 +81,7 @@ final class MemoryForecast {
         SmallRender large = SmallRender.of(scene, options, 2 * SMALL_SIDE, edges && !samples, false, pictures);
         double border = Math.max(0, (small.bytesPerCenter() - large.bytesPerCenter()) * 2 * SMALL_SIDE);
         double center = large.bytesPerCenter() - border / (2 * SMALL_SIDE);
-        return new MemoryForecast(scene, options, parts, center, border, small.fine,
+        return new MemoryForecast(scene, options, parts, center, large.filmBytesPerCenter(), border, small.fine, small.fineFilms,
                 samples ? edgeExponent(scene, options, small, pictures) : 2, false,
                 IndirectEstimate.of(small.indirect, large.indirect));
     }
@@ -87,7 +94,8 @@ final class MemoryForecast {
     static MemoryForecast upperOf(Scene scene, RenderOptions options, PictureParts parts, SmallPictures pictures) {
         boolean edges = scene.picture().sampling().antialias() == AntialiasMode.EDGES;
         SmallRender tiny = SmallRender.of(scene, options, SMALL_SIDE / 2, edges, edges && parts == PictureParts.ALL, pictures);
-        return new MemoryForecast(scene, options, parts, TINY_MARGIN * tiny.bytesPerCenter(), 0, TINY_MARGIN * 4 * tiny.fine, 2, true,
+        return new MemoryForecast(scene, options, parts, TINY_MARGIN * tiny.bytesPerCenter(),
+                TINY_MARGIN * tiny.filmBytesPerCenter(), 0, TINY_MARGIN * 4 * tiny.fine, TINY_MARGIN * 4 * tiny.fineFilms, 2, true,
                 IndirectEstimate.upperOf(tiny.indirect, TINY_MARGIN));
     }
 
@@ -99,7 +107,8 @@ final class MemoryForecast {
     static MemoryForecast ofSamples(Scene scene, long centerBytes, RenderOptions options, SmallPictures pictures) {
         double center = (double) centerBytes / scene.picture().width() / scene.picture().height();
         SmallRender small = SmallRender.of(scene, options, SMALL_SIDE, true, true, pictures);
-        return new MemoryForecast(scene, options, PictureParts.ALL, center, 0, small.fine, edgeExponent(scene, options, small, pictures),
+        return new MemoryForecast(scene, options, PictureParts.ALL, center, 0, 0, small.fine, small.fineFilms,
+                edgeExponent(scene, options, small, pictures),
                 false, IndirectEstimate.upperOf(small.indirect, 1));
     }
 
@@ -161,8 +170,9 @@ final class MemoryForecast {
         double each = bytesPerCenter + borderBytes / Math.max(side, SMALL_SIDE);
         double bytes = film + switch (sampling.antialias()) {
             case OFF -> pixels * each;
-            case EVERY -> pixels * each * sampling.samplesPerPixel();
-            case EDGES -> pixels * each + Math.pow(side / SMALL_SIDE, edgeExponent) * edgeBytes * samplesAtEdges(sampling) / MIN_SAMPLES;
+            case EVERY -> pixels * ((each - filmBytesPerCenter) * sampling.samplesPerPixel() + sampleFilms(sampling, 1) * filmsOfEvery());
+            case EDGES -> pixels * each + Math.pow(side / SMALL_SIDE, edgeExponent) * (edgeBytes * samplesAtEdges(sampling) / MIN_SAMPLES
+                    + edgeFilmBytes / 2 * sampleFilms(sampling, REFINED_SHARE));
         };
         double peak = Math.max(bytes + indirect.bytes(picture), indirect.buildBytes(picture));
         return Math.min((long) peak, MemoryEstimate.upperBound(scene.withPicture(picture), options, parts));
@@ -173,13 +183,26 @@ final class MemoryForecast {
         return Math.min((long) Math.max(indirect.bytes(picture), indirect.buildBytes(picture)), bytes(picture));
     }
 
+    /** Returns the copies of the films of a pixel with samples: of its first ones, of the rest of a share of pixels, and of all. */
+    private static double sampleFilms(SamplingSettings sampling, double refinedShare) {
+        return 2 + (SampleCells.rest(sampling.grid()).count() > 0 ? refinedShare : 0);
+    }
+
+    /** Returns the bytes of the films of a pixel; rather too large if centers do not keep them. */
+    private double filmsOfEvery() {
+        return filmBytesPerCenter > 0 ? filmBytesPerCenter : FilmMemory.bytesPerPixel(scene);
+    }
+
     /** Returns the mean number of samples of a pixel that has several. */
     private static double samplesAtEdges(SamplingSettings sampling) {
         return SampleCells.first(sampling.grid()).count() + REFINED_SHARE * SampleCells.rest(sampling.grid()).count();
     }
 
-    /** Small picture: its pixels, the bytes of centers and of finer samples, colors included, and its indirect light. */
-    private record SmallRender(long pixels, long centers, long fine, IndirectEstimate.Sample indirect) {
+    /**
+     * Small picture: its pixels, the bytes of centers with colors and films and of these films, of finer samples without films and of their films,
+     * and its indirect light.
+     */
+    private record SmallRender(long pixels, long centers, long centerFilms, long fine, long fineFilms, IndirectEstimate.Sample indirect) {
         /**
          * @param edges   true to detect edges
          * @param samples true to render the samples at these edges
@@ -202,8 +225,9 @@ final class MemoryForecast {
                 pictures.listener().accept(renderer.film());
                 PixelCache cache = renderer.cache();
                 long centers = cache.centerBytes();
-                return new SmallRender((long) small.width() * small.height(), centers,
-                        cache.bytes() + cache.colorBytes() - centers - cache.indirectBytes(),
+                long fineFilms = cache.sampleFilmBytes();
+                return new SmallRender((long) small.width() * small.height(), centers, cache.centerFilmBytes(),
+                        cache.bytes() + cache.colorBytes() - centers - cache.indirectBytes() - fineFilms, fineFilms,
                         IndirectEstimate.Sample.of(small, cache.indirect()));
             }
         }
@@ -216,6 +240,10 @@ final class MemoryForecast {
 
         double bytesPerCenter() {
             return (double) centers / pixels;
+        }
+
+        double filmBytesPerCenter() {
+            return (double) centerFilms / pixels;
         }
     }
 }

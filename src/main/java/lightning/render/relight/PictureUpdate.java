@@ -16,7 +16,6 @@ import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.CacheBuilder;
 import lightning.render.relight.tile.RenderJob;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.relight.tile.RepeatedEditDetector;
 import lightning.render.relight.tile.WorkCounts;
 import lightning.render.shading.RenderedScenes;
 import lightning.scene.Scene;
@@ -25,11 +24,10 @@ import lightning.scene.Scene;
  * Steps from one {@link PictureState} to the next. Each returns the next state and the work it took, and throws if it was canceled or does
  * not fit into memory; the state that it started from stays as it is.
  *
- * @param repeatedEdits finds edits that return to an earlier light
  * @param memoryCheck   absent if pictures are rendered without one, until the paths of their indirect light exceed the memory
  * @param exposure      stops of the display, which decide with its curve when an error of accuracy ratio would be visible
  */
-record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDetector.LevelDetectors repeatedEdits,
+record PictureUpdate(RenderOptions options, WorkerPool workers,
         GeometrySource geometrySource, Optional<MemoryCheck> memoryCheck, double exposure, DisplayCurve curve, Progress progress) {
 
     /** Next state of a picture, and the work since the first of its steps. */
@@ -151,7 +149,7 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
             checkSampleMemory(target, old, options.memory() - (from.bytes() - old.centerBytes() - old.indirectBytes()));
         }
         var scenes = new RenderedScenes(target, plan.mirrors() == null ? old.mirrored().scene() : target);
-        RenderJob job = RenderJob.relight(repeatedEdits.withKeys(plan), plan.shapes().after(old.geometry()), scenes, options, progress);
+        RenderJob job = RenderJob.relight(plan, old, plan.shapes().after(old.geometry()), scenes, options, progress);
         CacheBuilder.BuildResult result = CacheBuilder.build(job, workers, old, centersOnly);
         return new Step(centersOnly ? new CentersOnly(result.cache(), samplesAfter(from, plan)) : finished(result), result.work());
     }
@@ -178,7 +176,8 @@ record PictureUpdate(RenderOptions options, WorkerPool workers, RepeatedEditDete
             checkSampleMemory(centers.scene(), centers, options.memory());
         }
         CacheBuilder.BuildResult result = finished != null && plan instanceof UpdatePlan.Relight relight
-                ? CacheBuilder.finish(RenderJob.relight(relight, centers.geometry(), centers.scenes(), options, progress), workers,
+                ? CacheBuilder.finish(RenderJob.relight(relight, finished, centers.geometry(), centers.scenes(), options, progress),
+                        workers,
                         finished,
                         centers)
                 : CacheBuilder.finish(RenderJob.samples(centers, options, progress), workers, null, centers);

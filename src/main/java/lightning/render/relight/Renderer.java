@@ -12,7 +12,6 @@ import lightning.render.relight.plan.Dispatcher;
 import lightning.render.relight.plan.PathUpdate;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.relight.tile.RepeatedEditDetector;
 import lightning.render.trace.Geometry;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
@@ -22,7 +21,6 @@ import org.jspecify.annotations.Nullable;
 public final class Renderer implements AutoCloseable {
     private RenderOptions options;
     private WorkerPool workers;
-    private final RepeatedEditDetector.LevelDetectors repeatedEdits = new RepeatedEditDetector.LevelDetectors();
     private PictureState state = new PictureState.Empty();
     private final GeometrySource geometrySource = new GeometrySource();
     /** Absent if pictures are rendered without a check, until the paths of their indirect light exceed the memory. */
@@ -204,7 +202,7 @@ public final class Renderer implements AutoCloseable {
     }
 
     private PictureUpdate updateWith(Progress progress) {
-        return new PictureUpdate(options, workers, repeatedEdits, geometrySource, memoryCheck, exposure, curve, progress);
+        return new PictureUpdate(options, workers, geometrySource, memoryCheck, exposure, curve, progress);
     }
 
     private UpdateResult finishStep(PictureUpdate.Outcome outcome) {
@@ -223,25 +221,15 @@ public final class Renderer implements AutoCloseable {
     }
 
     /**
-     * Composes the contribution of one light from the cache. Casts no ray and changes nothing. Equals the picture of {@link
-     * LightImage#scene}, mirrors included, over the samples of this picture.
+     * Returns a contribution to the picture, over its samples: of a light with its visible face and its bulbs, or of an environment with its
+     * background. Casts no ray and changes nothing.
      *
-     * @param light name of the light; the film is black if no light has it
+     * @param contribution the film is black if the scene does not have it
      * @throws IllegalStateException if no scene was rendered yet, or mirror levels are stored as hit shapes
-     * @throws CancellationException if {@code progress} requested cancellation
      */
-    public Film lightImage(String light, Progress progress) {
-        return LightImage.film(cache(), options, light, workers, progress);
-    }
-
-    /**
-     * Composes the contribution of a light with its visible face and its bulbs, or of the environment with its background, over the samples of
-     * this picture. Casts no ray and changes nothing.
-     *
-     * @throws IllegalStateException as {@link #lightImage}
-     */
-    Film contribution(Contribution contribution, Progress progress) {
-        return LightImage.film(cache(), options, contribution, workers, progress);
+    public Film contribution(Contribution contribution, Progress progress) {
+        PictureFilms films = new PictureFilms(cache(), options);
+        return films.only(films.parts().of(contribution)).sum(workers, progress);
     }
 
     /** Returns what it holds of its picture; later updates make new states. */
@@ -286,7 +274,6 @@ public final class Renderer implements AutoCloseable {
      */
     public void restore(@Nullable PixelCache saved) {
         state = PictureState.of(saved, options.method());
-        repeatedEdits.reset();
     }
 
     /**

@@ -31,11 +31,7 @@ public record BackgroundLight(Rgb color, List<Layer> layers, Rgb seen) {
      * @param rotation  rotation of the image
      * @param intensity factor of its light
      */
-    public record Layer(EnvironmentMap map, DomeRotation rotation, double intensity) {
-        private Layer forEdges() {
-            return new Layer(map, rotation, LightWeight.nearestPowerOfTwo((float) intensity));
-        }
-    }
+    public record Layer(EnvironmentMap map, DomeRotation rotation, double intensity) {}
 
     /** Returns the light of a scene's background. */
     public static BackgroundLight of(Scene scene) {
@@ -56,18 +52,14 @@ public record BackgroundLight(Rgb color, List<Layer> layers, Rgb seen) {
         return new BackgroundLight(isLit ? world.background() : Rgb.BLACK, List.of(), isSeen ? world.background() : Rgb.BLACK);
     }
 
-    /** Returns the light of one environment of a scene; {@link #NONE} if it does not light the scene, or the scene does not have it. */
-    public static BackgroundLight of(Scene scene, int environment) {
-        if (environment >= scene.rig().environmentCount() || !scene.rig().isEnvironmentActive(environment)) {
-            return NONE;
-        }
-        EnvironmentLayer layer = scene.world().environments().get(environment);
-        return new BackgroundLight(Rgb.BLACK, List.of(new Layer(layer.map(), layer.rotation(), layer.lightIntensity())), Rgb.BLACK);
+    /** Returns the light of a scene's background color; {@link #NONE} with an environment. */
+    static BackgroundLight ofColor(Scene scene) {
+        return scene.world().environments().stream().anyMatch(EnvironmentLayer::on) ? NONE : of(scene);
     }
 
-    /** Returns this light as edge detection sees it, as {@link WeightedLight#forEdges}. */
-    public BackgroundLight forEdges() {
-        return layers.isEmpty() ? this : new BackgroundLight(color, layers.stream().map(Layer::forEdges).toList(), seen);
+    /** Returns the light of an environment. @param intensity factor of its light */
+    static BackgroundLight of(EnvironmentLayer environment, double intensity) {
+        return new BackgroundLight(Rgb.BLACK, List.of(new Layer(environment.map(), environment.rotation(), intensity)), Rgb.BLACK);
     }
 
     /** Returns the light from a direction, red, green and blue, where it is not divided into cells. */

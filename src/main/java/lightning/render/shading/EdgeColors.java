@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Colors of a tile's pixel centers, or of the first samples of some pixels, by which anti-aliasing decides where it needs more
- * samples. They are composed like the picture, but from lights whose weights are rounded ({@link WeightedLight#forEdges}).
+ * samples. They are the sum of the picture's films with rounded weights ({@link FilmParts#edgeWeights}).
  *
  * @param colors packed colors, {@code int[1024]} ({@link #pack})
  * @param images colors of the rays that bounce from the first level's rows; null if there are none

@@ -14,7 +14,7 @@ public final class InteriorTint {
 
     public InteriorTint(Transmission transmission) {
         for (int c = 0; c < 3; c++) {
-            log2[c] = PowerFunction.log2(ClearMaterialShader.channel(transmission.tint(), c));
+            log2[c] = PowerFunction.log2(LightWeight.channel(transmission.tint(), c));
         }
         distance = transmission.tintDistance();
     }

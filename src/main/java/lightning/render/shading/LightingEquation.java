@@ -1,7 +1,6 @@
 package lightning.render.shading;
 
 import lightning.base.math.PowerFunction;
-import lightning.render.trace.Refraction;
 import lightning.scene.value.Attenuation;
 import org.jspecify.annotations.Nullable;
 
@@ -281,58 +280,5 @@ public final class LightingEquation {
         }
         int middle = (from + to) >>> 1;
         return sum(terms, from, middle) + sum(terms, middle, to);
-    }
-
-    /**
-     * Adds an {@link EmittedLight} that an image multiplies to one channel of a surface's color.
-     *
-     * @param amount light before the image
-     * @param texel  color of the image
-     * @param weight factor of emitted light: {@link SurfaceWeights#bodyWeight}
-     */
-    public static float addMapped(float color, float amount, float texel, float weight) {
-        return color + weight * (amount * texel);
-    }
-
-    /**
-     * Returns one channel of the light that a clear surface itself sends, before the interior tint.
-     *
-     * @param emitted {@link EmittedLight#unmapped}
-     */
-    public static float clearSurface(float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr, float body,
-            float share) {
-        float left = 1 - Refraction.mirrorShare(kr, share);
-        return (emitted + kd * diffuse) * (left * body) + (ks * specular + grazing);
-    }
-
-    /** Returns one channel of the color of a clear surface from the light that the surface itself sends. */
-    public static float clearColor(float surface, float kr, float mirrored, float share, float kt, float refracted, float tint) {
-        float mirror = Refraction.mirrorShare(kr, share);
-        return (surface + mirror * mirrored + (1 - mirror) * kt * refracted) * tint;
-    }
-
-    /**
-     * Returns one channel of the whole equation of a clear surface, at most the sum of its parts: {@code left·body}, {@code mirror}
-     * and {@code left·kt} add up to at most 1.
-     *
-     * @param emitted {@link EmittedLight#unmapped}
-     * @param share   F
-     * @param tint    T
-     */
-    public static float clearColor(float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr,
-            float mirrored, float body, float share, float kt, float refracted, float tint) {
-        return clearColor(clearSurface(emitted, kd, diffuse, ks, specular, grazing, kr, body, share), kr, mirrored, share, kt,
-                refracted, tint);
-    }
-
-    /**
-     * Returns one channel of the whole equation of an opaque surface; {@code diffuse}, {@code specular} and {@code grazing} are the
-     * lights' sums.
-     *
-     * @param emitted {@link EmittedLight#unmapped}
-     */
-    public static float color(float emitted, float kd, float diffuse, float ks, float specular, float grazing, float kr,
-            float mirrored) {
-        return (emitted + kd * diffuse) * (1 - kr) + (ks * specular + grazing) + kr * mirrored;
     }
 }

@@ -41,15 +41,6 @@ public final class ObjectGains {
         return gains[entries[shape]];
     }
 
-    /** Returns these gains as edge detection sees them, rounded like weights. */
-    ObjectGains forEdges() {
-        float[] rounded = new float[gains.length];
-        for (int i = 0; i < gains.length; i++) {
-            rounded[i] = LightWeight.nearestPowerOfTwo(gains[i]);
-        }
-        return new ObjectGains(entries, rounded);
-    }
-
     /**
      * Returns whether no shape that a change keeps has another gain.
      *

@@ -33,7 +33,7 @@ public record PrincipledMaterial(Material material, boolean isSmooth, @Nullable 
                         m.coat().isVisible() ? m.coat() : null, m.hasSmoothCoat(), m.surfaceMaps().roughness().isPresent(),
                         m.layerMaps().coatRoughness().isPresent(), m.hasCoatNormals(),
                         m.surfaceMaps().changeColors(), new PrincipledColors(m), SheenLayer.of(m),
-                        m.isFrosted() ? ClearMaterialShader.channels(m.transmission().color()) : null);
+                        m.isFrosted() ? LightWeight.channels(m.transmission().color()) : null);
     }
 
     /** Returns whether light passes it. */

@@ -95,34 +95,6 @@ public final class PrincipledWeights {
         return base;
     }
 
-    /**
-     * Returns Ispec.
-     *
-     * @param lights    lights' sum of specular terms
-     * @param reflected mean light of rough lobes for F0, or of all below fibers; 0 for none
-     * @param mirrored  color of the mirrored ray; unread if the material casts none
-     */
-    public float specular(PrincipledMaterial m, float lights, float reflected, float mirrored) {
-        float sum = lights + reflected * reflected(m);
-        return m.isMirror() ? sum + mirrored * mirrored(m) : sum;
-    }
-
-    /**
-     * Returns Igraz; parameters as above, with the lights' grazing terms.
-     *
-     * @param second mean light of rough lobes that no color multiplies, or of fibers; of a frosted material the light that passes it, which
-     *               is not part of Igraz
-     */
-    public float grazing(PrincipledMaterial m, float lights, float reflected, float second, float mirrored) {
-        float sum = lights + (m.isFrosted() ? reflected : second) * reflectedGrazing(m);
-        return m.isMirror() ? sum + mirrored * mirroredGrazing(m) : sum;
-    }
-
-    /** Returns one channel of the light that passes a frosted material, {@code second} before its weight; 0 for others. */
-    public float passing(PrincipledMaterial m, int channel, float second) {
-        return m.passing() == null ? 0 : m.passing()[channel] * second * diffuse;
-    }
-
     /** Returns the part of the mean light of rough lobes that F0 multiplies, or all that is reflected below fibers. */
     public float reflected(PrincipledMaterial m) {
         if (m.sheen() != null) {
@@ -161,26 +133,39 @@ public final class PrincipledWeights {
         return base * grazing + coatWeight * ((float) layer.f0() * coatSpecular + coatGrazing);
     }
 
+    /** Returns the factor of diffuse light, kd·d, of a channel. @param kd diffuse color, including the texture */
+    public float diffuse(float kd) {
+        return kd * diffuse;
+    }
+
     /**
-     * Returns a channel of the color.
+     * Returns the factor of Ispec in a channel.
      *
-     * @param c        channel
-     * @param emitted  {@link EmittedLight#unmapped}
-     * @param kd       diffuse color, including the texture
-     * @param lit      Idiff
-     * @param f0       F0, including the texture
-     * @param square   F0F0, including the texture
-     * @param specular Ispec
-     * @param grazing  Igraz
-     * @param passing  {@link #passing}
+     * @param f0     F0, including the texture
+     * @param square F0F0, including the texture
      */
-    public float color(PrincipledMaterial m, int c, float emitted, float kd, float lit, float f0, float square, float specular,
-            float grazing,
-            float passing) {
-        if (m.sheen() != null) {
-            float surface = base * (f0 * colored + this.grazing + multiple * square * colored) + coat;
-            return emitted + kd * lit * diffuse + (left * (surface / below) * specular + sheenColor[c] * grazing);
-        }
-        return emitted + (kd * lit * diffuse + passing) + ((f0 + multiple * square) * specular + grazing);
+    public float shine(PrincipledMaterial m, float f0, float square) {
+        return m.sheen() == null ? f0 + multiple * square
+                : left * ((base * (f0 * colored + grazing + multiple * square * colored) + coat) / below);
+    }
+
+    /** Returns the factor of Igraz in channel {@code c}. */
+    public float graze(PrincipledMaterial m, int c) {
+        return m.sheen() == null ? 1 : sheenColor[c];
+    }
+
+    /** Returns the factor of the first mean light of rough lobes, L. @param shine {@link #shine}, as {@code graze} is {@link #graze} */
+    public float first(PrincipledMaterial m, float shine, float graze) {
+        return shine * reflected(m) + (m.isFrosted() ? graze * reflectedGrazing(m) : 0);
+    }
+
+    /** Returns the factor of the second mean light in channel {@code c}: L' of rough lobes, L″ of fibers, or what passes a frosted material. */
+    public float second(PrincipledMaterial m, int c, float graze) {
+        return !m.isFrosted() ? graze * reflectedGrazing(m) : m.sheen() == null ? requireNonNull(m.passing())[c] * diffuse : 0;
+    }
+
+    /** Returns the factor of the color of the mirrored ray; 0 if the material casts none. Parameters as above. */
+    public float mirror(PrincipledMaterial m, float shine, float graze) {
+        return m.isMirror() ? shine * mirrored(m) + graze * mirroredGrazing(m) : 0;
     }
 }

@@ -51,7 +51,7 @@ public record ShadingMaterial(float[] ambient, float[] glow, float[] diffuse, fl
                 t.isMetallic(m) ? new float[] {t.metalF0(m, 0), t.metalF0(m, 1), t.metalF0(m, 2)} : null,
                 PrincipledMaterial.of(t.material(m)), reflective,
                 t.isClear(m) ? t.transmission(m) : null, t.isClear(m) ? new InteriorTint(t.transmission(m)) : null,
-                ClearMaterialShader.bodyShare(t.transmission(m)), t.isTextured(m),
+                SurfaceFactors.bodyShare(t.transmission(m)), t.isTextured(m),
                 t.texture(m) != null,
                 t.texels(m),
                 t.isSpecular(m),

@@ -63,8 +63,8 @@ public final class Transmittance {
             new InteriorTint(clarity).write(isExit ? (float) ((t - last) * length) : -1, tint);
             float share = Refraction.fresnelReflectance(clarity, false, surface.nx, surface.ny, surface.nz, vx, vy, vz);
             for (int c = 0; c < 3; c++) {
-                rgb[c] *= Refraction.transmitted(ClearMaterialShader.channel(material.reflective(), c), share,
-                        ClearMaterialShader.channel(clarity.color(), c))
+                rgb[c] *= Refraction.transmitted(LightWeight.channel(material.reflective(), c), share,
+                        LightWeight.channel(clarity.color(), c))
                         * tint[c];
             }
             entered = surface.isInside() || clarity.thin() ? null : clarity;

@@ -37,8 +37,8 @@ public final class TransmittanceBatch {
             float[] reflective = new float[3];
             float[] color = new float[3];
             for (int c = 0; c < 3; c++) {
-                reflective[c] = ClearMaterialShader.channel(material.reflective(), c);
-                color[c] = ClearMaterialShader.channel(clarity.color(), c);
+                reflective[c] = LightWeight.channel(material.reflective(), c);
+                color[c] = LightWeight.channel(clarity.color(), c);
             }
             InteriorTint interior = new InteriorTint(clarity);
             boolean isTinted = IntStream.range(0, 3).anyMatch(c -> interior.log2(c) != 0);

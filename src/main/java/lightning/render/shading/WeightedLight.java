@@ -48,6 +48,25 @@ public record WeightedLight(Light light, LightWeight diffuse, LightWeight specul
         return of(scene.rig().effectiveLight(light), scene, gained);
     }
 
+    /**
+     * Prepares a light for a film of its own or of its environment.
+     *
+     * @param light the light as it shines
+     * @param unit  the same light as bright as in the film: a light of an environment, or the light itself, whose weight then is 1
+     */
+    static WeightedLight ofUnit(Light light, Light unit, Scene scene) {
+        boolean isOwn = light == unit;
+        LightWeight plain = isOwn ? LightWeight.ONE : LightWeight.of(unit.weight());
+        boolean isGained = isOwn && light.contribution().isGained();
+        return new WeightedLight(light, isGained ? gain(light, light.contribution().diffuse()) : plain,
+                isGained ? gain(light, light.contribution().specular()) : plain, isGained ? gain(light, light.contribution().fog()) : plain,
+                ObjectGains.of(light, scene.stage()), LightSource.of(light, scene));
+    }
+
+    private static LightWeight gain(Light light, double gain) {
+        return LightWeight.gray((float) light.relativeGain(gain));
+    }
+
     private static WeightedLight of(Light light, Scene scene, Stage gained) {
         LightWeight diffuse = LightWeight.of(light.diffuseWeight());
         return new WeightedLight(light, diffuse,
@@ -64,21 +83,6 @@ public record WeightedLight(Light light, LightWeight diffuse, LightWeight specul
     /** Returns this light switched off. */
     public WeightedLight darkened() {
         return new WeightedLight(light, LightWeight.ZERO, LightWeight.ZERO, LightWeight.ZERO, gains, source);
-    }
-
-    /**
-     * Returns this light as edge detection sees it, with each weight rounded to the nearest power of two (in its logarithm). Edits
-     * of color, intensity and gains change edges only where a weight reaches another power. Fog has no edges.
-     */
-    public WeightedLight forEdges() {
-        return new WeightedLight(light, diffuse.toPowersOfTwo(), specular.toPowersOfTwo(), LightWeight.ZERO,
-                gains == null ? null : gains.forEdges(),
-                source);
-    }
-
-    /** Returns lights as edge detection sees them. */
-    public static WeightedLight[] forEdges(WeightedLight[] lights) {
-        return Arrays.stream(lights).map(WeightedLight::forEdges).toArray(WeightedLight[]::new);
     }
 
     /** Returns this light dimmed by other fog. */

@@ -343,11 +343,6 @@ public final class Geometry {
         return scene.stage().rendered().materials().equals(other.stage().rendered().materials()) ? this : withMaterials(other);
     }
 
-    /** Returns the materials of a scene with the same shapes, for colors alone; each keeps its index. */
-    public MaterialTable materialsOf(Scene other) {
-        return surfaces.materialsOf(other, castsReflections());
-    }
-
     /**
      * Computes the difference between these shapes and those of another scene seen from the same position. Materials keep their
      * indices in the new geometry.

@@ -42,8 +42,10 @@ public final class MaterialTable {
     private final int[] materialByRank;
     private final float[] ambient;
     private final float[] glow;
-    /** Glow without that of bulbs; the same array if there are none. */
+    /** Glow without that of bulbs. */
     private final float[] ownGlow;
+    /** Glow of bulbs of lights of weight 1; null if there are none. */
+    private final float @Nullable [] bulbGlow;
     /** Columns of images by material, and of any of them. */
     private final TexelColumns[] texels;
     private final TexelColumns anyTexels;
@@ -71,7 +73,8 @@ public final class MaterialTable {
         this.vertexColored = new boolean[count];
         ambient = new float[3 * count];
         glow = new float[3 * count];
-        ownGlow = materials.stream().allMatch(m -> m.bulb().glow().isBlack()) ? glow : new float[3 * count];
+        ownGlow = new float[3 * count];
+        bulbGlow = materials.stream().allMatch(m -> m.bulb().unit().isBlack()) ? null : new float[3 * count];
         texels = new TexelColumns[count];
         anyTexels = TexelColumns.ofAny(materials);
         diffuse = new float[3 * count];
@@ -90,6 +93,9 @@ public final class MaterialTable {
             store(material.ambient(), ambient, 3 * m);
             store(material.glow(), ownGlow, 3 * m);
             store(material.emission(), glow, 3 * m);
+            if (bulbGlow != null) {
+                store(material.bulb().unit(), bulbGlow, 3 * m);
+            }
             switch (material.model()) {
                 case PHONG -> {
                     store(material.diffuse(), diffuse, 3 * m);
@@ -305,6 +311,23 @@ public final class MaterialTable {
      */
     public float ownGlow(int m, int channel) {
         return ownGlow[3 * m + channel];
+    }
+
+    /** Returns one channel of the glow of a bulb before its glow map, if its light has weight 1; 0 without a bulb. */
+    public float bulbGlow(int m, int channel) {
+        return bulbGlow == null ? 0 : bulbGlow[3 * m + channel];
+    }
+
+    /** Returns the materials that are bulbs of a light: {@code boolean[count]}; null if none is. */
+    public boolean @Nullable [] bulbsOf(String light) {
+        boolean[] bulbs = null;
+        for (int m = 0; bulbGlow != null && m < materials.size(); m++) {
+            if (materials.get(m).bulb().light().equals(light) && !materials.get(m).bulb().unit().isBlack()) {
+                bulbs = bulbs == null ? new boolean[materials.size()] : bulbs;
+                bulbs[m] = true;
+            }
+        }
+        return bulbs;
     }
 
     /**

@@ -96,6 +96,18 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
         return color.max() * limitedIntensity(contribution.maxGain() * contribution.gains().max());
     }
 
+    /** Returns the factor of all its contributions, of which {@link #relativeGain} is another: color times intensity, limited. */
+    public Rgb limitedWeight() {
+        return color.times(limitedIntensity(1));
+    }
+
+    /** Returns a gain as a factor of {@link #limitedWeight}: the gain itself, unless their product is limited. */
+    public double relativeGain(double gain) {
+        double whole = limitedIntensity(1);
+        double gained = limitedIntensity(gain);
+        return whole == 0 || gained == intensity * wideningFactor() * gain && whole == intensity * wideningFactor() ? gain : gained / whole;
+    }
+
     private double limitedIntensity(double gain) {
         return Math.min(intensity * wideningFactor() * gain, maxIntensity());
     }

@@ -6,9 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.text.Quote;
 import lightning.scene.node.NodeNames;
@@ -28,7 +26,7 @@ public final class LightRig {
     private final List<LightGroup> lightGroups;
     private final LightRigNames names;
     /** Directional lights that represent each environment. */
-    private final List<List<Light>> environmentLights;
+    private final List<EnvironmentLights> environments;
     /** Meters per scene unit. */
     private final double meters;
     /** Surfaces of the shapes that are lights, by the shapes' names. */
@@ -37,17 +35,18 @@ public final class LightRig {
     /** True if any light is solo and on, so that the others are dark. */
     private final boolean anySolo;
 
-    private LightRig(List<Light> lights, List<LightGroup> lightGroups, LightRigNames names, List<List<Light>> skies, double meters,
+    private LightRig(List<Light> lights, List<LightGroup> lightGroups, LightRigNames names, List<EnvironmentLights> skies, double meters,
             Map<String, ObjectSurface> surfaces) {
         this.lights = withoutSurfaces(lights);
         this.lightGroups = lightGroups;
         this.names = names;
-        this.environmentLights = skies;
+        this.environments = skies;
         this.meters = meters;
         this.surfaces = surfaces;
         List<Light> resolved = this.lights.stream().allMatch(l -> effectiveLight(l) == l) ? this.lights
                 : this.lights.stream().map(this::effectiveLight).toList();
-        effectiveLights = skies.isEmpty() ? resolved : Stream.concat(resolved.stream(), skies.stream().flatMap(List::stream)).toList();
+        effectiveLights = skies.isEmpty() ? resolved
+                : Stream.concat(resolved.stream(), skies.stream().flatMap(sky -> sky.lights().stream())).toList();
         anySolo = effectiveLights.stream().anyMatch(l -> l.solo() && l.on());
     }
 
@@ -87,17 +86,17 @@ public final class LightRig {
     /**
      * Returns this rig in the light of environments, which come last among the effective lights.
      *
-     * @param environments directional lights of each, at least one, with names that the rig does not use; empty for none
-     * @param unit         meters per scene unit
+     * @param v    directional lights of each, with names that the rig does not use; empty for none
+     * @param unit meters per scene unit
      */
-    public LightRig withEnvironments(List<List<Light>> environments, double unit) {
-        return environments.equals(environmentLights) && unit == meters ? this
-                : new LightRig(lights, lightGroups, names, environments, unit, surfaces);
+    public LightRig withEnvironments(List<EnvironmentLights> v, double unit) {
+        return v.equals(environments) && unit == meters ? this
+                : new LightRig(lights, lightGroups, names, v, unit, surfaces);
     }
 
     /** Returns this rig with the surfaces of the shapes that are lights, by the shapes' names; a light of another shape is dark. */
     public LightRig withSurfaces(Map<String, ObjectSurface> v) {
-        return v.equals(surfaces) ? this : new LightRig(lights, lightGroups, names, environmentLights, meters, v);
+        return v.equals(surfaces) ? this : new LightRig(lights, lightGroups, names, environments, meters, v);
     }
 
     /** Returns the surface of a shape that is a light. */
@@ -113,33 +112,28 @@ public final class LightRig {
         return effectiveLights;
     }
 
-    /** Returns whether any environment lights the scene: it is on, and solo if any light is. */
-    public boolean isEnvironmentActive() {
-        return IntStream.range(0, environmentLights.size()).anyMatch(this::isEnvironmentActive);
-    }
-
     /**
      * Returns whether an environment lights the scene.
      *
      * @param index its number among all environments of the world
      */
     public boolean isEnvironmentActive(int index) {
-        return isActive(environmentLights.get(index).getFirst());
+        return isActive(environments.get(index).units().getFirst());
     }
 
     /** Returns the index among the effective lights of the first light of an environment; their number for the number of environments. */
     public int environmentStart(int index) {
-        return lights.size() + environmentLights.stream().limit(index).mapToInt(List::size).sum();
+        return lights.size() + environments.stream().limit(index).mapToInt(sky -> sky.units().size()).sum();
     }
 
-    /** Returns the environment whose first light has an index among the effective lights; −1 if none has. */
-    public int environmentStartingAt(int light) {
-        return IntStream.range(0, environmentLights.size()).filter(i -> environmentStart(i) == light).findFirst().orElse(-1);
+    /** Returns the lights of an environment. */
+    public EnvironmentLights environment(int index) {
+        return environments.get(index);
     }
 
     /** Returns the number of environments. */
     public int environmentCount() {
-        return environmentLights.size();
+        return environments.size();
     }
 
     /**
@@ -158,17 +152,14 @@ public final class LightRig {
     }
 
     /**
-     * Returns the value of the light's face in the picture: its luminance in nits for a photometric unit. An inverse-square light is as bright as
-     * white paper that it would light if it touched the paper and filled its view: π/A times color and intensity, where A is the area seen
-     * along the axis. Other relative lights have no luminance: their face has color times intensity, as white paper at falloff 1.
-     * A texture multiplies it.
+     * Returns the value of the light's face in the picture, divided by color times intensity. For a photometric unit the value is its luminance in
+     * nits. An inverse-square light is as bright as white paper that it would light if it touched the paper and filled its view: π/A times color
+     * and intensity, where A is the area seen along the axis. Other relative lights have no luminance: their face has color times intensity, as white
+     * paper at falloff 1. A texture multiplies it.
      */
-    public Rgb radiance(Light light) {
-        Light effective = effectiveLight(light);
+    public double radianceFactor(Light light) {
         boolean isPhysical = light.falloff() == Falloff.INVERSE_SQUARE || light.emission().unit() == IntensityUnit.NIT;
-        return isPhysical
-                ? effective.weight().times(Math.min(Math.PI / IntensityUnit.luminousArea(effective), SceneLimits.MAX_INTENSITY))
-                : effective.weight();
+        return isPhysical ? Math.min(Math.PI / IntensityUnit.luminousArea(effectiveLight(light)), SceneLimits.MAX_INTENSITY) : 1;
     }
 
     /** Returns the light of an object with the surface of its shape, if there is one; another light as it is. */
@@ -238,7 +229,7 @@ public final class LightRig {
         }
         List<Light> updated = new ArrayList<>(lights);
         updated.set(index, light);
-        return new LightRig(List.copyOf(updated), lightGroups, names, environmentLights, meters, surfaces);
+        return new LightRig(List.copyOf(updated), lightGroups, names, environments, meters, surfaces);
     }
 
     /** Returns this rig with other lights, the same groups and the known surfaces of shapes. */
@@ -254,7 +245,7 @@ public final class LightRig {
     public LightRig with(LightGroup group) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
         updated.set(groupIndex(group.name()), group);
-        return new LightRig(lights, List.copyOf(updated), names, environmentLights, meters, surfaces);
+        return new LightRig(lights, List.copyOf(updated), names, environments, meters, surfaces);
     }
 
     /** Returns this rig with one more light group, at the end. */
@@ -321,7 +312,7 @@ public final class LightRig {
                 updated.set(i, light);
             }
         }
-        return updated == null ? this : new LightRig(List.copyOf(updated), lightGroups, names, environmentLights, meters, surfaces);
+        return updated == null ? this : new LightRig(List.copyOf(updated), lightGroups, names, environments, meters, surfaces);
     }
 
     private List<Light> reassign(String group, String newGroup) {
@@ -339,7 +330,7 @@ public final class LightRig {
     @Override
     public boolean equals(Object o) {
         return this == o || o instanceof LightRig r && lights.equals(r.lights) && lightGroups.equals(r.lightGroups)
-                && environmentLights.equals(r.environmentLights) && meters == r.meters && surfaces.equals(r.surfaces);
+                && environments.equals(r.environments) && meters == r.meters && surfaces.equals(r.surfaces);
     }
 
     @Override

@@ -2,6 +2,7 @@ package lightning.render.relight;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
@@ -9,6 +10,7 @@ import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
+import lightning.format.jen.JenReader;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
@@ -16,7 +18,8 @@ import lightning.render.relight.paper.Accuracy;
 import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.WeightedLight;
+import lightning.render.shading.FilmParts;
+import lightning.render.shading.LightWeight;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.AntialiasMode;
@@ -26,6 +29,7 @@ import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
+import lightning.scene.material.Material;
 import lightning.scene.value.Attenuation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -69,9 +73,8 @@ class AntialiasTest {
         return brighter;
     }
 
-    private static List<Float> edgeWeight(Light light, Scene scene) {
-        WeightedLight rounded = WeightedLight.of(light, scene).forEdges();
-        return List.of(rounded.diffuse().red(), rounded.diffuse().green(), rounded.diffuse().blue());
+    private static LightWeight edgeWeight(Light light, Scene scene) {
+        return FilmParts.of(scene.withLight(light)).edgeWeights()[scene.rig().indexOf(light.name())];
     }
 
     @Test
@@ -169,7 +172,9 @@ class AntialiasTest {
     void edgesEnabledLater_castNoShadowRaysForCenters() {
         Scene off = studio(AntialiasMode.OFF);
         Scene edges = studio(AntialiasMode.EDGES);
-        try (Renderer renderer = renderer(off, Accuracy.EXACT); Renderer fresh = new Renderer(RenderOptions.DEFAULT)) {
+        // What is stored depends on whether mirrors may show an earlier scene.
+        RenderOptions stale = RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE);
+        try (Renderer renderer = renderer(off, Accuracy.EXACT); Renderer fresh = new Renderer(stale)) {
             UpdateResult later = renderer.render(edges, Progress.NONE);
             UpdateResult first = fresh.render(edges, Progress.NONE);
             assertThat(later.plan().description()).isEqualTo("samples, reflections");
@@ -228,16 +233,45 @@ class AntialiasTest {
         }
     }
 
-    @ParameterizedTest
-    @EnumSource(Accuracy.class)
-    void movedLight_matchesAtBothAccuracies(Accuracy accuracy) {
+    @Test
+    void mirrorThatBecomesDull_showsNothingOfAnEarlierScene() throws Exception {
+        Scene file = JenReader.read(Path.of("scenes/balls.jen")).scene();
+        Scene scene = file.withPicture(file.picture().withSize(60, 40));
+        Material gold = scene.materials().stream().filter(material -> material.name().equals("gold")).findFirst().orElseThrow();
+        Scene rough = scene.withMaterial(gold.withShininess(5));
+        Scene dull = rough.withMaterial(gold.withShininess(5).withReflective(Rgb.BLACK));
+        try (Renderer renderer = renderer(scene, Accuracy.EXACT)) {
+            renderer.render(rough, Progress.NONE);
+            renderer.render(dull, Progress.NONE);
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(dull, scene).trace(), "dull-mirror");
+        }
+    }
+
+    @Test
+    void movedLight_matchesReference() {
         Scene scene = studio(AntialiasMode.EDGES);
         Scene moved = scene.withLight(key(scene).withPosition(new Vec3(-1, 4, 3)));
-        try (Renderer renderer = renderer(scene, accuracy)) {
+        try (Renderer renderer = renderer(scene, Accuracy.EXACT)) {
             UpdateResult update = renderer.render(moved, Progress.NONE);
             assertThat(update.rays().eye()).isPositive();
             assertThat(update.errorBound()).isZero();
-            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(moved, scene).trace(), "antialias-moved-" + accuracy);
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(moved, scene).trace(), "antialias-moved-exact");
+        }
+    }
+
+    /** Films of this accuracy contain their weights, so that they are rounded in another order even if no ratio scaled them. */
+    @Test
+    void movedLightOfAccuracyRatio_addsNoErrorToThatOfAFirstPicture() {
+        Scene scene = studio(AntialiasMode.EDGES);
+        Scene moved = scene.withLight(key(scene).withPosition(new Vec3(-1, 4, 3)));
+        try (Renderer renderer = renderer(scene, Accuracy.RATIO);
+                Renderer fresh = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withAccuracy(Accuracy.RATIO))) {
+            UpdateResult update = renderer.render(moved, Progress.NONE);
+            assertThat(update.rays().eye()).isPositive();
+            double first = fresh.render(moved, Progress.NONE).errorBound();
+            assertThat(update.errorBound()).isLessThanOrEqualTo(first);
+            double error = FilmError.largestError(renderer.film(), new ReferenceTracer(moved, scene).trace());
+            assertThat(error).isLessThanOrEqualTo(update.errorBound());
         }
     }
 

@@ -15,6 +15,7 @@ import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
+import lightning.scene.Contribution;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.World;
@@ -72,12 +73,24 @@ class DomeWorkTest {
         }
     }
 
+    /**
+     * Compares sums of the same films in another order. Each of at most 8 additions and products of values ≥ 0 loses at most half a unit of
+     * 2⁻²³, in both pictures.
+     */
+    private static void assertSameApartFromRounding(Film film, Film expected) {
+        float[] a = film.toScanlines();
+        float[] b = expected.toScanlines();
+        for (int i = 0; i < a.length; i++) {
+            assertThat(a[i]).isCloseTo(b[i], Offset.offset(8 * 0x1p-23f * b[i]));
+        }
+    }
+
     @Test
-    void halfOfAnImageTwice_isTheWholeInEveryBit() {
+    void halfOfAnImageTwice_isTheWholeApartFromRounding() {
         Dome whole = dome("whole", EAST);
         Film expected = film(scene(whole));
         Film halves = film(scene(whole.withName("a").withIntensity(0.5), whole.withName("b").withIntensity(0.5)));
-        FilmAssert.assertSameBits(halves, expected, "dome-halves");
+        assertSameApartFromRounding(halves, expected);
         assertThat(expected.red(0, 0)).isPositive();
     }
 
@@ -106,10 +119,10 @@ class DomeWorkTest {
     }
 
     @Test
-    void orderOfTwoDomes_changesNoBit() {
+    void orderOfTwoDomes_changesOnlyRounding() {
         Dome east = dome("east", EAST);
         Dome west = dome("west", WEST).withIntensity(0.3).withRotation(DomeRotation.of(45, 0, 0));
-        FilmAssert.assertSameBits(film(scene(east, west)), film(scene(west, east)), "dome-order");
+        assertSameApartFromRounding(film(scene(east, west)), film(scene(west, east)));
     }
 
     @Test
@@ -193,10 +206,10 @@ class DomeWorkTest {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
             renderer.render(scene, Progress.NONE);
             LightShares shares = LightShares.of(renderer.cache(), RenderOptions.DEFAULT, Progress.NONE);
-            assertThat(shares.environments()[0]).isCloseTo(0.25, Offset.offset(1e-5));
-            assertThat(shares.environments()[1]).isCloseTo(0.75, Offset.offset(1e-5));
+            assertThat(shares.of(new Contribution.OfDome("a"))).isCloseTo(0.25, Offset.offset(1e-5));
+            assertThat(shares.of(new Contribution.OfDome("b"))).isCloseTo(0.75, Offset.offset(1e-5));
             Scene brighter = scene.withWorld(scene.world().withDome("a", scene.world().domes().getFirst().withIntensity(3)));
-            assertThat(shares.scaledTo(brighter).orElseThrow().environments()[0]).isCloseTo(0.5, Offset.offset(1e-5));
+            assertThat(shares.in(brighter).orElseThrow().of(new Contribution.OfDome("a"))).isCloseTo(0.5, Offset.offset(1e-5));
         }
     }
 }

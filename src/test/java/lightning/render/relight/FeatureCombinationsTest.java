@@ -7,14 +7,12 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.WeakHashMap;
-import java.util.stream.DoubleStream;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
@@ -44,6 +42,7 @@ import lightning.render.trace.Geometry;
 import lightning.sample.FeatureScene;
 import lightning.sample.Nightly;
 import lightning.sample.Slow;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import org.junit.jupiter.api.io.TempDir;
@@ -145,14 +144,11 @@ class FeatureCombinationsTest {
     void shares_arePartsOfThePicture(FeatureScene scene) {
         try (Renderer renderer = rendered(scene)) {
             LightShares shares = LightShares.of(renderer.cache(), OPTIONS, Progress.NONE);
-            assertThat(shares.lights()).hasSize(scene.scenes().getFirst().lights().size());
-            assertThat(Arrays.stream(shares.lights())).allMatch(share -> share >= 0 && share <= 1);
-            assertThat(Arrays.stream(shares.environments())).allMatch(share -> share >= 0 && share <= 1);
+            List<Double> all = Contribution.sources(scene.scenes().getFirst()).stream().map(shares::of).toList();
+            assertThat(all).allMatch(share -> share >= 0 && share <= 1);
             LightContributions found = LightContributions.of(renderer.cache(), OPTIONS, ViewTransform.DEFAULT,
                     LightContributions.Region.ofFilm(renderer.film()), Progress.NONE);
-            assertThat(found.lights().stream().mapToDouble(LightContribution::imageShare)).containsExactly(
-                    DoubleStream.concat(Arrays.stream(shares.lights()), Arrays.stream(shares.environments())).boxed()
-                            .toArray(Double[]::new));
+            assertThat(found.lights().stream().map(LightContribution::imageShare)).isEqualTo(all);
             assertContinues(renderer, scene);
         }
     }

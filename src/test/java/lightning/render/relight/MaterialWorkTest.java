@@ -167,7 +167,7 @@ class MaterialWorkTest {
 
     @Test
     void texture_updatesTexelsOfItsRows() {
-        try (StudioRenderer studio = studio(ReflectionMode.STALE, MirrorStorage.FULL_ROWS)) {
+        try (StudioRenderer studio = studio(ReflectionMode.STALE, MirrorStorage.FULL_ROWS).withOutdatedMirrors()) {
             long before = studio.renderer().cache().bytes();
             for (Optional<TextureMap> texture : List.of(CHECKS, CHECKS.map(t -> new TextureMap("d.png", -1, 7, t.image())),
                     CHECKS.map(t -> t.withWrap(TextureWrap.CLAMP)))) {
@@ -231,7 +231,7 @@ class MaterialWorkTest {
 
     @Test
     void channelWithoutMap_doesNothing() {
-        try (StudioRenderer studio = principledStudio()) {
+        try (StudioRenderer studio = principledStudio().withOutdatedMirrors()) {
             assertWork(edit(studio, MATT, m -> m.withSurfaceMaps(SurfaceMaps.NONE.withRoughnessChannel(TextureChannel.RED)
                     .withMetalnessChannel(TextureChannel.RED).withF0Channel(TextureChannel.BLUE))), 0, 0, 0, 0);
             assertWork(edit(studio, MATT, m -> m.withLayerMaps(LayerMaps.NONE.withCoatChannel(TextureChannel.BLUE)
@@ -369,7 +369,8 @@ class MaterialWorkTest {
             renderer.setView(160, DisplayCurve.SRGB);
             UpdateResult update = renderer.render(scene.withLight(scene.lights().getFirst().withIntensity(0.7)), Progress.NONE);
             assertThat(update.wasRefreshed()).isTrue();
-            FilmAssert.assertSameBits(renderer.film(), ReferenceCheck.referenceFilm(renderer.cache()), "refreshed-mirrors");
+            assertThat(FilmError.largestError(renderer.film(), ReferenceCheck.referenceFilm(renderer.cache())))
+                    .isLessThanOrEqualTo(update.errorBound());
         }
     }
 

@@ -60,7 +60,7 @@ class MemoryEstimateTest {
             renderer.render(scene, Progress.NONE);
             PixelCache cache = renderer.cache();
             long film = scene.picture().sampling().isSupersampled() ? 12L * scene.picture().width() * scene.picture().height() : 0;
-            return cache.bytes() + cache.allTiles().size() * 12L * 1024 + film;
+            return cache.bytes() + cache.colorBytes() + film;
         }
     }
 

@@ -157,6 +157,7 @@ class MirrorWorkTest {
         }
     }
 
+    /** Films are not kept here, and the rows of a tile are composed together. */
     @Test
     void recoloring_composesOnlyLitTiles() {
         Scene scene = StudioScene.of(LightType.SPOT);

@@ -2,20 +2,15 @@ package lightning.render.relight;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
-import java.util.List;
 import lightning.base.work.Progress;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.relight.tile.RepeatedEditDetector;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
-import lightning.scene.light.Light;
-import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
 /** Tests restoring the cache of an earlier picture. */
@@ -48,27 +43,6 @@ class RestoreTest {
             current.restore(stale.cache());
             assertThat(current.render(after, Progress.NONE).plan()).isInstanceOf(UpdatePlan.Relight.class);
             FilmAssert.assertSameBits(current.film(), new ReferenceTracer(after).trace(), "taken over");
-        }
-    }
-
-    /** A drag caches partial sums of the other lights from its second edit on; a restored renderer has not seen the first. */
-    @Test
-    void restoredRenderer_hasNoRepeatedEdit() {
-        List<Light> lights = new ArrayList<>();
-        for (int i = 0; i < RepeatedEditDetector.MIN_LIGHTS; i++) {
-            lights.add(StudioScene.key(LightType.POINT).withName("light" + i));
-        }
-        Scene many = before.withLights(lights);
-        Scene edited = many.withLight(lights.getFirst().withIntensity(0.5));
-        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(1))) {
-            renderer.render(many, Progress.NONE);
-            PixelCache saved = renderer.cache();
-            renderer.render(edited, Progress.NONE);
-            renderer.restore(saved);
-            renderer.render(edited, Progress.NONE);
-            for (int tile = 0; tile < renderer.cache().tileCount(); tile++) {
-                assertThat(renderer.cache().tile(tile).levels[0].branches()).as("tile " + tile).isNull();
-            }
         }
     }
 }

@@ -58,6 +58,12 @@ final class StudioRenderer implements AutoCloseable {
         return renderer.render(target, Progress.NONE);
     }
 
+    /** Dims the light, so that stale mirrors show an earlier scene: what they show is then a film of its own, which later edits keep. */
+    StudioRenderer withOutdatedMirrors() {
+        edit(light -> light.withIntensity(0.9 * light.intensity()));
+        return this;
+    }
+
     /** Renders the scene after an edit of its light. */
     UpdateResult edit(UnaryOperator<Light> edit) {
         return render(scene.withLight(edit.apply(key())));

@@ -3,7 +3,6 @@ package lightning.render.shading;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
@@ -23,7 +22,6 @@ import lightning.scene.World;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.material.Material;
-import lightning.scene.material.MaterialAttribute;
 import lightning.scene.material.ShadingModel;
 import lightning.scene.material.Transmission;
 import lightning.scene.node.Shape;
@@ -112,27 +110,6 @@ class GlowTest {
         assertBall(scene(mapped, 1), 0.5f * 0.7f, 75, 1e6f);
         assertBall(scene(mapped.withModel(ShadingModel.METALLIC), 1), 0.5f * 0.7f, 75, 1e6f);
         assertBall(scene(mapped.withAmbient(Rgb.gray(0.5)), 8), 4 + 0.5f * 0.7f, 79, 1e6f + 4);
-    }
-
-    /** Each kind of emitted light, multiplied by an image alone and in front of a mirror. */
-    @Test
-    void imageOfEachKind_multipliesOnlyThisKind() {
-        float[] image = {0.5f, 0.25f, 1};
-        Map<EmittedLight, float[]> light =
-                Map.of(EmittedLight.AMBIENT, new float[] {4, 4, 4}, EmittedLight.GLOW, new float[] {0.7f, 300, 1e6f});
-        for (EmittedLight mapped : EmittedLight.values()) {
-            if (mapped.map().isPresent()) {
-                MaterialAttribute<Optional<TextureMap>> map = mapped.map().get().map().orElseThrow();
-                Material material = map.with(NEON.withAmbient(Rgb.gray(0.5)), map(image));
-                float[] color = new float[3];
-                for (int c = 0; c < 3; c++) {
-                    for (EmittedLight kind : EmittedLight.values()) {
-                        color[c] += kind == mapped ? image[c] * light.get(kind)[c] : light.get(kind)[c];
-                    }
-                }
-                assertBall(scene(material, 8), color[0], color[1], color[2]);
-            }
-        }
     }
 
     @Test

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Random;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.render.trace.TexelColumns;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
@@ -150,23 +149,6 @@ class LightingEquationTest {
         assertThat(LightingEquation.sum(new float[] {t, t, 1}, 0, 3)).isEqualTo(1 + 0f);
         assertThat(LightingEquation.sum(new float[] {1, t, t}, 0, 3)).isEqualTo(1 + 0x1p-23f);
         assertThat(LightingEquation.sum(new float[0], 0, 0)).isZero();
-    }
-
-    /** [(0.25·2 + 1) + 0.5·3]·(1 − 0.75) + (0.5·4 + 0.125) + 0.75·8 = 0.75 + 2.125 + 6. */
-    @Test
-    void color_matchesEquation() {
-        assertThat(LightingEquation.color(EmittedLight.unmapped(TexelColumns.NONE, 0.25f, 2, 1), 0.5f, 3, 0.5f, 4, 0.125f, 0.75f, 8))
-                .isEqualTo(8.875f);
-    }
-
-    @Test
-    void blackGlow_keepsTheBitsOfAmbientLight() {
-        for (float ka : new float[] {0, Float.MIN_VALUE, 0x1p-130f, 0.1f, 1, 1e6f}) {
-            for (float ambience : new float[] {0, Float.MIN_VALUE, 0.3f, 1, 1e6f}) {
-                assertThat(Float.floatToRawIntBits(EmittedLight.unmapped(TexelColumns.NONE, ka, ambience, 0)))
-                        .isEqualTo(Float.floatToRawIntBits(ka * ambience));
-            }
-        }
     }
 
     @Test

@@ -34,10 +34,9 @@ import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.PercentText;
 import lightning.editor.window.widget.VisibilityListener;
-import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.IndirectByLight;
+import lightning.render.relight.FilmChange;
 import lightning.render.relight.LightContribution;
 import lightning.render.relight.LightContributions;
 import lightning.render.relight.LightThumbnails;
@@ -72,8 +71,6 @@ public final class ContributionPane extends VBox {
     private @Nullable LightContributions shown;
     private @Nullable Scene shownScene;
     private @Nullable Frame lastFrame;
-    /** Indirect light of the last picture under the pointer; used on the thread of pixel queries only. */
-    private @Nullable IndirectByLight indirect;
     /** Pending comparison after lights were switched off; null if there is none. */
     private @Nullable Comparison pendingComparison;
 
@@ -183,7 +180,7 @@ public final class ContributionPane extends VBox {
 
     /** Describes how the picture would change without a light. */
     static String changeText(LightContribution contribution) {
-        LightContribution.FilmChange change = contribution.changeWhenOff();
+        FilmChange change = contribution.changeWhenOff();
         return !contribution.shines() ? Messages.tr("off or black") : change.isNone() ? Messages.tr("bit-identical")
                 : change.isInvisible()
                         ? String.format(Messages.locale(), Messages.tr("not visible (difference at most %.1e)"), change.maxDifference())
@@ -193,7 +190,7 @@ public final class ContributionPane extends VBox {
     }
 
     /** Returns the order of changes: first by what is noticed, then by what differs at all. */
-    private static double impact(LightContribution.FilmChange change) {
+    private static double impact(FilmChange change) {
         return change.noticedShare() > 0 ? 1 + change.noticedShare() : change.isInvisible() ? 0 : 0.5;
     }
 
@@ -282,27 +279,20 @@ public final class ContributionPane extends VBox {
             table.refresh();
             return;
         }
+        RenderOptions options = model.accuracyModeProperty().get().options().withThreads(1);
         pixelQuery.submit(progress -> model.workbench().cache()
                 .filter(c -> pixel.x() < c.scene().picture().width() && pixel.y() < c.scene().picture().height())
-                .map(cache -> pixelShares(LightThumbnails.pixel(cache, pixel.x(), pixel.y(), indirectOf(cache), progress))), shares -> {
+                .map(cache -> pixelShares(LightThumbnails.pixel(cache, options, pixel.x(), pixel.y(), progress))), shares -> {
                     sharesAtPointer = shares;
                     table.refresh();
                 }, failure -> editor.message().show(ErrorMessage.of(failure)));
-    }
-
-    /** Returns the indirect light by light of a picture. Called on the thread of pixel queries only. */
-    private IndirectByLight indirectOf(PixelCache cache) {
-        if (indirect == null || !indirect.isOf(cache)) {
-            indirect = new IndirectByLight(cache);
-        }
-        return indirect;
     }
 
     private static Map<Contribution, Double> pixelShares(LightThumbnails shares) {
         double total = LightThumbnails.brightness(shares.image());
         Map<Contribution, Double> fractions = new HashMap<>();
         for (Contribution part : Contribution.sources(shares.scene())) {
-            float[] image = shares.sumOfLights(part.effectiveLights(shares.scene()));
+            float[] image = shares.sum(List.of(part));
             fractions.put(part, total > 0 ? LightThumbnails.brightness(image) / total : 0);
         }
         return fractions;
@@ -336,12 +326,12 @@ public final class ContributionPane extends VBox {
         }
         pendingComparison = null;
         ViewTransform view = picture.viewProperty().get().withMarksClipping(false);
-        model.files().runConcurrently(() -> LightContribution.FilmChange.between(comparison.oldFilm(), frame.film(), view),
+        model.files().runConcurrently(() -> FilmChange.between(comparison.oldFilm(), frame.film(), view),
                 change -> comparisonLabel.setText(comparisonText(comparison.lightCount(), change)),
                 failure -> comparisonLabel.setText(ErrorMessage.of(failure)));
     }
 
-    static String comparisonText(int lights, LightContribution.FilmChange change) {
+    static String comparisonText(int lights, FilmChange change) {
         String prefix = Messages.count(lights, "Switched off 1 light: ", "Switched off {0} lights: ", lights);
         return prefix + (change.isNone() ? Messages.tr("the new image is bit-identical to the old one.")
                 : change.isInvisible() ? String.format(Messages.locale(),

@@ -61,7 +61,6 @@ import lightning.render.match.ReferenceImage;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Matches the lights to a reference image, or to what a brush painted on the picture. The result is one edit that can be undone; the pane shows
@@ -72,7 +71,6 @@ public final class MatchPane extends VBox {
     private final SceneEditor editor;
     private final PictureQuery query;
     private final MatchView view = new MatchView(() -> {
-        prepare();
         updateReason();
     });
     private final Label fileName = new Label();
@@ -92,10 +90,6 @@ public final class MatchPane extends VBox {
     private final Map<BrushDab.Wish, ToggleButton> brushes = new LinkedHashMap<>();
     private final FlowPane brushRow;
     private Optional<Reference> reference = Optional.empty();
-    /** Contributions to the picture of the last match. */
-    private Optional<MatchContributions> contributions = Optional.empty();
-    /** Picture whose contributions are known or being composed; null for none. */
-    private @Nullable Frame prepared;
     private boolean isBusy;
 
     /**
@@ -111,7 +105,7 @@ public final class MatchPane extends VBox {
     }
 
     /** What the panel found, and the scene that it is for. */
-    private record Found(Scene scene, MatchContributions contributions, MatchResult result, int invalidPixels) {}
+    private record Found(Scene scene, MatchResult result, int invalidPixels) {}
 
     public MatchPane(EditorModel model) {
         this.model = model;
@@ -218,28 +212,10 @@ public final class MatchPane extends VBox {
         Frame frame = model.picture().frame();
         if (frame != null && frame.isFinished()) {
             view.show(frame.film(), model.picture().viewProperty().get().withMarksClipping(false));
-            prepare();
         } else if (!isBusy) {
-            prepared = null;
             query.cancel();
         }
         updateReason();
-    }
-
-    /** Composes the contributions to a new picture while the artist looks at it, so that the match is quick. */
-    private void prepare() {
-        Frame frame = model.picture().frame();
-        boolean isNeeded = reference.isPresent() || !view.dabs().isEmpty();
-        if (isBusy || !isNeeded || frame == null || !frame.isFinished() || frame == prepared) {
-            return;
-        }
-        prepared = frame;
-        RenderOptions options = model.accuracyModeProperty().get().options();
-        Optional<MatchContributions> earlier = contributions;
-        query.submit(canceled -> model.workbench().cache().map(cache -> MatchContributions.of(cache, options, earlier, canceled)),
-                known -> contributions = Optional.of(known), _ -> {
-                    // The match reports the failure.
-                });
     }
 
     private void acceptDrag(DragEvent e) {
@@ -274,7 +250,6 @@ public final class MatchPane extends VBox {
         }
         brushRow.setVisible(!isOpen);
         brushRow.setManaged(!isOpen);
-        prepare();
         result.setText(isOpen ? "" : Messages.tr("Open an image that the picture shall resemble, or paint how it shall change."));
         updateReason();
     }
@@ -354,14 +329,13 @@ public final class MatchPane extends VBox {
         isBusy = true;
         updateReason();
         result.setText(Messages.tr("Matching …"));
-        Optional<MatchContributions> earlier = contributions;
         query.submit(canceled -> model.workbench().cache().map(cache -> {
             ReferenceImage target = opened.map(r -> r.light(shown, cache.film())).map(r -> counting.map(
                     c -> r.within(c.left(), c.top(), c.right(), c.bottom())).orElse(r))
                     .orElseGet(() -> PaintedReference.of(cache.film(), dabs));
-            var known = MatchContributions.of(cache, options, earlier,
+            var known = MatchContributions.of(cache, options,
                     new CountingProgress(canceled, Messages.key("Matching: {0} of {1} lights")));
-            return new Found(cache.scene(), known, LightMatch.of(known, cache, options, target, settings,
+            return new Found(cache.scene(), LightMatch.of(known, cache, options, target, settings,
                     new CountingProgress(canceled, Messages.key("Searching: step {0} of at most {1}"))), target.invalidPixels());
         }), this::apply, failure -> {
             isBusy = false;
@@ -398,7 +372,6 @@ public final class MatchPane extends VBox {
 
     private void apply(Found found) {
         isBusy = false;
-        contributions = Optional.of(found.contributions);
         updateReason();
         if (!editor.scene().rig().equals(found.scene().rig())) {
             result.setText(Messages.tr("The lights were edited meanwhile; match again"));
@@ -441,8 +414,6 @@ public final class MatchPane extends VBox {
     /** Cancels the match and ends its thread until the window opens again. */
     private void cancel() {
         query.close();
-        contributions = Optional.empty();
-        prepared = null;
         if (isBusy) {
             isBusy = false;
             result.setText(Messages.tr("Canceled"));

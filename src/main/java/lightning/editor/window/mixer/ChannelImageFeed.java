@@ -12,7 +12,6 @@ import lightning.editor.document.Workbench;
 import lightning.editor.window.model.PaneUpdater;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.IndirectByLight;
 import lightning.render.relight.LightShares;
 import lightning.render.relight.LightThumbnails;
 import lightning.scene.Scene;
@@ -23,8 +22,6 @@ final class ChannelImageFeed implements AutoCloseable {
     /** Width of a strip's thumbnail, pixels. */
     static final int WIDTH = 88;
     static final int HEIGHT = 60;
-    /** Maximum time for the indirect light of all lights of a picture, nanoseconds. */
-    private static final long INDIRECT_NS = 5_000_000_000L;
     /** Time without a new picture after which the shares are computed. */
     private static final Duration SETTLE_DELAY = Duration.millis(300);
 
@@ -38,8 +35,6 @@ final class ChannelImageFeed implements AutoCloseable {
     private @Nullable ChannelImages images;
     /** Last shares; null before the first. */
     private @Nullable LightShares lastShares;
-    /** Indirect light of the last picture; used on the feed's thread only. */
-    private @Nullable IndirectByLight indirect;
     private volatile ViewTransform view = ViewTransform.DEFAULT;
 
     /**
@@ -67,23 +62,19 @@ final class ChannelImageFeed implements AutoCloseable {
         settleTimer.setOnFinished(_ -> shares.request());
     }
 
-    /** Returns thumbnails with indirect light, or with direct light if that takes too long; empty if there is a newer picture. */
+    /** Returns thumbnails; empty if there is a newer picture. */
     private Optional<LightThumbnails> thumbnails(PixelCache cache) {
-        if (indirect == null || !indirect.isOf(cache)) {
-            indirect = new IndirectByLight(cache);
-        }
-        long start = System.nanoTime();
         try {
-            return Optional.of(LightThumbnails.of(cache, WIDTH, HEIGHT, indirect,
-                    Progress.cancellation(() -> System.nanoTime() - start > INDIRECT_NS || !isNewest(cache))));
+            return Optional.of(LightThumbnails.of(cache, workbench.options().withThreads(1), WIDTH, HEIGHT,
+                    Progress.cancellation(() -> !isNewest(cache))));
         } catch (CancellationException e) {
-            return isNewest(cache) ? Optional.of(LightThumbnails.of(cache, WIDTH, HEIGHT)) : Optional.empty();
+            return Optional.empty();
         }
     }
 
     /** Returns the last shares of all pixels, scaled to an edited scene; empty if that needs a picture of it. */
     Optional<LightShares> scaledShares(Scene scene) {
-        return Optional.ofNullable(lastShares).flatMap(last -> last.scaledTo(scene));
+        return Optional.ofNullable(lastShares).flatMap(last -> last.in(scene));
     }
 
     /** Returns the shares of all pixels; empty if there is a newer picture. */

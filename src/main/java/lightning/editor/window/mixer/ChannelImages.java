@@ -17,9 +17,8 @@ import lightning.scene.Scene;
  * @param scene scene of the traced picture
  * @param images thumbnail of each channel
  * @param master thumbnail of the traced picture itself
- * @param hasAllLight false if the channels' thumbnails and shares lack the picture's indirect light
  */
-record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, ChannelImage master, boolean hasAllLight) {
+record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, ChannelImage master) {
 
     /**
      * Thumbnail of one channel.
@@ -38,10 +37,9 @@ record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, Channe
         double totalBrightness = LightThumbnails.brightness(shares.image());
         Map<MixerChannel, ChannelImage> images = new HashMap<>();
         for (MixerChannel channel : MixerChannel.channelsOf(shares.scene())) {
-            images.put(channel, image(shares, view, shares.sumOfLights(channel.effectiveLights(shares.scene())), totalBrightness));
+            images.put(channel, image(shares, view, shares.sum(channel.contributions(shares.scene())), totalBrightness));
         }
-        return new ChannelImages(shares.scene(), images, image(shares, view, shares.image(), totalBrightness),
-                shares.hasAllLight());
+        return new ChannelImages(shares.scene(), images, image(shares, view, shares.image(), totalBrightness));
     }
 
     /** Returns these thumbnails with the shares of whole pictures; channels that their scene lacks keep theirs. */
@@ -51,12 +49,11 @@ record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, Channe
         images.forEach((channel, image) -> updated.put(channel, !channel.isIn(of) ? image
                 : new ChannelImage(image.width(), image.height(), image.pixels(),
                         share(shares, channel))));
-        return new ChannelImages(scene, updated, master, hasAllLight);
+        return new ChannelImages(scene, updated, master);
     }
 
     private static double share(LightShares shares, MixerChannel channel) {
-        int environment = channel.environmentIndex(shares.scene());
-        return environment < 0 ? shares.ofLights(channel.effectiveLights(shares.scene())) : shares.environments()[environment];
+        return channel.contributions(shares.scene()).stream().mapToDouble(shares::of).sum();
     }
 
     private static ChannelImage image(LightThumbnails shares, ViewTransform view, float[] rgb, double totalBrightness) {

@@ -56,7 +56,6 @@ public final class MixerPane extends VBox {
     private final ChoiceBox<StripFilter> filter = new ChoiceBox<>();
     private final Label count = new Label();
     /** Says what the thumbnails lack; empty if nothing. */
-    private final Label lightNote = new Label();
     private StripDetail detail = StripDetail.FULL;
     private @Nullable ChannelImages images;
     private @Nullable Frame lastFrame;
@@ -96,15 +95,8 @@ public final class MixerPane extends VBox {
         return owner == null || owner == this || owner.getParent() != null && hasFocus(owner.getParent());
     }
 
-    /** Says what thumbnails and shares lack, if any are shown. */
-    private void updateLightNote() {
-        boolean isShown = images != null && !images.hasAllLight() && detail.includes(StripDetail.NO_THUMBNAIL);
-        lightNote.setText(isShown ? Messages.tr("Direct light only") : "");
-    }
-
     private void setDetail(StripDetail newDetail) {
         detail = newDetail;
-        updateLightNote();
         master.setDetail(detail);
         strips.values().forEach(strip -> strip.setDetail(detail));
     }
@@ -150,10 +142,6 @@ public final class MixerPane extends VBox {
         });
         count.setId("mixer-count");
         count.getStyleClass().add("pane-note");
-        lightNote.setId("mixer-light");
-        lightNote.getStyleClass().add("pane-note");
-        lightNote.managedProperty().bind(lightNote.textProperty().isNotEmpty());
-        lightNote.setMinWidth(Region.USE_PREF_SIZE);
         var message = new Label();
         message.setId("mixer-message");
         message.getStyleClass().add("mixer-message");
@@ -163,7 +151,7 @@ public final class MixerPane extends VBox {
         var fullMessage = new Tooltip();
         fullMessage.textProperty().bind(message.textProperty());
         message.tooltipProperty().bind(Bindings.when(message.textProperty().isEmpty()).then((Tooltip) null).otherwise(fullMessage));
-        var tools = new HBox(search, filter, new HBox(relative, absolute), count, lightNote, message);
+        var tools = new HBox(search, filter, new HBox(relative, absolute), count, message);
         tools.getStyleClass().add("mixer-tools");
         return tools;
     }
@@ -226,7 +214,6 @@ public final class MixerPane extends VBox {
         images = newImages;
         showPictures();
         master.show(newImages);
-        updateLightNote();
     }
 
     /** Returns the shares in the current scene; empty while they are unknown. */

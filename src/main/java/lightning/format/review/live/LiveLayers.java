@@ -12,7 +12,7 @@ import lightning.format.review.HalfPlanes;
 import lightning.format.review.LightWeights;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
-import lightning.render.relight.LightFilms;
+import lightning.render.relight.PictureFilms;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Contribution;
@@ -67,7 +67,7 @@ record LiveLayers(Scene base, List<Part> parts, Layer rest, Scene shown) {
         Scene base = LightWeights.allOn(scene);
         PixelCache lit = base.equals(scene) ? cache : render(cache, base, options, progress);
         List<Part> parts = new ArrayList<>();
-        LightFilms.forEach(lit, options, _ -> true, progress, (light, film) -> {
+        new PictureFilms(lit, options).forEachShining(progress, (light, film) -> {
             short[] halves = HalfPlanes.halves(film.toScanlines());
             parts.add(new Part(light, halves, Layer.of(halves)));
         });

@@ -1,22 +1,14 @@
 package lightning.render.engine.scalar;
 
-import static java.util.Objects.requireNonNull;
-
-import lightning.render.shading.ClearChannel;
 import lightning.render.shading.InteriorTint;
-import lightning.render.shading.LightingEquation;
-import lightning.render.shading.ShadingMaterial;
 import lightning.render.shading.SumKernel;
 import lightning.render.shading.SumOperands;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.Refraction;
 import lightning.scene.material.Transmission;
-import org.jspecify.annotations.Nullable;
 
 /** Scalar implementation of {@link SumKernel}. */
 final class ScalarSums implements SumKernel {
-    private static final float[] NO_TEXELS = {};
-
     @Override
     public void sum(int from, int to, SumOperands addends, float[][] sums) {
         sum(from, to, addends, addends.red, addends.tintRed, addends.sumRed, sums[0]);
@@ -56,36 +48,6 @@ final class ScalarSums implements SumKernel {
     }
 
     @Override
-    public void shade(HitRows rows, int run, ShadingMaterial material, float[] emitted, float[][] diffuse, float @Nullable [][] specular,
-            float @Nullable [][] grazing, float @Nullable [][] mirrored, float[][] to) {
-        for (int c = 0; c < 3; c++) {
-            float own = emitted[c];
-            float kd = material.diffuse()[c];
-            float kr = material.reflective()[c];
-            float[] texel = material.isTextured() ? requireNonNull(rows.texel(c)) : NO_TEXELS;
-            float[] f0 = material.texturedF0();
-            for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
-                float color = diffuse[c][i] * (material.isTextured() ? texel[i] * kd : kd) + own;
-                if (material.isReflective()) {
-                    color *= 1 - kr;
-                }
-                if (grazing != null) {
-                    assert f0 != null && specular != null;
-                    float metal = material.isTextured() ? texel[i] * f0[c] : f0[c];
-                    color += specular[c][i] * (metal + material.specular()[c]) + grazing[c][i];
-                } else if (specular != null) {
-                    color += specular[c][i] * material.specular()[c];
-                }
-                if (material.isReflective()) {
-                    assert mirrored != null;
-                    color += mirrored[c][i] * kr;
-                }
-                to[c][i] = color;
-            }
-        }
-    }
-
-    @Override
     public void clearTerms(HitRows rows, int from, int to, Transmission clarity, InteriorTint interior, float[] share, float[][] tint) {
         for (int i = from; i < to; i++) {
             share[i] = Refraction.fresnelReflectance(clarity, rows.isInside(i), rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i],
@@ -96,25 +58,6 @@ final class ScalarSums implements SumKernel {
             for (int i = from; i < to; i++) {
                 tint[c][i] = interior.transmittance(c, rows.insideDistance[i]);
             }
-        }
-    }
-
-    @Override
-    public void clearSurface(int from, int to, ClearChannel channel, float[] texel, float[] diffuse, float[] specular, float[] grazing,
-            float[] share, float[] colors) {
-        for (int i = from; i < to; i++) {
-            colors[i] = LightingEquation.clearSurface(channel.emitted(), channel.diffuse() * texel[i], diffuse[i],
-                    channel.texturedF0() * texel[i] + channel.specular(), specular[i], grazing[i], channel.reflective(), channel.body(),
-                    share[i]);
-        }
-    }
-
-    @Override
-    public void clearColor(int from, int to, ClearChannel channel, boolean hasSurface, float[] mirrored, float[] refracted, float[] share,
-            float[] tint, float[] colors) {
-        for (int i = from; i < to; i++) {
-            colors[i] = LightingEquation.clearColor(hasSurface ? colors[i] : 0, channel.reflective(), mirrored[i], share[i],
-                    channel.clear(), refracted[i], tint[i]);
         }
     }
 }

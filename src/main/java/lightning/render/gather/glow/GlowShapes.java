@@ -55,13 +55,23 @@ public final class GlowShapes {
         return NONE;
     }
 
-    /** Returns the opaque objects that a picture shows glowing, bulbs included but not the faces of lights, unless there are too many. */
+    /**
+     * Returns the opaque objects that a picture shows glowing, bulbs included, lit or not, but not the faces of lights, unless there are too many.
+     */
     public static GlowShapes seen(Geometry geometry, MaterialTable materials) {
         boolean[] glows = new boolean[materials.count()];
         for (int m = 0; m < glows.length; m++) {
-            glows[m] = !materials.isTransparent(m) && materials.glow(m, 0) + materials.glow(m, 1) + materials.glow(m, 2) > 0;
+            glows[m] = !materials.isTransparent(m) && shows(materials, m);
         }
         return of(geometry, glows);
+    }
+
+    private static boolean shows(MaterialTable materials, int m) {
+        boolean shows = false;
+        for (int c = 0; c < 3; c++) {
+            shows |= materials.ownGlow(m, c) > 0 || materials.bulbGlow(m, c) > 0;
+        }
+        return shows;
     }
 
     /** Returns the opaque objects that glow, unless there are too many. */

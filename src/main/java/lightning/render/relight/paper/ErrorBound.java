@@ -14,7 +14,6 @@ import lightning.scene.SamplingSettings;
  * @param absolute largest additional error, linear
  */
 public record ErrorBound(double relative, double absolute) {
-    private static final ErrorBound NONE = new ErrorBound(0, 0);
     /** Largest slope of sRGB, near black. */
     private static final double SRGB_STEEPEST = 12.92;
     /** Largest change of a displayed sRGB value for a relative change: x·d/dx of 1.055·x^(1/2.4), at 1. */
@@ -29,9 +28,6 @@ public record ErrorBound(double relative, double absolute) {
         SamplingSettings sampling = cache.scene().picture().sampling();
         int samples = sampling.isSupersampled() ? sampling.samplesPerPixel() : 1;
         double relative = Math.max(RatioBound.relative(top, 0, samples), RatioBound.relative(mirrors, depth, samples));
-        if (relative == 0) {
-            return NONE;
-        }
         return new ErrorBound(relative, RatioBound.absolute(top, 1, RatioBound.maxTermSum(cache.geometry().materials()))
                 + RatioBound.absolute(mirrors, depth, RatioBound.maxTermSum(cache.mirroredGeometry().materials())));
     }
@@ -42,7 +38,7 @@ public record ErrorBound(double relative, double absolute) {
 
     /** Returns the bound for the brightest value of the film, linear; no value has a larger error. */
     public double maxError(PixelCache cache) {
-        return relative == 0 ? absolute : relative * cache.maxValue() + absolute;
+        return relative * cache.maxValue() + absolute;
     }
 
     /** Returns whether an error of this size could change the displayed image at an exposure, in stops. */

@@ -8,26 +8,28 @@ import lightning.scene.light.Light;
 /**
  * Error bound of a picture made by ratios.
  *
- * <p>Let u = 2⁻²⁴. Every float operation with a normal result errs by a factor in 1 ± u. The exact contribution is fl(w·fl(t·f)) with f
- * rounded: 3 roundings. The stored one also starts with 3, and each scaling adds 2: the ratio and the product. All quantities are ≥ 0. A
- * float ratio of two values with n roundings between them is in 1 ± n·u/(1 − n·u) =: 1 ± γ(n) (Higham, Accuracy and Stability, §3.1).
+ * <p>Let u = 2⁻²⁴. Every float operation with a normal result errs by a factor in 1 ± u. The exact contribution is fl(w·F), where the film F
+ * contains fl(t·f) with f rounded, and the stored one is fl(w·fl(t·f)): 3 roundings each. Each scaling of the stored one adds 2: the ratio and
+ * the product. All quantities are ≥ 0. A float ratio of two values with n roundings between them is in 1 ± n·u/(1 − n·u) =: 1 ± γ(n) (Higham,
+ * Accuracy and Stability, §3.1).
  *
- * <p>The equation only adds and multiplies values ≥ 0, so the relative error of a sum is at most that of its worst term. Each of the two
- * pictures adds its own roundings between a contribution and the film: one for each level of the balanced sum over the lights; five
- * for the equation (kd or ks·, + ambient, ·(1 − kr), + specular, + Cr); two for each mirror it is seen in (kr·, +). A mean of samples
- * adds one for each level of their balanced sum and one for the division. Hence for every value I of the film
+ * <p>The equation only adds and multiplies values ≥ 0, so the relative error of a sum is at most that of its worst term. Factors of materials
+ * have the same bits in both pictures. Each of the two pictures adds its own roundings between a contribution and the film: one for each level of
+ * the balanced sum over the films; eight for the equation (the factor, the sum of highlights, the sum with diffuse, mirrored, refracted, blurred
+ * and emitted light, the gain); five for each mirror it is seen in. A mean of samples adds one for each level of their balanced sum and two for
+ * the division and for joining further samples. Hence for every value I of the film
  *
- * <pre>|I − exact| ≤ γ(N)·I/(1 − γ(N)) + A,   N = 6 + scalings·2 + 2·(⌈log₂ lights⌉ + 5 + 2·mirrors + mean)</pre>
+ * <pre>|I − exact| ≤ γ(N)·I/(1 − γ(N)) + A,   N = 6 + scalings·2 + 2·(⌈log₂ films⌉ + 8 + 5·mirrors + mean)</pre>
  *
  * <p>A result that is not normal errs by at most η = 2⁻¹⁵⁰ instead. This happens in three places:
  *
  * <ul>
- * <li>A new contribution has lost w·t·η when its falloff was rounded, w·η in t·f and η in w·(t·f), together at most 2η·(w + 1). It has
- * the same bits as the exact one. A later scaling also scales this loss, but not that of the exact one. As a share of w it is
- * 2η·(w + 1)/w.
+ * <li>A new contribution has lost w·t·η when its falloff was rounded, w·η in t·f and η in w·(t·f), together at most 2η·(w + 1). As a share of
+ * w it is 2η·(w + 1)/w. A later scaling also scales this loss.
  * <li>Scaling from weight w and falloff f to w′ and f′ adds at most η·(1 + w) by the ratio of the weights and its product, which the
  * second factor f′/f also scales, and η·(1 + w′) by that factor and its product.
- * <li>The exact contribution of w′ and f′ has lost 2η·(w′ + 1) itself.
+ * <li>The exact contribution of w′ and f′ has lost 2η·(w′ + 1) itself, and each of the at most 16 operations on its film at each level loses η
+ * before the film is multiplied by w′: 16η·w′ at each level.
  * </ul>
  *
  * <p>A loss before a scaling is scaled too, so it stays the same share of w′·f′. The last two losses together are a share of at most
@@ -49,6 +51,8 @@ import lightning.scene.light.Light;
 final class RatioBound {
     private static final double UNIT_ROUNDOFF = 0x1p-24;
     private static final double UNDERFLOW = 0x1p-150;
+    /** Operations on a film at a level that may lose digits by underflow. */
+    private static final int FILM_LOSSES = 16;
 
     private RatioBound() {}
 
@@ -91,7 +95,7 @@ final class RatioBound {
     }
 
     /**
-     * Returns the relative part γ(N)/(1 − γ(N)) over all layers of one level; 0 if nothing was scaled.
+     * Returns the relative part γ(N)/(1 − γ(N)) over all layers of one level.
      *
      * @param mirrors maximum number of mirrors that the level is seen in
      * @param samples number of samples per pixel
@@ -101,11 +105,9 @@ final class RatioBound {
         for (LayerStamp stamp : stamps) {
             max = Math.max(max, stamp instanceof ScaledStamp scaled ? scaled.roundings() : 0);
         }
-        if (max == 0) {
-            return 0;
-        }
-        int mean = samples == 1 ? 0 : treeDepth(samples) + 1;
-        double n = 6 + max + 2.0 * (treeDepth(stamps.length) + 5 + 2 * mirrors + mean);
+        int mean = samples == 1 ? 0 : treeDepth(samples) + 2;
+        // Environments have two films each, ambient light and the rest one.
+        double n = 6 + max + 2.0 * (treeDepth(2 * stamps.length + 2) + 8 + 5 * mirrors + mean);
         double gamma = n * UNIT_ROUNDOFF / (1 - n * UNIT_ROUNDOFF);
         return gamma / (1 - gamma);
     }
@@ -128,8 +130,10 @@ final class RatioBound {
     static double absolute(LayerStamp[] stamps, int levels, double terms) {
         double sum = 0;
         for (LayerStamp stamp : stamps) {
-            if (stamp instanceof ScaledStamp scaled && scaled.roundings() > 0) {
-                sum += weight(scaled.light()) * Math.max(1, scaled.light().maxFalloff()) * (scaled.contributionLoss() + scaled.weightLoss())
+            if (stamp != null) {
+                ScaledStamp its = ScaledStamp.of(stamp);
+                double lost = its.contributionLoss() + Math.max(its.weightLoss(), initialLoss(its.light()));
+                sum += weight(its.light()) * Math.max(1, its.light().maxFalloff()) * lost + FILM_LOSSES * UNDERFLOW * weight(its.light())
                         + 2 * Float.MIN_NORMAL;
             }
         }

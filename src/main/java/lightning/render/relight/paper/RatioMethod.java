@@ -79,7 +79,12 @@ public record RatioMethod() implements UpdateMethod {
 
     @Override
     public UpdatePlan refresh(PixelCache cache, double exposure, DisplayCurve curve) {
-        return ErrorBound.of(cache).isVisible(exposure, curve) ? refresh(cache) : new UpdatePlan.Nothing();
+        boolean isScaled = isScaled(cache.shown()) || isScaled(cache.mirrored());
+        return isScaled && ErrorBound.of(cache).isVisible(exposure, curve) ? refresh(cache) : new UpdatePlan.Nothing();
+    }
+
+    private static boolean isScaled(CachedScene known) {
+        return known.lights().stream().anyMatch(light -> light.stamp() instanceof ScaledStamp stamp && stamp.roundings() > 0);
     }
 
     /** Plans the recomputation of all scaled contributions for the shown scene. */

@@ -22,20 +22,10 @@ import org.jspecify.annotations.Nullable;
  * @param computed the light that its layers were computed for, shadowed by the shapes that shadow it afterwards; null if there are
  *                 no layers
  * @param previous the light in the previous scene with its weight there; null if it did not exist
- * @param gains    change of its gains
+ * @param changesGains whether its gains on shapes that stay change
  */
 public record LayerPlan(WeightedLight target, @Nullable CachedLight base, LightUpdate update, ShapeChange shadows,
-        @Nullable WeightedLight computed, @Nullable WeightedLight previous, GainChange gains) {
-
-    /** Change of the light's gains on shapes that stay: of any colors, and of those by which edges are detected. */
-    record GainChange(boolean colors, boolean edges) {
-        private static final GainChange NONE = new GainChange(false, false);
-
-        static GainChange between(WeightedLight a, WeightedLight b, ShapeChange shapes) {
-            return a.gains() == b.gains() ? NONE : new GainChange(!ObjectGains.areSame(a.gains(), b.gains(), shapes),
-                    !ObjectGains.areSame(a.forEdges().gains(), b.forEdges().gains(), shapes));
-        }
-    }
+        @Nullable WeightedLight computed, @Nullable WeightedLight previous, boolean changesGains) {
 
     /**
      * @param known the previous scene
@@ -49,7 +39,8 @@ public record LayerPlan(WeightedLight target, @Nullable CachedLight base, LightU
         return new LayerPlan(target, from, update, shadows, stamp == null ? null
                 : WeightedLight.ofSwitchedOn(stamp.light().withShadowsOf(shadowing(target.light(), stamp, update)), known, stage)
                         .withFog(stamp.fog()),
-                previous, previous == null ? GainChange.NONE : GainChange.between(previous, target, shapes));
+                previous,
+                previous != null && previous.gains() != target.gains() && !ObjectGains.areSame(previous.gains(), target.gains(), shapes));
     }
 
     /** Returns the target light. */
@@ -89,31 +80,11 @@ public record LayerPlan(WeightedLight target, @Nullable CachedLight base, LightU
 
     /** Returns whether the light's weight changes: color, intensity, gains, on or solo. */
     private boolean changesWeight() {
-        return previous == null || gains.colors() || !previous.hasSameWeights(target);
+        return previous == null || changesGains || !previous.hasSameWeights(target);
     }
 
     /** Returns whether this plan alone changes the picture. */
     public boolean changesImage() {
         return changesWeight() || !(update instanceof LightUpdate.Keep) || !shadows.isEmpty();
-    }
-
-    /** Returns whether the light may change the colors by which anti-aliasing detects edges in a tile's rows. */
-    boolean canChangeEdges(TileLevel old, LightLayer after) {
-        return canChange(old, after, changesEdgeWeight());
-    }
-
-    private boolean changesEdgeWeight() {
-        return previous == null || gains.edges() || !previous.forEdges().hasSameWeights(target.forEdges());
-    }
-
-    /** Returns whether the color of any of a tile's rows may change. */
-    boolean canChangeColors(TileLevel old, LightLayer after) {
-        return canChange(old, after, changesWeight());
-    }
-
-    private boolean canChange(TileLevel old, @Nullable LightLayer after, boolean weightChanged) {
-        LightLayer before = layerBefore(old);
-        boolean lights = before != null && before.litCount() > 0 || after != null && after.litCount() > 0;
-        return lights && (before != after || weightChanged);
     }
 }

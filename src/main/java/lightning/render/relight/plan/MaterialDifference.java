@@ -27,7 +27,8 @@ record MaterialDifference(MaterialTable before, MaterialTable after) {
     }
 
     private boolean changesBulb(int m) {
-        return !before.material(m).bulb().glow().equals(after.material(m).bulb().glow());
+        return !before.material(m).bulb().light().equals(after.material(m).bulb().light())
+                || !before.material(m).bulb().unit().equals(after.material(m).bulb().unit());
     }
 
     private boolean changesSpecular(int m) {

@@ -2,7 +2,6 @@ package lightning.render.relight.plan;
 
 import java.util.List;
 import lightning.base.text.Messages;
-import lightning.render.shading.composition.BranchSums;
 import lightning.render.trace.ShapeChange;
 import org.jspecify.annotations.Nullable;
 
@@ -33,12 +32,6 @@ public sealed interface UpdatePlan {
         /** Creates an update with unchanged shapes, in which edges determine the finer samples. */
         public Relight(LevelPlan top, @Nullable LevelPlan mirrors, int oldDepth, int newDepth, PathUpdate paths) {
             this(top, mirrors, oldDepth, newDepth, false, ShapeChange.NONE, paths);
-        }
-
-        /** Returns this plan with keys of partial sums to cache, or null, for both levels. */
-        public Relight withKeys(BranchSums.@Nullable Key topKey, BranchSums.@Nullable Key mirrorsKey) {
-            return new Relight(top.withKey(topKey), mirrors == null ? null : mirrors.withKey(mirrorsKey), oldDepth, newDepth, resampled,
-                    shapes, paths);
         }
     }
 

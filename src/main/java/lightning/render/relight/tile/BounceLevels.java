@@ -9,30 +9,22 @@ import java.util.List;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.TileLevel;
 import lightning.render.relight.paper.ReflectionHitList;
-import lightning.render.shading.BounceImages;
-import lightning.render.shading.WeightedLight;
-import lightning.render.shading.fog.BounceColumns;
-import lightning.render.shading.fog.BounceFog;
-import lightning.render.shading.fog.BounceStart;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
-import lightning.render.trace.MaterialTable;
 import lightning.render.trace.RowSplice;
-import lightning.render.trace.SamplePositions;
 import lightning.render.trace.TileVisibility;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Bounce levels of a tile, below the first level: everything seen in mirrors and through clear surfaces. They form a tree, because
  * a row of a clear material sends two rays. The tree is stored as a list in preorder, mirrored levels before refracted ones.
- * Traces, updates and composes one tile after the other: use one instance per thread.
+ * Traces and updates one tile after the other: use one instance per thread.
  */
 final class BounceLevels {
     private static final TileLevel[] NONE = {};
 
     private final RenderJob job;
     private final LevelWorker worker;
-    private final @Nullable BounceFog fog;
     private final List<TileLevel> levels = new ArrayList<>();
     /** Hit shapes of the rays, used if rows are not stored. */
     private final ReflectionHitList hitShapes = new ReflectionHitList();
@@ -40,13 +32,10 @@ final class BounceLevels {
     private TileLevel[] oldLevels = NONE;
     private int nextOldLevel;
     private boolean changed;
-    /** True if the colors by which edges are detected may have changed. */
-    private boolean changedEdges;
     private long rayCount;
 
     BounceLevels(RenderJob job, LevelWorker worker) {
         this.job = job;
-        fog = BounceFog.of(job.mirrorTarget().scene(), job.bounceFog());
         this.worker = worker;
     }
 
@@ -58,11 +47,32 @@ final class BounceLevels {
     /**
      * Levels that a tile stores.
      *
-     * @param levels       all levels; only the first if the others are stored as hit shapes
-     * @param images       colors of the rays that bounce from the first level's rows; null if there are none
-     * @param changesEdges true if the colors by which edges are detected may differ from those of the old levels
+     * @param levels    all levels; only the first if the others are stored as hit shapes
+     * @param hitShapes otherwise empty
+     * @param isChanged whether any row differs from the old levels
+     * @param all       all levels, as far as they are known
      */
-    record TracedLevels(TileLevel[] levels, int[][] hitShapes, @Nullable BounceImages images, boolean changesEdges) {}
+    record TracedLevels(TileLevel[] levels, int[][] hitShapes, boolean isChanged, TileLevel[] all) {
+        // Arrays in a record: written once by their creator, never after.
+
+        /** Returns the levels of a tile without bounced rays. */
+        static TracedLevels only(TileLevel top, boolean isChanged) {
+            TileLevel[] levels = {top};
+            return new TracedLevels(levels, ReflectionHitList.NONE, isChanged, levels);
+        }
+
+        /** Returns the unchanged levels of a tile. */
+        static TracedLevels kept(CachedTile tile) {
+            return new TracedLevels(tile.levels, tile.hitShapes, false, tile.levels);
+        }
+
+        /** Returns a copy of all levels as far as they are known, with a first one. */
+        TileLevel[] allLevels(TileLevel top) {
+            TileLevel[] copy = all.clone();
+            copy[0] = top;
+            return copy;
+        }
+    }
 
     private void begin(TileLevel top, TileLevel[] before, int[][] shapes) {
         levels.clear();
@@ -71,54 +81,42 @@ final class BounceLevels {
         oldLevels = before;
         nextOldLevel = 1;
         changed = false;
-        changedEdges = false;
     }
 
     /**
      * Traces all levels.
      *
-     * @param places image positions of the first level's rays
      * @param top    the first level
      * @param shapes cached hit shapes of the rays
      */
-    TracedLevels traceAll(SamplePositions places, TileLevel top, int[][] shapes) {
+    TracedLevels traceAll(TileLevel top, int[][] shapes) {
         begin(top, NONE, shapes);
         trace(top.rows(), 0);
-        if (job.progress().isCanceled()) {
-            return new TracedLevels(new TileLevel[] {top}, shapes, null, true);
-        }
-        BounceImages images = composeImages(places);
-        return job.storesMirrorRows() ? new TracedLevels(levels.toArray(TileLevel[]::new), ReflectionHitList.NONE, images, true)
-                : new TracedLevels(new TileLevel[] {top}, hitShapes.list(), images, true);
+        TileLevel[] all = levels.toArray(TileLevel[]::new);
+        return job.storesMirrorRows() ? new TracedLevels(all, ReflectionHitList.NONE, true, all)
+                : new TracedLevels(new TileLevel[] {top}, hitShapes.list(), true, all);
     }
 
     /**
      * Updates all levels. Levels stored as rows keep cached rows and cast rays only for the rest; others are traced from their hit
      * shapes.
      *
-     * @param places image positions of the first level's rays
      * @param before the old tile
      * @param top    its new first level
      * @param order  splice of that level's rows; null if they are unchanged
      */
-    TracedLevels updateAll(SamplePositions places, CachedTile before, TileLevel top, @Nullable RowSplice order) {
+    TracedLevels updateAll(CachedTile before, TileLevel top, @Nullable RowSplice order) {
         if (!job.storesMirrorRows()) {
-            return traceAll(places, top,
+            return traceAll(top,
                     order == null
                             ? ReflectionHitList.validAfter(before.hitShapes, requireNonNull(job.plan()), job.mirrorTarget().geometry())
                             : ReflectionHitList.NONE);
         }
         begin(top, before.levels, ReflectionHitList.NONE);
-        changed = order != null || job.mirrorPlan() != null && job.mirrorPlan().recomposeAll();
-        changedEdges = changed;
-        changed |= job.changesBounceFog();
+        changed = order != null;
         update(top.rows(), order, before.levels[0].rows(), 0);
-        if (job.progress().isCanceled()) {
-            return new TracedLevels(before.levels, before.hitShapes, null, true);
-        }
-        // Composing caches partial sums and terms in the levels.
-        BounceImages images = changed ? composeImages(places) : before.images;
-        return new TracedLevels(levels.toArray(TileLevel[]::new), before.hitShapes, images, changedEdges);
+        TileLevel[] all = levels.toArray(TileLevel[]::new);
+        return new TracedLevels(all, before.hitShapes, changed, all);
     }
 
     /** Traces everything seen from a level's rows. */
@@ -171,7 +169,6 @@ final class BounceLevels {
                 }
             }
             changed |= existed || exists;
-            changedEdges |= existed || exists;
             if (existed) {
                 skipSubtree(depth + 1);
             }
@@ -204,8 +201,6 @@ final class BounceLevels {
             if (job.progress().isCanceled()) {
                 return;
             }
-            changed |= job.mirrorPlan().canChangeColors(textured, updated.layers());
-            changedEdges |= job.mirrorPlan().canChangeEdges(textured, updated.layers());
             level = updated;
         }
         BitSet unknown = order == null ? new BitSet() : order.rowsWithoutRays(bounce);
@@ -219,53 +214,13 @@ final class BounceLevels {
         }
         level = worker.withWeights(level);
         levels.add(level);
-        changed |= rowSplice != null || job.mirroredIndirectChange().changesColors(level.weights());
-        changedEdges |= rowSplice != null || job.mirroredIndirectChange().changesEdges(level.weights());
+        changed |= rowSplice != null;
         update(level.rows(), rowSplice, before.rows(), depth + 1);
     }
 
     /** Returns whether rows seen from other rows move or disappear. */
     private boolean reordersRows(@Nullable RowSplice above, HitRows rows) {
         return above != null || job.mirrorPlan() != null && job.mirrorPlan().materials().mirroringChanged().intersects(rows);
-    }
-
-    /** Composes all levels; returns the colors of the rays that bounce from the first level's rows. */
-    private @Nullable BounceImages composeImages(SamplePositions places) {
-        nextOldLevel = 1;
-        HitRows top = levels.getFirst().rows();
-        BounceImages images = composeImages(top, fog == null ? null : fog.start(places, top), 0);
-        return images == null ? null : images.compact(top);
-    }
-
-    /** @param start the rows as the start of bounced rays; null if these show no light in fog */
-    private @Nullable BounceImages composeImages(HitRows rows, @Nullable BounceStart start, int depth) {
-        if (depth == job.depth() || rows.reflectiveCount == 0) {
-            return worker.composer.blackImages(rows);
-        }
-        BounceImages images = worker.composer.backgroundImages(rows, job.mirrorTarget().scene().world(), depth);
-        for (BounceKind bounce : BounceKind.values()) {
-            if (bounce.rowCount(rows) > 0) {
-                int at = nextOldLevel++;
-                HitRows seen = levels.get(at).rows();
-                BounceImages below = composeImages(seen, start == null ? null : start.below(bounce, seen), depth + 1);
-                levels.set(at,
-                        worker.compose(levels.get(at), job.storesMirrorRows() ? job.mirrorPlan() : null, below,
-                                requireNonNull(images).forBounce(bounce)));
-                if (fog != null) {
-                    MaterialTable materials = job.mirrorTarget().geometry().materials();
-                    WeightedLight[] lights = job.mirrorTarget().lights();
-                    BounceColumns columns = fog.columns(rows, seen, bounce, materials, start, lights, levels.get(at).fog());
-                    levels.set(at, levels.get(at).withFog(columns));
-                    fog.add(rows, seen, bounce, materials, columns, lights, images.forBounce(bounce));
-                }
-            }
-        }
-        return images;
-    }
-
-    /** Returns all levels of the tile that was traced or updated last. */
-    TileLevel[] lastLevels() {
-        return levels.toArray(TileLevel[]::new);
     }
 
     /** Returns levels of a tile, below the first with the terms of their lights. */

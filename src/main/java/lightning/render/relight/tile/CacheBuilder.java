@@ -18,6 +18,7 @@ import lightning.render.engine.EngineWorkers;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.shading.EdgeColors;
 import lightning.render.shading.composition.EdgeDetector;
+import lightning.render.shading.fog.PictureFog;
 import lightning.scene.AntialiasMode;
 import org.jspecify.annotations.Nullable;
 
@@ -77,8 +78,10 @@ public final class CacheBuilder {
      * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
      */
     public static BuildResult finish(RenderJob planned, WorkerPool workers, @Nullable PixelCache old, PixelCache centers) {
+        PictureFog bounced = centers.mirrored().fog();
         RenderJob job = planned.withIndirect(centers.indirect(), centers.mirrored().indirect(), old, null).withFog(centers.shown().fog())
-                .withBounceFog(centers.mirrored().fog(), true);
+                .withBounceFog(bounced)
+                .withChangesBounceFog(FogUpdate.showsOtherLight(old == null ? null : old.mirrored().fog(), bounced));
         return new CacheBuilder(job, workers, old).addSamples(centers);
     }
 
@@ -91,7 +94,8 @@ public final class CacheBuilder {
                         : lightsAfter(job.mirrorPlan());
         return new BuildResult(
                 new PixelCache(job.target().geometry(), centers, fine, new CachedScene(job.scene(), lights, indirect, job.fog()),
-                        new CachedScene(job.mirrorTarget().scene(), mirrored, mirroredIndirect, job.bounceFog())),
+                        new CachedScene(job.mirroredScene(), mirrored, mirroredIndirect, job.bounceFog()),
+                        !job.options().method().isExact()),
                 work());
     }
 
@@ -101,8 +105,7 @@ public final class CacheBuilder {
     }
 
     private BuildResult addSamples(PixelCache centers) {
-        return new BuildResult(new PixelCache(centers.geometry(), centers.tiles(), buildSamples(centers.tiles(), 0), centers.shown(),
-                centers.mirrored()), work());
+        return new BuildResult(centers.withFineTiles(buildSamples(centers.tiles(), 0)), work());
     }
 
     /**

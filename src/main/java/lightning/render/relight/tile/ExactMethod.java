@@ -18,6 +18,8 @@ import org.jspecify.annotations.Nullable;
 
 /** Update method with the bits of a full trace: layers hold terms, which are never scaled. */
 public record ExactMethod() implements UpdateMethod {
+    /** With so many lights, layers without highlights store one column instead of two. */
+    static final int MIN_PREMULTIPLIED_LIGHTS = 8;
 
     /** Layers of a dark light are updated once it shines. */
     @Override
@@ -32,7 +34,7 @@ public record ExactMethod() implements UpdateMethod {
 
     @Override
     public LayerUpdater updater(LightKernel kernel, int lights) {
-        return new ExactUpdater(kernel, lights >= RepeatedEditDetector.MIN_LIGHTS);
+        return new ExactUpdater(kernel, lights >= MIN_PREMULTIPLIED_LIGHTS);
     }
 
     @Override

@@ -14,7 +14,9 @@ import lightning.render.engine.EngineWorkers;
 import lightning.render.image.Film;
 import lightning.render.shading.EdgeColors;
 import lightning.render.shading.SampleMean;
+import lightning.render.shading.StoredFilms;
 import lightning.render.shading.composition.EdgeDetector;
+import lightning.render.shading.composition.FilmMixer;
 import lightning.render.trace.SampleCells;
 import lightning.render.trace.SamplePositions;
 import org.jspecify.annotations.Nullable;
@@ -38,8 +40,8 @@ final class FineSampleWorker {
     private final SampleCells firstCells;
     private final SampleCells restCells;
     private final boolean refines;
-    /** True if the colors of any samples changed since the start of a tile. */
-    private boolean hasNewColors;
+    /** True if any film of any samples changed since the start of a tile. */
+    private boolean hasNewFilms;
 
     /**
      * @param edges the current edges; unread if all pixels have several samples
@@ -64,7 +66,7 @@ final class FineSampleWorker {
      */
     @Nullable
     FineTile buildTile(int tile, @Nullable CachedTile center, @Nullable CachedTile oldCenter, @Nullable FineTile old) {
-        hasNewColors = false;
+        hasNewFilms = false;
         boolean reusesPixels = old != null && (!job.detectsEdges() || edges.hasSameEdges(tile, requireNonNull(previousEdges)));
         short[] pixels = old != null && reusesPixels ? old.first().pixels() : pixels(tile);
         FineSamples first = update(tile, firstCells, pixels, old == null ? FineSamples.none(firstCells) : old.first());
@@ -76,10 +78,15 @@ final class FineSampleWorker {
         if (job.progress().isCanceled()) {
             return null;
         }
-        boolean isUnchanged = old != null && !hasNewColors && (center == null || center.film == requireNonNull(oldCenter).film)
+        boolean keepsFilms = old != null && old.films() != null && !hasNewFilms && job.films().isSame()
                 && Arrays.equals(first.pixels(), old.first().pixels()) && Arrays.equals(rest.pixels(), old.rest().pixels());
-        return old != null && isUnchanged ? new FineTile(first, rest, old.film())
-                : FineTile.of(center == null ? null : center.film, first, rest);
+        boolean isUnchanged = keepsFilms && !job.films().reweights() && (center == null || center.film == requireNonNull(oldCenter).film);
+        if (isUnchanged) {
+            return new FineTile(first, rest, requireNonNull(old).films(), old.film());
+        }
+        FilmMixer mixer = tileWorkers.forTile(tile).mixer();
+        StoredFilms films = keepsFilms ? requireNonNull(requireNonNull(old).films()) : FineTile.films(first, rest, mixer.films());
+        return FineTile.of(center == null ? null : center.film, first, rest, films, mixer);
     }
 
     private short[] pixels(int tile) {
@@ -156,20 +163,30 @@ final class FineSampleWorker {
     private @Nullable SampleBlock trace(int tile, SampleCells cells, short[] pixels) {
         TileWorker worker = tileWorkers.forTile(tile);
         CachedTile rows = worker.traceSamples(positions(tile, cells, pixels), decides(cells));
-        hasNewColors = true;
-        return rows == null ? null : new SampleBlock(pixels, rows, SampleMean.ofPixels(pixels.length, cells.count(), worker.colors()));
+        return rows == null ? null : block(worker, cells, pixels, rows, null);
     }
 
     private @Nullable SampleBlock relight(int tile, SampleCells cells, SampleBlock old) {
         TileWorker worker = tileWorkers.forTile(tile);
-        CachedTile rows = worker.relight(positions(tile, cells, old.pixels()), old.rows(), decides(cells));
-        if (rows == null) {
-            return null;
+        CachedTile rows = worker.relight(positions(tile, cells, old.pixels()), old.rows(), old.means(), decides(cells));
+        return rows == null ? null : block(worker, cells, old.pixels(), rows, old.means());
+    }
+
+    /** Returns a block with the means of the films that a worker composed, and others from before. */
+    private SampleBlock block(TileWorker worker, SampleCells cells, short[] pixels, CachedTile rows, @Nullable StoredFilms before) {
+        if (before != null && worker.changedFilms().isEmpty() && job.films().isSame()) {
+            return new SampleBlock(pixels, rows, before);
         }
-        if (!worker.hasNewColors()) {
-            return new SampleBlock(old.pixels(), rows, old.means());
+        hasNewFilms = true;
+        int films = worker.mixer().films();
+        // What earlier mirrors show is composed with any other film.
+        int[] origin = Arrays.copyOf(job.films().origin(), films);
+        for (int film = job.films().origin().length; film < films; film++) {
+            origin[film] = before == null || !job.areMirrorsOutdated() ? -1 : before.colors().length - films + film;
         }
-        hasNewColors = true;
-        return new SampleBlock(old.pixels(), rows, SampleMean.ofPixels(old.pixels().length, cells.count(), worker.colors()));
+        return new SampleBlock(pixels, rows, StoredFilms.after(before, origin, worker.changedFilms(), worker.composedFilms(), film -> {
+            float[][] samples = worker.films().get(film);
+            return samples == null ? null : SampleMean.ofPixels(pixels.length, cells.count(), samples);
+        }));
     }
 }

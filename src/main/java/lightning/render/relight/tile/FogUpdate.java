@@ -10,7 +10,6 @@ import lightning.render.fog.BounceRays;
 import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogMedium;
 import lightning.render.fog.FogRays;
-import lightning.render.relight.plan.LayerPlan;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.fog.BounceTracer;
@@ -45,10 +44,10 @@ final class FogUpdate {
         shown = shown.fog() == null ? shown : shown.withProgress(new ProgressPart(job.progress(), SHARE, 1));
         PictureFog before = old == null ? null : old.mirrored().fog();
         if (old != null && job.mirrorPlan() == null) {
-            return shown.withBounceFog(before, false);
+            return shown.withBounceFog(before).withChangesBounceFog(false);
         }
         PictureFog bounced = bounceFog(before, part.section(1, 2));
-        return shown.withBounceFog(bounced, showsOtherLight(before, bounced));
+        return shown.withBounceFog(bounced).withChangesBounceFog(showsOtherLight(before, bounced));
     }
 
     private @Nullable PictureFog cameraFog(ProgressPart part) {
@@ -88,13 +87,12 @@ final class FogUpdate {
     }
 
     /** Returns whether bounced rays may show other light in fog than before. */
-    private boolean showsOtherLight(@Nullable PictureFog before, @Nullable PictureFog now) {
+    static boolean showsOtherLight(@Nullable PictureFog before, @Nullable PictureFog now) {
         if (before == null || now == null) {
             return before != now;
         }
         return before.rays() != now.rays() || !before.medium().equals(now.medium())
-                || !Arrays.equals(before.lights(), now.lights(), (a, b) -> a == b ? 0 : 1)
-                || requireNonNull(job.mirrorPlan()).layers().stream().anyMatch(LayerPlan::changesImage);
+                || !Arrays.equals(before.lights(), now.lights(), (a, b) -> a == b ? 0 : 1);
     }
 
     /** Returns the work since the start. */

@@ -3,10 +3,9 @@ package lightning.render.relight.tile;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.BiPredicate;
-import java.util.stream.IntStream;
 import lightning.base.work.HeapBudget;
 import lightning.base.work.Progress;
 import lightning.base.work.ProgressPart;
@@ -18,10 +17,12 @@ import lightning.render.engine.EngineWorkers;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.PointChanges;
 import lightning.render.gather.build.GatherBuilder;
+import lightning.render.relight.plan.LayerPlan;
 import lightning.render.relight.plan.PathUpdate;
-import lightning.render.shading.BackgroundLight;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.RayCounts;
+import lightning.render.shading.StoredFilms;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
@@ -98,36 +99,53 @@ final class IndirectBuilder {
 
     /** @param before indirect light of the last picture along the same paths */
     private IndirectLight light(GatherStructure structure, TileLevel[] surfels, @Nullable IndirectCache before) {
-        BackgroundLight background = BackgroundLight.of(job.scene());
-        BackgroundLight known = before == null ? background : BackgroundLight.of(requireNonNull(oldCache).scene());
-        boolean showsAmbience = before != null && before.structure().reflections() != null
-                && job.scene().world().ambience() != requireNonNull(oldCache).scene().world().ambience();
-        boolean keepsColors =
-                before != null && !showsAmbience && background.equals(known)
-                        && isUnchanged(before, surfels, requireNonNull(job.topPlan())::canChangeColors);
-        boolean keepsEdges = !job.detectsEdges()
-                || before != null && !showsAmbience && background.forEdges().equals(known.forEdges()) && before.light().edgeLight() != null
-                        && isUnchanged(before, surfels, requireNonNull(job.topPlan())::canChangeEdges);
-        float[][] edgesBefore = before == null || !job.detectsEdges() ? null : before.light().edgeLight();
-        if (before != null && keepsColors && keepsEdges) {
-            return edgesBefore == before.light().edgeLight() ? before.light()
-                    : new IndirectLight(structure, before.light().light(), edgesBefore);
+        FilmParts parts = job.target().parts();
+        BitSet changed = changedFilms(before, surfels);
+        StoredFilms known = before == null ? null : before.light().films();
+        BitSet solved = parts.shining();
+        for (int part = 0; part < parts.count() && known != null; part++) {
+            int origin = job.films().origin()[part];
+            solved.set(part, solved.get(part) && (changed.get(part) || !known.known().get(origin)));
         }
-        SurfelSolver solver = new SurfelSolver(structure, surfels, job.target().geometry().materials(), job.scene().world().ambience(),
-                job.options().engines(), workers, job.progress());
-        return new IndirectLight(structure,
-                before != null && keepsColors ? before.light().light() : solver.solve(job.target().lights(), background),
-                keepsEdges ? edgesBefore : edgeSolver(solver, structure, surfels).solve(job.target().edgeLights(), background.forEdges()));
+        if (before != null && changed.isEmpty() && solved.isEmpty() && job.films().isSame()) {
+            return before.light();
+        }
+        float[] @Nullable [][] light = solver(structure, surfels).solve(parts, solved);
+        StoredFilms films = StoredFilms.after(known, job.films().origin(), changed, solved, film -> light[film]);
+        boolean isExact = job.options().method().isExact();
+        return new IndirectLight(structure, films, isExact || !job.detectsEdges() ? films.colors()
+                : solver(structure, terms(structure, surfels)).solve(job.target().edgeParts(), job.target().edgeParts().shining()));
     }
 
-    /** Returns whether no light or material changes what any surfel sends. */
-    private boolean isUnchanged(IndirectCache known, TileLevel[] after, BiPredicate<TileLevel, LightLayer[]> canChange) {
-        if (known.structure().bounces() == 0) {
-            return true;
+    private SurfelSolver solver(GatherStructure structure, TileLevel[] surfels) {
+        return new SurfelSolver(structure, surfels, job.target().geometry().materials(), job.options().engines(), workers, job.progress());
+    }
+
+    /** Returns the films whose gathered light may change, dark ones too. */
+    private BitSet changedFilms(@Nullable IndirectCache before, TileLevel[] surfels) {
+        FilmParts parts = job.target().parts();
+        BitSet changed = (BitSet) job.films().changed().clone();
+        boolean changesAll = before == null || !requireNonNull(job.topPlan()).materials().isEmpty()
+                || !job.scene().picture().indirect().equals(requireNonNull(oldCache).scene().picture().indirect());
+        for (int part = 0; part < parts.count(); part++) {
+            int from = parts.get(part).from();
+            int to = parts.get(part).to();
+            int blocks = before == null || before.structure().bounces() == 0 ? 0 : surfels.length;
+            for (int block = 0; block < blocks && !changesAll && !changed.get(part); block++) {
+                for (int l = from; l < to; l++) {
+                    LayerPlan plan = requireNonNull(job.topPlan()).layers().get(l);
+                    LightLayer known = plan.layerBefore(requireNonNull(before).surfels()[block]);
+                    LightLayer now = surfels[block].layers()[l];
+                    if (known != now && (TileWorker.isLit(known) || TileWorker.isLit(now))) {
+                        changed.set(part);
+                    }
+                }
+            }
         }
-        TileLevel[] before = known.surfels();
-        return requireNonNull(job.topPlan()).materials().isEmpty()
-                && IntStream.range(0, after.length).noneMatch(block -> canChange.test(before[block], after[block].layers()));
+        if (changesAll) {
+            changed.set(0, parts.count());
+        }
+        return changed;
     }
 
     /** Returns the change of the gather points; null if all may have changed, or none did. */
@@ -136,17 +154,15 @@ final class IndirectBuilder {
         return pointChanges;
     }
 
-    /** Returns the solver for lights with rounded weights. Layers of some methods contain the exact weights, so they are replaced by terms. */
-    private SurfelSolver edgeSolver(SurfelSolver solver, GatherStructure structure, TileLevel[] surfels) {
-        if (job.options().method().isExact() || structure.bounces() == 0) {
-            return solver;
+    /** Returns surfels whose layers contain no weights. */
+    private TileLevel[] terms(GatherStructure structure, TileLevel[] surfels) {
+        if (structure.bounces() == 0) {
+            return surfels;
         }
         TileLevel[] terms = new TileLevel[surfels.length];
         workers.run(surfels.length, (worker, block) -> terms[block] = surfelWorker(worker, block).withTerms(surfels[block]),
                 job.progress().cancellationOnly());
-        return new SurfelSolver(structure, terms, job.target().geometry().materials(), job.scene().world().ambience(),
-                job.options().engines(),
-                workers, job.progress());
+        return terms;
     }
 
     private LevelWorker surfelWorker(int worker, int block) {

@@ -3,31 +3,40 @@ package lightning.render.relight.tile;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import lightning.render.gather.RowWeights;
+import lightning.render.relight.plan.FilmUpdate;
 import lightning.render.shading.IndirectLight;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Gather points whose light an update changes. Rows far from these keep their colors.
  *
- * @param colors true for each gather point, then each reflection point, with other light; null if no point has
- * @param edges true for each point with other light as edge detection sees it; null if no point has
+ * @param points for each film true for each gather point, then each reflection point, with other light; null if no point has
+ * @param isAll  whether all rows change in all films
  */
-record IndirectChange(boolean @Nullable [] colors, boolean @Nullable [] edges, boolean isAll) {
-    static final IndirectChange NONE = new IndirectChange(null, null, false);
-    private static final IndirectChange ALL = new IndirectChange(null, null, true);
+record IndirectChange(boolean[] @Nullable [] points, boolean isAll) {
+    static final IndirectChange NONE = new IndirectChange(new boolean[0][], false);
+    private static final IndirectChange ALL = new IndirectChange(new boolean[0][], true);
 
     /** Compares the indirect light of two pictures, each null if there is none. */
-    static IndirectChange between(@Nullable IndirectLight before, @Nullable IndirectLight after) {
-        if (before == after) {
+    static IndirectChange between(@Nullable IndirectLight before, @Nullable IndirectLight after, FilmUpdate films) {
+        if (before == null && after == null) {
             return NONE;
         }
         if (before == null || after == null || before.structure() != after.structure()) {
             return ALL;
         }
-        // Colors by which edges are detected are new if there were none before.
-        return new IndirectChange(changedPoints(before.light(), after.light()), before.edgeLight() == null || after.edgeLight() == null
-                ? null : changedPoints(before.edgeLight(), after.edgeLight()), false);
+        boolean[] @Nullable [] points = new boolean[after.light().length][];
+        for (int film = 0; film < points.length; film++) {
+            float[][] was = films.origin()[film] < 0 ? null : before.light()[films.origin()[film]];
+            float[][] is = after.light()[film];
+            if (was != is) {
+                points[film] =
+                        changedPoints(was == null ? after.structure().noLight() : was, is == null ? after.structure().noLight() : is);
+            }
+        }
+        return new IndirectChange(points, false);
     }
 
     private static boolean @Nullable [] changedPoints(float[][] before, float[][] after) {
@@ -47,20 +56,15 @@ record IndirectChange(boolean @Nullable [] colors, boolean @Nullable [] edges, b
     }
 
     /**
-     * Returns whether the indirect light of any row of a level changes.
+     * Adds the films in which the indirect light of any row of a level changes.
      *
      * @param weights weights of the level after the update; null if there is no indirect light
      */
-    boolean changesColors(@Nullable RowWeights weights) {
-        return changes(colors, weights);
-    }
-
-    /** Returns whether the indirect light of any row changes as edge detection sees it; parameter as above. */
-    boolean changesEdges(@Nullable RowWeights weights) {
-        return changes(edges, weights);
-    }
-
-    private boolean changes(boolean @Nullable [] points, @Nullable RowWeights weights) {
-        return isAll || points != null && requireNonNull(weights).touches(points);
+    void addChanged(@Nullable RowWeights weights, BitSet films) {
+        for (int film = 0; film < points.length; film++) {
+            if (points[film] != null && requireNonNull(weights).touches(requireNonNull(points[film]))) {
+                films.set(film);
+            }
+        }
     }
 }

@@ -13,11 +13,6 @@ import lightning.render.relight.plan.LayerPlan;
 import lightning.render.relight.plan.LayerUpdater;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.LightUpdate;
-import lightning.render.shading.BounceImages;
-import lightning.render.shading.ClearTerms;
-import lightning.render.shading.IndirectRows;
-import lightning.render.shading.composition.BranchSums;
-import lightning.render.shading.composition.TileComposer;
 import lightning.render.shading.layer.LightKernel;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.BounceKind;
@@ -31,7 +26,7 @@ import lightning.render.trace.Tracer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Traces, lights and composes the levels that show one scene: those seen directly, or those in mirrors. Holds scratch memory: use
+ * Traces and lights the levels that show one scene: those seen directly, or those in mirrors. Holds scratch memory: use
  * one instance per thread.
  */
 final class LevelWorker {
@@ -42,7 +37,6 @@ final class LevelWorker {
     private final PreparedScene target;
     /** Created for the first trace. */
     private @Nullable TileVisibility visibility;
-    final TileComposer composer;
     private final Tracer tracer;
     /** Created on first use. */
     private @Nullable TexelUpdater retexturing;
@@ -50,7 +44,6 @@ final class LevelWorker {
     private final LayerUpdater updater;
     /** Created on first use. */
     private @Nullable RowWeigher weigher;
-    private long rowsComposed;
     private long bytesMoved;
 
     LevelWorker(RenderJob job, PreparedScene shown, Engine engine, Tracer tracer) {
@@ -75,7 +68,6 @@ final class LevelWorker {
         this.tracer = tracer;
         lightKernel = kernel;
         updater = job.options().method().updater(lightKernel, shown.lights().length);
-        composer = new TileComposer(shown.scene(), shown.geometry().materials(), engine.sums(), job.options().view());
     }
 
     /** Returns whether few enough rays are retraced for keeping the hits of the others to pay off. */
@@ -99,10 +91,6 @@ final class LevelWorker {
 
     double minFalloff() {
         return updater.minFalloff();
-    }
-
-    long rowsComposed() {
-        return rowsComposed;
     }
 
     long bytesMoved() {
@@ -178,9 +166,7 @@ final class LevelWorker {
                 bytesMoved += layers[l].newBytes(before) + old.rows().count * layers[l].rowBytesRead(before);
             }
         }
-        BranchSums sums = old.branches() != null && old.branches().key() == update.key() ? old.branches() : null;
-        return sums == old.branches() && Arrays.equals(layers, old.layers()) ? old
-                : new TileLevel(old.rows(), layers, sums, old.clearTerms(), old.weights(), old.fog());
+        return Arrays.equals(layers, old.layers()) ? old : new TileLevel(old.rows(), layers, old.weights(), old.fog());
     }
 
     /**
@@ -237,7 +223,7 @@ final class LevelWorker {
     }
 
     /**
-     * Returns a level with the terms of the lights that shine, for {@link PreparedScene#edgeLights}. It casts no ray, so it does not
+     * Returns a level with the terms of the lights that shine, for {@link PreparedScene#edgeParts}. It casts no ray, so it does not
      * ask for cancellation: the caller composes all terms.
      */
     TileLevel withTerms(TileLevel level) {
@@ -246,47 +232,5 @@ final class LevelWorker {
             terms[l] = target.lights()[l].isDark() ? null : updater.terms(level.rows(), target.lights()[l], level.layers()[l]);
         }
         return new TileLevel(level.rows(), terms).withWeights(withWeights(level).weights());
-    }
-
-    /**
-     * Composes a level; returns it with the partial sums and terms cached for the next update, if any.
-     *
-     * @param to receives the colors
-     */
-    TileLevel compose(TileLevel before, @Nullable LevelPlan update, @Nullable BounceImages images, float[][] to) {
-        TileLevel level = withWeights(before);
-        rowsComposed += level.rows().count;
-        BranchSums.Key key = update == null ? null : update.key();
-        boolean isRepeated = key != null;
-        BranchSums sums = key == null || target.lights().length < RepeatedEditDetector.MIN_LIGHTS ? null
-                : level.branches() != null ? level.branches()
-                : composer.branchSums(level.rows(), target.lights(), level.layers(), key);
-        ClearTerms terms = level.clearTerms();
-        if (terms != null && !composer.isCurrent(terms, level.rows())) {
-            terms = null;
-        }
-        terms = terms == null && isRepeated ? composer.clearTerms(level.rows(), images) : terms;
-        composer.composeLevel(level.rows(), target.lights(), level.layers(), sums, terms, target.scene().world(),
-                target.indirect() == null ? null : new IndirectRows(requireNonNull(level.weights()), target.indirect().light()), images,
-                to);
-        bytesMoved += bytesRead(level, key, sums) + (terms == null ? 0 : terms.bytes());
-        return level.withCached(sums, terms);
-    }
-
-    /**
-     * Returns the bytes that composing a level reads: textures, mirror images, and the layers of lights that light a row, or their
-     * partial sums.
-     */
-    private long bytesRead(TileLevel level, BranchSums.@Nullable Key key, @Nullable BranchSums sums) {
-        HitRows rows = level.rows();
-        long bytes =
-                12L * (rows.reflectiveCount + rows.clearCount) + (rows.texelRed == null ? 0 : 12L * rows.count) + 2L * rows.count;
-        for (int l = 0; l < target.lights().length; l++) {
-            boolean read = sums == null || requireNonNull(key).light() == l;
-            if (read && !target.lights()[l].isDark() && level.layers()[l].litCount() > 0) {
-                bytes += level.layers()[l].bytesReadByCompositing();
-            }
-        }
-        return bytes + (sums == null ? 0 : sums.bytes());
     }
 }

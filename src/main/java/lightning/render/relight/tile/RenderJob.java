@@ -1,13 +1,15 @@
 package lightning.render.relight.tile;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import lightning.base.work.Progress;
 import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
 import lightning.render.gather.PointChanges;
 import lightning.render.image.Film;
-import lightning.render.relight.plan.LayerPlan;
+import lightning.render.relight.plan.FilmUpdate;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.shading.WeightedLight;
@@ -23,49 +25,71 @@ import org.jspecify.annotations.Nullable;
  * Shared, immutable data of one update for all threads.
  *
  * @param target       target scene of the first level
- * @param mirrorTarget target scene of the mirror levels: the same if they are updated too, and in a first pass
+ * @param mirrorTarget target scene of the mirror levels: the same if they are updated too or look the same, and in a first pass
+ * @param mirroredScene scene that the mirror levels were last updated to
  * @param plan         the update; null in a first pass
+ * @param films        change of the films
+ * @param mirroredFilms change of the films of the mirror levels
+ * @param togglesMirrors whether mirrors begin or cease to show an earlier scene, so that other films contain what they show
  * @param indirectChange changed indirect light of the first level
  * @param mirroredIndirectChange changed indirect light of the mirror levels
  * @param fog fog of the target scene; null if its air is clear, or before it is computed
  * @param bounceFog fog along bounced rays of the target scene of mirrors; null if no light is seen there, or before it is computed
  * @param changesBounceFog whether it shows other light than in the last picture
  */
-public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, RenderOptions options, UpdatePlan.@Nullable Relight plan,
-        Progress progress, IndirectChange indirectChange, IndirectChange mirroredIndirectChange, @Nullable PictureFog fog,
+@RecordBuilder
+public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Scene mirroredScene, RenderOptions options,
+        UpdatePlan.@Nullable Relight plan,
+        Progress progress, FilmUpdate films, FilmUpdate mirroredFilms, boolean togglesMirrors,
+        IndirectChange indirectChange, IndirectChange mirroredIndirectChange, @Nullable PictureFog fog,
         @Nullable PictureFog bounceFog,
-        boolean changesBounceFog) {
+        boolean changesBounceFog) implements RenderJobBuilder.With {
 
-    private RenderJob(PreparedScene target, PreparedScene mirrorTarget, RenderOptions options, UpdatePlan.@Nullable Relight plan,
-            Progress progress) {
-        this(target, mirrorTarget, options, plan, progress, IndirectChange.NONE, IndirectChange.NONE, null, null, false);
+    private static RenderJob of(PreparedScene target, PreparedScene mirrorTarget, Scene mirroredScene, RenderOptions options,
+            UpdatePlan.@Nullable Relight plan, Progress progress, FilmUpdate films, FilmUpdate mirroredFilms) {
+        return new RenderJob(target, mirrorTarget, mirroredScene, options, plan, progress, films, mirroredFilms, false, IndirectChange.NONE,
+                IndirectChange.NONE,
+                null, null, false);
     }
 
     /** Creates the job of a first pass. */
     public static RenderJob firstPass(Geometry geometry, Scene target, RenderOptions options, Progress progress) {
-        PreparedScene shown = PreparedScene.of(geometry, target);
-        return new RenderJob(shown, shown, options, null, progress);
+        PreparedScene shown = PreparedScene.of(geometry, target, !options.method().isExact());
+        FilmUpdate first = FilmUpdate.first(shown.parts());
+        return of(shown, shown, target, options, null, progress, first, first);
     }
 
     /**
      * Creates the job of an update.
      *
+     * @param old      the last picture
      * @param geometry geometry of the target shapes
      * @param target   target scenes of the first level and the mirrors
      */
-    public static RenderJob relight(UpdatePlan.Relight plan, Geometry geometry, RenderedScenes target, RenderOptions options,
-            Progress progress) {
-        PreparedScene shown = PreparedScene.of(geometry, target.scene());
-        return new RenderJob(shown, plan.mirrors() == null ? PreparedScene.of(geometry, target.mirrored()) : shown, options, plan,
-                progress);
+    public static RenderJob relight(UpdatePlan.Relight plan, PixelCache old, Geometry geometry, RenderedScenes target,
+            RenderOptions options, Progress progress) {
+        boolean isWeighted = !options.method().isExact();
+        PreparedScene shown = PreparedScene.of(geometry, target.scene(), isWeighted);
+        PreparedScene mirrored = target.areReflectionsCurrent() ? shown : PreparedScene.of(geometry, target.mirrored(), isWeighted);
+        FilmUpdate films = FilmUpdate.between(parts(old.scene(), isWeighted), shown.parts(), plan.top());
+        boolean areMirrorsSame = !old.areMirrorsOutdated() && mirrored == shown;
+        FilmUpdate inMirrors = areMirrorsSame ? films : plan.mirrors() == null ? FilmUpdate.none(mirrored.parts())
+                : FilmUpdate.between(parts(old.mirrored().scene(), isWeighted), mirrored.parts(), plan.mirrors());
+        return of(shown, mirrored, target.mirrored(), options, plan, progress, films, inMirrors)
+                .withTogglesMirrors(old.areMirrorsOutdated() == (mirrored == shown));
+    }
+
+    private static FilmParts parts(Scene scene, boolean isWeighted) {
+        return isWeighted ? FilmParts.weighted(scene) : FilmParts.of(scene);
     }
 
     /** Creates the job that traces samples for existing centers, whose mirrors may show an older scene. */
     public static RenderJob samples(PixelCache centers, RenderOptions options, Progress progress) {
-        PreparedScene shown = PreparedScene.of(centers.geometry(), centers.scene());
-        PreparedScene mirrored = centers.hasCurrentReflections() ? shown
-                : PreparedScene.of(centers.geometry(), centers.mirrored().scene());
-        return new RenderJob(shown, mirrored, options, null, progress);
+        PreparedScene shown = PreparedScene.of(centers.geometry(), centers.scene(), !options.method().isExact());
+        PreparedScene mirrored = !centers.areMirrorsOutdated() ? shown
+                : PreparedScene.of(centers.geometry(), centers.mirrored().scene(), !options.method().isExact());
+        return of(shown, mirrored, centers.mirrored().scene(), options, null, progress, FilmUpdate.first(shown.parts()),
+                FilmUpdate.first(mirrored.parts()));
     }
 
     /**
@@ -83,42 +107,31 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
         IndirectLight shownBefore = old == null ? null : light(old.indirect());
         IndirectLight mirroredBefore = old == null ? null : light(old.mirrored().indirect());
         PreparedScene top = target.withIndirect(shownLight, changes);
-        IndirectChange change = IndirectChange.between(shownBefore, shownLight);
-        return new RenderJob(top, mirrorTarget == target ? top : mirrorTarget.withIndirect(mirroredLight, null), options, plan, progress,
-                change,
-                mirroredBefore == shownBefore && mirroredLight == shownLight ? change
-                        : IndirectChange.between(mirroredBefore, mirroredLight),
-                fog, bounceFog, changesBounceFog);
+        IndirectChange change = IndirectChange.between(shownBefore, shownLight, films);
+        IndirectChange inMirrors = mirroredBefore == shownBefore && mirroredLight == shownLight ? change
+                : IndirectChange.between(mirroredBefore, mirroredLight, mirroredFilms);
+        PreparedScene below = mirrorTarget == target ? top : mirrorTarget.withIndirect(mirroredLight, null);
+        return with(job -> job.target(top).mirrorTarget(below).indirectChange(change).mirroredIndirectChange(inMirrors));
     }
 
     private static @Nullable IndirectLight light(@Nullable IndirectCache indirect) {
         return indirect == null ? null : indirect.light();
     }
 
-    /** Returns this job with another progress. */
-    RenderJob withProgress(Progress v) {
-        return new RenderJob(target, mirrorTarget, options, plan, v, indirectChange, mirroredIndirectChange, fog, bounceFog,
-                changesBounceFog);
+    /** Returns whether mirrors show an earlier scene. */
+    boolean areMirrorsOutdated() {
+        return mirrorTarget != target;
     }
 
-    /** Returns this job with the fog of the target scene. */
-    RenderJob withFog(@Nullable PictureFog v) {
-        return new RenderJob(target, mirrorTarget, options, plan, progress, indirectChange, mirroredIndirectChange, v, bounceFog,
-                changesBounceFog);
+    /** Returns whether tiles store what bounced rays show, all films added: mirrors may show it later, or its levels are not stored. */
+    boolean storesImages() {
+        return !options.keepsReflectionsCurrent() || !storesMirrorRows();
     }
 
-    /**
-     * Returns this job with fog along bounced rays.
-     *
-     * @param changed whether it shows other light than in the last picture
-     */
-    RenderJob withBounceFog(@Nullable PictureFog v, boolean changed) {
-        return new RenderJob(target, mirrorTarget, options, plan, progress, indirectChange, mirroredIndirectChange, fog, v, changed);
-    }
-
-    /** Returns whether fog may have another color although none of its light changes: a weight of a light changed. */
-    boolean reweightsFog() {
-        return fog != null && plan != null && plan.top().layers().stream().anyMatch(LayerPlan::changesImage);
+    /** Returns whether tiles store their films: where composing them again takes much longer than adding them. */
+    boolean keepsFilms() {
+        return options.method().isExact() && !storesImages() && !areMirrorsOutdated()
+                && FilmMemory.pays(scene()) && FilmMemory.maxCenterBytes(scene()) <= options.memory() / 4;
     }
 
     /** Returns whether the scene has finer samples only at edges. */

@@ -2,73 +2,83 @@ package lightning.render.relight.tile;
 
 import static java.util.Objects.requireNonNull;
 
-import lightning.render.cache.PixelCache;
+import java.util.BitSet;
+import java.util.EnumSet;
+import java.util.Set;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
-import lightning.render.image.Film;
 import lightning.render.shading.BounceImages;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.IndirectRows;
-import lightning.render.shading.WeightedLight;
+import lightning.render.shading.composition.FilmColors;
+import lightning.render.shading.composition.FilmMixer;
+import lightning.render.shading.composition.LightComponent;
 import lightning.render.shading.composition.TileComposer;
+import lightning.render.shading.fog.BounceColumns;
 import lightning.render.shading.fog.BounceFog;
 import lightning.render.shading.fog.BounceStart;
+import lightning.render.shading.fog.FogComposer;
+import lightning.render.shading.fog.FogTile;
+import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
-import lightning.scene.Scene;
-import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Composes tiles from cached layers, independently of earlier compositions. Casts no ray and computes no term. Holds scratch
+ * Composes films of tiles from cached layers, independently of earlier compositions. Casts no ray and computes no term. Holds scratch
  * memory: use one instance per thread.
  */
 public final class TileRecomposer {
-    private final TileComposer eye;
-    private final TileComposer mirror;
-    private final int depth;
-    /** Light of gather points that is added to the first level and to the others. */
-    private float @Nullable [][] eyeIndirect;
-    private float @Nullable [][] mirrorIndirect;
-    private final MaterialTable mirrored;
+    private final Side eye;
+    private final Side mirror;
+    private final FilmMixer mixer;
+    private final FogComposer fogComposer = new FogComposer();
     /** Fog of bounced rays. */
     private @Nullable BounceFog mirrorFog;
     /** Index of the next level to compose. */
     private int nextLevel;
+    private long rowsComposed;
+    private long bytesRead;
 
-    public TileRecomposer(PixelCache cache, Engine engine, ViewEffects view) {
-        this(cache.scene(), cache.geometry().materials(), cache.mirroredGeometry().materials(), cache.scene().picture().depth(), engine,
-                view);
+    /** What composes the first level, or the others. */
+    private static final class Side {
+        private final FilmParts parts;
+        private final MaterialTable materials;
+        private final TileComposer composer;
+        private final float @Nullable [] @Nullable [][] indirect;
+
+        Side(FilmParts parts, MaterialTable materials, float @Nullable [] @Nullable [][] indirect, Engine engine, ViewEffects view) {
+            this.parts = parts;
+            this.materials = materials;
+            this.indirect = indirect;
+            composer = new TileComposer(parts.scene(), materials, engine.sums(), view);
+        }
+
+        private @Nullable IndirectRows indirect(TileLevel level) {
+            return indirect == null ? null : new IndirectRows(requireNonNull(level.weights()), indirect);
+        }
     }
 
     /**
-     * @param scene     scene whose camera and size tell how fine the environment is seen
-     * @param materials materials of the first level
-     * @param mirrored  materials of the other levels
-     * @param depth     maximum recursion depth
+     * Scene of the levels to compose.
+     *
+     * @param indirect light of each film at the gather points of which all levels have weights; null for none
      */
-    public TileRecomposer(Scene scene, MaterialTable materials, MaterialTable mirrored, int depth, Engine engine, ViewEffects view) {
-        this.depth = depth;
-        eye = new TileComposer(scene, materials, engine.sums(), view);
-        mirror = new TileComposer(scene, mirrored, engine.sums(), view);
-        this.mirrored = mirrored;
-    }
-
-    /** Sets whether surfaces glow from now on, in mirrors too; initially they do. */
-    public void setShowsGlow(boolean v) {
-        eye.setShowsGlow(v);
-        mirror.setShowsGlow(v);
+    public record Shown(FilmParts parts, MaterialTable materials, float @Nullable [] @Nullable [][] indirect) {
+        // An array in a record: written once by its creator, never after.
     }
 
     /**
-     * Sets the indirect light that is added from now on: red, green and blue of the gather points of which all levels have weights; null
-     * for none.
+     * @param shown    scene of the first level
+     * @param mirrored scene of the other levels: the same object if mirrors are current
      */
-    public void setIndirect(float @Nullable [][] direct, float @Nullable [][] mirrored) {
-        eyeIndirect = direct;
-        mirrorIndirect = mirrored;
+    public TileRecomposer(Shown shown, Shown mirrored, Engine engine, ViewEffects view) {
+        eye = new Side(shown.parts, shown.materials, shown.indirect, engine, view);
+        mirror = shown == mirrored ? eye : new Side(mirrored.parts, mirrored.materials, mirrored.indirect, engine, view);
+        mixer = new FilmMixer(shown.parts, shown == mirrored ? null : mirrored.parts);
     }
 
     /** Sets the fog that bounced rays pass from now on; initially the air is clear. */
@@ -76,54 +86,125 @@ public final class TileRecomposer {
         mirrorFog = fog;
     }
 
-    private static @Nullable IndirectRows indirect(TileLevel level, float @Nullable [][] light) {
-        return light == null ? null : new IndirectRows(requireNonNull(level.weights()), light);
+    /**
+     * Composes some components of the first level, before any fog; the films that are not composed become black. Parameters as for {@link
+     * #composeFilms}.
+     */
+    public void composeComponents(Set<LightComponent> components, TileLevel top, BitSet films, FilmColors @Nullable [] images,
+            FilmColors to) {
+        to.clear(eye.parts.count());
+        compose(components, top, films, images, to);
+    }
+
+    private void compose(Set<LightComponent> components, TileLevel top, BitSet films, FilmColors @Nullable [] images, FilmColors to) {
+        eye.composer.setComponents(components);
+        compose(eye, top, films, images, to);
+        eye.composer.setComponents(EnumSet.allOf(LightComponent.class));
+    }
+
+    /** Adds what mirrors show of an earlier scene to the films of the level that was composed last. */
+    public void addEarlierMirrors(TileLevel top, BounceImages earlier, FilmColors to) {
+        mixer.addEarlierMirrors(top.rows(), earlier, null, eye.composer, to);
+    }
+
+    /** Composes the background of a tile in some films, where it has no row; the others become black. */
+    public void composeBackground(TileLevel top, SamplePositions places, BitSet films, FilmColors to) {
+        eye.composer.fillBackground(top.rows(), eye.parts, films, places, to);
+        compose(EnumSet.noneOf(LightComponent.class), top, films, null, to);
+    }
+
+    /** Returns whether mirrors show an earlier scene. */
+    public boolean areMirrorsOutdated() {
+        return mirror != eye;
+    }
+
+    /** Returns the films of the scene that mirrors show. */
+    public FilmParts mirrored() {
+        return mirror.parts;
+    }
+
+    /** Returns what adds the films of a tile. */
+    public FilmMixer mixer() {
+        return mixer;
+    }
+
+    /** Returns the rows composed so far. */
+    public long rowsComposed() {
+        return rowsComposed;
+    }
+
+    /** Returns the bytes read so far. */
+    long bytesRead() {
+        return bytesRead;
     }
 
     /**
-     * Composes the colors of the rays that bounce from the first level's rows. Returns scratch memory, valid until the next call;
-     * null if there are none.
+     * Composes the colors of the rays that bounce from the first level's rows, by {@link BounceKind}. Returns scratch memory, valid until the
+     * next call; null if they are black.
      *
      * @param places image positions of the first level's rays
-     * @param levels all levels; {@code lights} light those from the second on
+     * @param levels all levels; those along which light is seen in fog are replaced by levels that know it
+     * @param films  films to compose; none is dark
      */
-    public @Nullable BounceImages composeImages(SamplePositions places, TileLevel[] levels, WeightedLight[] lights, World world) {
+    public FilmColors @Nullable [] composeImages(SamplePositions places, TileLevel[] levels, BitSet films) {
         nextLevel = 1;
-        return composeImages(levels, 0, mirrorFog == null ? null : mirrorFog.start(places, levels[0].rows()), 0, lights, world);
+        return composeImages(levels, 0, mirrorFog == null ? null : mirrorFog.start(places, levels[0].rows()), 0, films);
     }
 
     /** @param start the level's rows as the start of bounced rays; null if these show no light in fog */
-    private @Nullable BounceImages composeImages(TileLevel[] levels, int index, @Nullable BounceStart start, int level,
-            WeightedLight[] lights, World world) {
+    private FilmColors @Nullable [] composeImages(TileLevel[] levels, int index, @Nullable BounceStart start, int level, BitSet films) {
         HitRows rows = levels[index].rows();
-        if (level == depth || rows.reflectiveCount == 0) {
-            return mirror.blackImages(rows);
+        if (level == mirror.parts.scene().picture().depth() || rows.reflectiveCount == 0) {
+            return null;
         }
-        BounceImages images = mirror.backgroundImages(rows, world, level);
+        FilmColors[] images = mirror.composer.backgrounds(rows, mirror.parts, films, level);
         for (BounceKind bounce : BounceKind.values()) {
             if (bounce.rowCount(rows) > 0) {
                 int at = nextLevel++;
                 HitRows seen = levels[at].rows();
-                BounceImages below =
-                        composeImages(levels, at, start == null ? null : start.below(bounce, seen), level + 1, lights, world);
-                mirror.composeLevel(seen, lights, levels[at].layers(), world, indirect(levels[at], mirrorIndirect), below,
-                        requireNonNull(images).forBounce(bounce));
+                FilmColors[] below = composeImages(levels, at, start == null ? null : start.below(bounce, seen), level + 1, films);
+                FilmColors colors = images[bounce.ordinal()];
+                compose(mirror, levels[at], films, below, colors);
                 if (mirrorFog != null) {
-                    mirrorFog.add(rows, seen, bounce, mirrored,
-                            mirrorFog.columns(rows, seen, bounce, mirrored, start, lights, levels[at].fog()), lights,
-                            images.forBounce(bounce));
+                    BounceColumns columns = mirrorFog.columns(rows, seen, bounce, mirror.materials, start, mirror.parts.lights(),
+                            levels[at].fog());
+                    levels[at] = levels[at].withFog(columns);
+                    mirrorFog.add(rows, seen, bounce, mirror.materials, columns, mirror.parts, films, colors);
                 }
             }
         }
         return images;
     }
 
-    /** Composes the tile of the film: red, green, blue, {@code float[1024]} each. */
-    public float[][] composeFilm(TileLevel top, WeightedLight[] lights, Scene scene, SamplePositions places,
-            @Nullable BounceImages images) {
-        float[][] pixels = new float[3][Film.TILE_PIXELS];
-        eye.fillBackground(top.rows(), scene, places, pixels);
-        eye.composeLevel(top.rows(), lights, top.layers(), scene.world(), indirect(top, eyeIndirect), images, pixels);
-        return pixels;
+    /**
+     * Composes the films of a tile; the others become black.
+     *
+     * @param films  films to compose; none is dark
+     * @param images colors of the rays that bounce from its rows in these films; null if they are black, or show an earlier scene
+     * @param fog    fog before the rows; null in clear air
+     */
+    public void composeFilms(TileLevel top, SamplePositions places, BitSet films, FilmColors @Nullable [] images,
+            @Nullable BounceImages earlier, @Nullable BounceImages earlierEdges, @Nullable FogTile fog, FilmColors to) {
+        eye.composer.fillBackground(top.rows(), eye.parts, films, places, to);
+        compose(eye, top, films, images, to);
+        if (earlier != null) {
+            mixer.addEarlierMirrors(top.rows(), earlier, earlierEdges, eye.composer, to);
+        }
+        if (fog != null) {
+            fogComposer.add(fog, eye.parts, films, eye.parts.scene().world().fog(), to);
+        }
+    }
+
+    private void compose(Side side, TileLevel level, BitSet films, FilmColors @Nullable [] images, FilmColors to) {
+        HitRows rows = level.rows();
+        side.composer.composeLevel(rows, side.parts, films, level.layers(), side.indirect(level), images, to);
+        rowsComposed += rows.count;
+        bytesRead += 12L * (rows.reflectiveCount + rows.clearCount) + (rows.texelRed == null ? 0 : 12L * rows.count) + 2L * rows.count;
+        for (int part = films.nextSetBit(0); part >= 0; part = films.nextSetBit(part + 1)) {
+            for (int l = side.parts.get(part).from(); l < side.parts.get(part).to(); l++) {
+                LightLayer layer = level.layers()[l];
+                bytesRead += layer == null || layer.litCount() == 0 ? 0 : layer.bytesReadByCompositing();
+            }
+        }
     }
 }

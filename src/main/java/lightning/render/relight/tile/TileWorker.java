@@ -8,20 +8,32 @@ import lightning.render.cache.CachedTile;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
 import lightning.render.image.Film;
+import lightning.render.relight.plan.LayerPlan;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.MaterialUpdate;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.EdgeColors;
+import lightning.render.shading.FilmPart;
+import lightning.render.shading.FilmParts;
+import lightning.render.shading.FilmSum;
+import lightning.render.shading.IndirectLight;
 import lightning.render.shading.RayCounts;
-import lightning.render.shading.fog.FogComposer;
+import lightning.render.shading.StoredFilms;
+import lightning.render.shading.composition.FilmColors;
+import lightning.render.shading.composition.FilmMixer;
+import lightning.render.shading.fog.BounceFog;
 import lightning.render.shading.fog.FogLookup;
 import lightning.render.shading.fog.FogTile;
 import lightning.render.shading.fog.PictureFog;
+import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowSplice;
 import lightning.render.trace.SamplePositions;
 import lightning.render.trace.TileVisibility;
 import lightning.render.trace.Tracer;
+import lightning.scene.GatherSettings;
+import lightning.scene.light.FaceVisibility;
+import lightning.scene.light.Light;
 import org.jspecify.annotations.Nullable;
 
 /** Builds and updates cached tiles with one engine. Holds scratch memory: use one instance per thread. */
@@ -32,21 +44,25 @@ final class TileWorker {
     private final LevelWorker eyeWorker;
     /** True if rows store their owner shapes. */
     private final boolean needsOwners;
+    /** True if tiles keep the films of pixel centers. */
+    private final boolean keepsFilms;
     /** Created on first use. */
     private @Nullable LevelWorker mirrorWorker;
     /** Created on first use. */
     private @Nullable BounceLevels bounceLevels;
     /** Created on first use. */
     private @Nullable FogLookup fogLookup;
-    private final FogComposer fogComposer = new FogComposer();
-    /** Composes the colors by which edges are detected; created on first use. */
-    private @Nullable TileRecomposer edgeComposer;
-    /** Colors of samples whose colors are not stored; allocated on first use. */
-    private float @Nullable [][] sampleColors;
-    /** Colors composed last. */
-    private float @Nullable [][] colors;
-    /** True if the last tile or block was composed. */
-    private boolean hasNewColors;
+    private final TileRecomposer recomposer;
+    /** Composes the colors by which edges are detected where films contain weights; created on first use. */
+    private @Nullable TileRecomposer edgeRecomposer;
+    /** Films composed last. */
+    private final FilmColors films = new FilmColors();
+    private final FilmColors edgeFilms = new FilmColors();
+    /** Films that are not dark. */
+    private final BitSet shining;
+    /** Films that changed with the last tile or block, and those of them that were composed. */
+    private BitSet changed = new BitSet();
+    private BitSet composed = new BitSet();
     private long eyeRays;
     private long filmBytes;
 
@@ -56,6 +72,24 @@ final class TileWorker {
         tracer = engine.tracer(job.target().geometry());
         eyeWorker = new LevelWorker(job, job.target(), engine, tracer);
         needsOwners = job.needsOwners();
+        keepsFilms = job.keepsFilms();
+        shining = job.target().parts().shining();
+        recomposer = recomposer(job.target().parts(), job.mirrorTarget().parts(), false);
+    }
+
+    /** @param isForEdges whether films are those for edges */
+    private TileRecomposer recomposer(FilmParts parts, FilmParts mirrored, boolean isForEdges) {
+        var shown = new TileRecomposer.Shown(parts, job.target().geometry().materials(), light(job.target().indirect(), isForEdges));
+        TileRecomposer created = new TileRecomposer(shown, parts == mirrored ? shown
+                : new TileRecomposer.Shown(mirrored, job.mirrorTarget().geometry().materials(),
+                        light(job.mirrorTarget().indirect(), isForEdges)),
+                engine, job.options().view());
+        created.setMirrorFog(BounceFog.of(job.mirrorTarget().scene(), job.bounceFog()));
+        return created;
+    }
+
+    private static float @Nullable [] @Nullable [][] light(@Nullable IndirectLight indirect, boolean isForEdges) {
+        return indirect == null ? null : isForEdges ? indirect.edgeLight() : indirect.light();
     }
 
     private LevelWorker mirrorWorker() {
@@ -72,10 +106,11 @@ final class TileWorker {
 
     /** Returns the work since the start. */
     WorkCounts work() {
-        WorkCounts work = new WorkCounts(eyeWorker.rowsTouched(), eyeWorker.rowsComposed(), eyeWorker.bytesMoved() + filmBytes,
+        WorkCounts work = new WorkCounts(eyeWorker.rowsTouched(), recomposer.rowsComposed(),
+                eyeWorker.bytesMoved() + recomposer.bytesRead() + filmBytes,
                 new RayCounts(eyeRays, bounceLevels == null ? 0 : bounceLevels.rayCount(), 0, eyeWorker.shadowRays()));
         return mirrorWorker == null || mirrorWorker == eyeWorker ? work
-                : work.plus(new WorkCounts(mirrorWorker.rowsTouched(), mirrorWorker.rowsComposed(), mirrorWorker.bytesMoved(),
+                : work.plus(new WorkCounts(mirrorWorker.rowsTouched(), 0, mirrorWorker.bytesMoved(),
                         new RayCounts(0, 0, 0, mirrorWorker.shadowRays())));
     }
 
@@ -105,62 +140,41 @@ final class TileWorker {
         return buildTraced(places, eyeWorker.visibility().traceSamples(places, allocator(true)), detectEdges, true);
     }
 
-    /** Returns whether the last samples have other colors than before. */
-    boolean hasNewColors() {
-        return hasNewColors;
+    /** Returns the films in which the last samples differ from before. */
+    BitSet changedFilms() {
+        return changed;
     }
 
-    /** Returns the colors of the last samples if they changed: red, green and blue, valid until the next call. */
-    float[][] colors() {
-        return requireNonNull(colors);
+    /** Returns those of the changed films that were composed, with films of earlier mirrors. */
+    BitSet composedFilms() {
+        return composed;
+    }
+
+    /** Returns what adds films. */
+    FilmMixer mixer() {
+        return recomposer.mixer();
+    }
+
+    /** Returns the films of the last samples, as far as they were composed; valid until the next call. */
+    FilmColors films() {
+        return films;
     }
 
     private @Nullable CachedTile buildTraced(SamplePositions places, HitRows rows, boolean detectEdges, boolean fine) {
         TileLevel top = eyeWorker.withWeights(eyeWorker.lightLevel(rows));
         BounceLevels.TracedLevels below =
-                top.rows().reflectiveCount == 0 ? new BounceLevels.TracedLevels(new TileLevel[] {top}, new int[0][], null, true)
-                        : bounceLevels().traceAll(places, top, new int[0][]);
+                top.rows().reflectiveCount == 0 ? BounceLevels.TracedLevels.only(top, true)
+                        : bounceLevels().traceAll(top, new int[0][]);
         if (job.progress().isCanceled()) {
             return null;
         }
-        return buildTile(places, top, below, false, null, detectEdges ? edgeColors(places, top, edgeImages(places, top)) : null, fine,
-                null);
+        return buildTile(places, top, below, allFilms(), null, null, detectEdges, fine);
     }
 
-    private TileRecomposer edgeComposer() {
-        if (edgeComposer == null) {
-            edgeComposer = new TileRecomposer(job.target().scene(), job.target().geometry().materials(),
-                    job.mirrorTarget().geometry().materials(), job.depth(),
-                    engine, job.options().view());
-            edgeComposer.setIndirect(edgeIndirect(job.target()), edgeIndirect(job.mirrorTarget()));
-        }
-        return edgeComposer;
-    }
-
-    private static float @Nullable [][] edgeIndirect(PreparedScene scene) {
-        return scene.indirect() == null ? null : scene.indirect().edgeLight();
-    }
-
-    /** Returns the colors for edges of the rays that bounce from the first level's rows, of the levels traced or updated last. */
-    private @Nullable BounceImages edgeImages(SamplePositions places, TileLevel top) {
-        return top.rows().reflectiveCount == 0 ? null : edgeImages(places, bounceLevels().lastLevels());
-    }
-
-    private @Nullable BounceImages edgeImages(SamplePositions places, TileLevel[] levels) {
-        return edgeComposer().composeImages(places, bounceLevels().withTerms(levels), job.mirrorTarget().edgeLights(),
-                job.mirrorTarget().scene().world());
-    }
-
-    /**
-     * Composes the colors by which edges are detected.
-     *
-     * @param images colors of the rays that bounce from the first level's rows; null if there are none
-     */
-    private EdgeColors edgeColors(SamplePositions places, TileLevel top, @Nullable BounceImages images) {
-        float[][] film = edgeComposer().composeFilm(eyeWorker.withTerms(top), job.target().edgeLights(), job.scene(), places, images);
-        // Levels that are not stored cannot be composed again.
-        boolean storesImages = images != null && !job.storesMirrorRows();
-        return new EdgeColors(EdgeColors.pack(film), images != null && storesImages ? images.compact(top.rows()) : null);
+    private BitSet allFilms() {
+        BitSet all = new BitSet();
+        all.set(0, job.target().parts().count());
+        return all;
     }
 
     private TileVisibility.Allocator allocator(boolean fine) {
@@ -175,7 +189,7 @@ final class TileWorker {
         if (!LevelWorker.isWorthUpdating(retraced, places.count())) {
             return firstPass(tile);
         }
-        return relight(places, old, retraced, job.detectsEdges(), false);
+        return relight(places, old, old.films, retraced, job.detectsEdges(), false);
     }
 
     /** Returns the sample positions whose rays may have another hit than before. */
@@ -200,7 +214,7 @@ final class TileWorker {
         boolean known = old.levels[0].rows().owner != null;
         return !needsOwners && !known || needsOwners && known && job.shapeChange().hasSameIndices() ? old
                 : new CachedTile(needsOwners ? known ? reindexOwners(old) : withOwners(places, old) : withoutOwners(old), old.hitShapes,
-                        old.images, old.film, old.edges, old.fog);
+                        old.images, old.film, old.films, old.edges, old.fog);
     }
 
     /** Traces rays again to find owner shapes; keeps rows and layers. */
@@ -218,20 +232,26 @@ final class TileWorker {
         return Arrays.stream(old.levels).map(level -> level.withOwner(null)).toArray(TileLevel[]::new);
     }
 
-    /** Updates finer samples as planned; null if the work was canceled. */
+    /**
+     * Updates finer samples as planned; null if the work was canceled.
+     *
+     * @param known means of the samples in each film; null if unknown
+     */
     @Nullable
-    CachedTile relight(SamplePositions places, CachedTile old, boolean detectEdges) {
+    CachedTile relight(SamplePositions places, CachedTile old, @Nullable StoredFilms known, boolean detectEdges) {
         BitSet retraced = changedRays(places);
-        return LevelWorker.isWorthUpdating(retraced, places.count()) ? relight(places, old, retraced, detectEdges, true)
+        return LevelWorker.isWorthUpdating(retraced, places.count()) ? relight(places, old, known, retraced, detectEdges, true)
                 : traceSamples(places, detectEdges);
     }
 
     /**
+     * @param films       known films; null for none
      * @param retraced    sample positions whose rays are traced again
      * @param detectEdges true if edges are detected in these rows
      * @param fine        true if they are finer samples
      */
-    private @Nullable CachedTile relight(SamplePositions places, CachedTile previous, BitSet retraced, boolean detectEdges, boolean fine) {
+    private @Nullable CachedTile relight(SamplePositions places, CachedTile previous, @Nullable StoredFilms films, BitSet retraced,
+            boolean detectEdges, boolean fine) {
         CachedTile old = updateOwners(places, previous);
         TileLevel known = old.levels[0];
         LevelPlan plan = requireNonNull(job.topPlan());
@@ -254,60 +274,224 @@ final class TileWorker {
         }
         top = eyeWorker.withWeights(top);
         boolean knowsEdges = !detectEdges || old.edges != null;
-        // Colors for edges that were never composed need levels, which may not be stored.
+        // Films that contain mirrors, and colors for edges that were never composed, need levels, which may not be stored.
         boolean reusesBounces = job.mirrorPlan() == null && order == null
-                && (knowsEdges || job.storesMirrorRows() || top.rows().reflectiveCount == 0);
-        BounceLevels.TracedLevels below =
-                reusesBounces ? new BounceLevels.TracedLevels(old.levels, old.hitShapes, old.images, false)
-                        : updateLower(places, old, top, order);
+                && (job.storesMirrorRows() || top.rows().reflectiveCount == 0 || knowsEdges && job.areMirrorsOutdated());
+        BounceLevels.TracedLevels below = reusesBounces ? BounceLevels.TracedLevels.kept(old)
+                : updateLower(old, top, order);
         if (job.progress().isCanceled()) {
             return null;
         }
-        boolean changesEdges = !knowsEdges || order != null || below.changesEdges() || job.topPlan().canChangeEdges(sorted, top.layers())
-                || job.indirectChange().changesEdges(top.weights());
-        EdgeColors edges = !detectEdges ? null
-                : !changesEdges ? old.edges
-                : edgeColors(places, top, reusesBounces ? knownEdgeImages(places, old) : edgeImages(places, top)).reuseIfEqual(old.edges);
-        FogTile fog = order == null ? old.fog : null;
-        boolean isUnchanged = order == null && below.images() == old.images && !job.topPlan().canChangeColors(sorted, top.layers())
-                && !job.indirectChange().changesColors(top.weights())
-                && !job.reweightsFog();
-        return buildTile(places, top, below, isUnchanged, old.film, edges, fine, fog);
+        BitSet changes = changes(old, top, below, order != null);
+        addUnknown(films, changes, fine);
+        return buildTile(places, top, below, changes, old, order == null ? old.fog : null, detectEdges, fine);
     }
 
-    /** Returns the colors for edges of the rays that bounce in an old tile, whose bounce levels do not change; null if none bounces. */
-    private @Nullable BounceImages knownEdgeImages(SamplePositions places, CachedTile old) {
-        if (old.levels[0].rows().reflectiveCount == 0) {
-            return null;
+    /** Returns the films that change, apart from their fog before the first level. @param isReordered whether the first level has other rows */
+    private BitSet changes(CachedTile old, TileLevel top, BounceLevels.TracedLevels below, boolean isReordered) {
+        TileLevel[] levels = below.allLevels(top);
+        boolean changesAll = isReordered || below.isChanged() || job.changesBounceFog() || job.indirectChange().isAll()
+                || job.mirroredIndirectChange().isAll() || job.togglesMirrors() || changesEarlierMirrors();
+        // What earlier mirrors show is a film of its own.
+        int count = job.areMirrorsOutdated() ? 1 : levels.length;
+        changesAll |= count > 1 && levels.length != old.levels.length;
+        for (int i = 0; i < count && !changesAll; i++) {
+            changesAll = i >= old.levels.length || levels[i].rows() != old.levels[i].rows()
+                    || levels[i].weights() != old.levels[i].weights()
+                    || plan(i).materials().colorChanged().intersects(levels[i].rows());
         }
-        return job.storesMirrorRows() ? edgeImages(places, old.levels) : requireNonNull(old.edges).images();
+        if (changesAll) {
+            return allFilms();
+        }
+        BitSet changes = (BitSet) job.films().changed().clone();
+        FilmParts parts = job.target().parts();
+        for (int i = 0; i < count; i++) {
+            for (int part = 0; part < parts.count(); part++) {
+                FilmPart its = parts.get(part);
+                for (int l = its.from(); l < its.to(); l++) {
+                    LightLayer before = plan(i).layers().get(l).layerBefore(old.levels[i]);
+                    LightLayer after = levels[i].layers()[l];
+                    if (before != after && (isLit(before) || isLit(after))) {
+                        changes.set(part);
+                    }
+                }
+            }
+            (i == 0 ? job.indirectChange() : job.mirroredIndirectChange()).addChanged(levels[i].weights(), changes);
+        }
+        return changes;
+    }
+
+    /** Returns whether mirrors show another earlier scene than in the last picture. */
+    private boolean changesEarlierMirrors() {
+        return job.areMirrorsOutdated() && job.mirrorPlan() != null;
+    }
+
+    /** Returns whether any film that has another weight may show something here. None changes. @param levels levels of the scene */
+    private boolean isAnyShown(CachedTile old, TileLevel[] levels) {
+        BitSet reweighted = job.films().reweighted();
+        for (int film = reweighted.nextSetBit(0); film >= 0; film = reweighted.nextSetBit(film + 1)) {
+            int origin = job.films().origin()[film];
+            FilmPart its = job.target().parts().get(film);
+            if (origin != film || its.kind() != FilmPart.Kind.LIGHT || (old.films == null ? isShown(its, levels)
+                    : old.films.get(film) != null || !old.films.known().get(film))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean isShown(FilmPart its, TileLevel[] levels) {
+        Light light = job.scene().lights().get(its.index());
+        if (!job.storesMirrorRows() || GatherSettings.of(job.scene()).isPresent() || job.scene().world().fog().isPresent()
+                || light.area().visibility() != FaceVisibility.HIDDEN
+                || job.target().geometry().materials().bulbsOf(light.name()) != null) {
+            return true;
+        }
+        return Arrays.stream(levels).anyMatch(level -> isLit(level.layers()[its.from()]));
+    }
+
+    /** Returns whether any row is lit. */
+    static boolean isLit(@Nullable LightLayer layer) {
+        return layer != null && layer.litCount() > 0;
+    }
+
+    /** Adds films that are not dark and not known. */
+    private void addUnknown(@Nullable StoredFilms known, BitSet changes, boolean fine) {
+        if (known == null && fine) {
+            changes.or(allFilms());
+        }
+        for (int film = shining.nextSetBit(0); film >= 0; film = shining.nextSetBit(film + 1)) {
+            int origin = job.films().origin()[film];
+            changes.set(film, changes.get(film) || known != null && (origin < 0 || !known.known().get(origin)));
+        }
+    }
+
+    private LevelPlan plan(int level) {
+        return requireNonNull(level == 0 || job.mirrorPlan() == null ? job.topPlan() : job.mirrorPlan());
     }
 
     /**
-     * Composes the first level, unless its colors are unchanged, and builds the tile.
+     * Composes the films that change, adds all, and builds the tile.
      *
-     * @param film previous colors
-     * @param fine true if the rows are finer samples, whose colors are stored only to bound errors
+     * @param changes   films that change, apart from their fog
+     * @param old       the last tile; null for none
      * @param fogBefore fog before the same surfaces in the last picture; null for none
+     * @param detectEdges true if edges are detected in these rows
+     * @param fine      true if the rows are finer samples, whose colors are stored only to bound errors
      */
-    private CachedTile buildTile(SamplePositions places, TileLevel top, BounceLevels.TracedLevels below, boolean sameSurfaces,
-            float @Nullable [][] film, @Nullable EdgeColors edges, boolean fine, @Nullable FogTile fogBefore) {
+    private CachedTile buildTile(SamplePositions places, TileLevel top, BounceLevels.TracedLevels below, BitSet changes,
+            @Nullable CachedTile old, @Nullable FogTile fogBefore, boolean detectEdges, boolean fine) {
         FogTile fog = job.fog() == null ? null : fogLookup(job.fog()).tile(places, top.rows(), fogBefore);
-        boolean isUnchanged = sameSurfaces && fog == fogBefore;
+        addChangedFog(fogBefore, fog, changes);
+        boolean isExact = job.options().method().isExact();
+        boolean stores = fine ? isExact : keepsFilms;
+        boolean knowsEdges = !detectEdges || old != null && old.edges != null;
+        boolean reweights = !changes.isEmpty() || job.films().reweights()
+                && (old == null || isAnyShown(old, job.areMirrorsOutdated() ? new TileLevel[] {top} : below.allLevels(top)));
+        // Images without rows have weights, and mirrors may show them later.
+        boolean changesColors = !changes.isEmpty()
+                || reweights && (!fine || !job.storesMirrorRows() && top.rows().reflectiveCount > 0);
+        boolean changesEdges = detectEdges && (!changes.isEmpty() || !knowsEdges || reweights && job.films().changesEdges());
+        changed = changes;
+        // Colors of single samples are no sum of stored films.
+        boolean composesAll = !stores && changesColors || old == null || !fine && old.films == null || fine && changesEdges;
+        composed = new BitSet();
         TileLevel[] levels = below.levels().clone();
         levels[0] = top;
-        boolean storesColors = !fine || !job.options().method().isExact();
-        if (!isUnchanged) {
-            colors = storesColors ? new float[3][Film.TILE_PIXELS] : sampleColors();
-            eyeWorker.composer.fillBackground(top.rows(), job.scene(), places, colors);
-            levels[0] = eyeWorker.compose(top, job.topPlan(), below.images(), colors);
-            if (fog != null) {
-                fogComposer.add(fog, job.target().lights(), job.scene().world().fog(), colors);
+        BounceImages images = old == null ? null : old.images;
+        BounceImages edgeImages = old == null || old.edges == null ? null : old.edges.images();
+        if (changesColors || changesEdges) {
+            changed = composesAll ? allFilms() : changes;
+            composed = (BitSet) changed.clone();
+            composed.and(shining);
+            boolean showsEarlier = job.areMirrorsOutdated() && top.rows().reflectiveCount > 0;
+            FilmColors[] bounced = null;
+            if (top.rows().reflectiveCount > 0 && (!showsEarlier && !composed.isEmpty()
+                    || showsEarlier && (images == null || below.isChanged() || changesEarlierMirrors()
+                            || fine && job.togglesMirrors() && job.storesMirrorRows() || detectEdges && isExact && edgeImages == null))) {
+                TileLevel[] all = below.allLevels(top);
+                bounced = recomposer.composeImages(places, all, showsEarlier ? job.mirrorTarget().parts().shining() : composed);
+                System.arraycopy(all, 0, levels, 0, levels.length);
+                if (job.storesImages() && bounced != null) {
+                    images = recomposer.mixer().images(top.rows(), bounced, false).compact(top.rows());
+                    edgeImages = detectEdges && isExact ? recomposer.mixer().images(top.rows(), bounced, true).compact(top.rows()) : null;
+                }
             }
-            filmBytes += storesColors ? 12L * Film.TILE_PIXELS : 0;
+            if (composed.isEmpty() && !showsEarlier) {
+                films.clear(job.target().parts().count());
+            } else {
+                recomposer.composeFilms(top, places, composed, showsEarlier ? null : bounced, showsEarlier ? images : null,
+                        showsEarlier ? edgeImages : null, fog, films);
+            }
+            int earlier = job.target().parts().count();
+            composed.set(earlier, earlier + FilmMixer.EARLIER_FILMS, showsEarlier);
+            changed = (BitSet) changed.clone();
+            changed.set(earlier, earlier + FilmMixer.EARLIER_FILMS, job.areMirrorsOutdated());
         }
-        hasNewColors = !isUnchanged;
-        return new CachedTile(levels, below.hitShapes(), below.images(), !storesColors ? null : isUnchanged ? film : colors, edges, fog);
+        StoredFilms kept = fine || !stores ? null
+                : changed.isEmpty() && old != null && job.films().isSame() ? old.films
+                : StoredFilms.after(old == null ? null : old.films, job.films().origin(), changed, composed,
+                        film -> films.copy(film));
+        FilmSum.Films all = kept == null ? films::get : kept::get;
+        float[][] colors = old == null ? null : old.film;
+        if (changesColors && (!fine || !isExact)) {
+            colors = new float[3][Film.TILE_PIXELS];
+            recomposer.mixer().mix(all, colors);
+            filmBytes += 12L * Film.TILE_PIXELS;
+        }
+        EdgeColors edges = !detectEdges ? null : old == null ? null : old.edges;
+        if (changesEdges) {
+            EdgeColors now = isExact ? new EdgeColors(recomposer.mixer().edgeColors(all), edgeImages)
+                    : weightedEdges(places, below.allLevels(top), below.isChanged() ? null : edgeImages, fog);
+            edges = now.reuseIfEqual(edges);
+        }
+        return new CachedTile(levels, below.hitShapes(), images, colors, kept, edges, fog);
+    }
+
+    /**
+     * Returns the colors for edges where films contain weights, which are not rounded: those of films without weights.
+     *
+     * @param earlier what mirrors show of an earlier scene; null if it is unknown
+     */
+    private EdgeColors weightedEdges(SamplePositions places, TileLevel[] levels, @Nullable BounceImages earlier,
+            @Nullable FogTile fog) {
+        FilmParts parts = job.target().edgeParts();
+        if (edgeRecomposer == null) {
+            edgeRecomposer = recomposer(parts, job.mirrorTarget().edgeParts(), true);
+        }
+        HitRows rows = levels[0].rows();
+        TileLevel[] terms = rows.reflectiveCount == 0 ? levels : bounceLevels().withTerms(levels);
+        terms[0] = eyeWorker.withTerms(levels[0]);
+        boolean showsEarlier = job.areMirrorsOutdated() && rows.reflectiveCount > 0;
+        BounceImages images = showsEarlier ? earlier : null;
+        FilmColors[] bounced = null;
+        if (rows.reflectiveCount > 0 && images == null) {
+            bounced = edgeRecomposer.composeImages(places, terms, job.mirrorTarget().edgeParts().shining());
+            images = bounced != null && (showsEarlier || job.storesImages())
+                    ? edgeRecomposer.mixer().images(rows, bounced, true).compact(rows) : null;
+        }
+        edgeRecomposer.composeFilms(terms[0], places, parts.shining(), showsEarlier ? null : bounced, showsEarlier ? images : null,
+                showsEarlier ? images : null, fog, edgeFilms);
+        return new EdgeColors(edgeRecomposer.mixer().edgeColors(edgeFilms::get), images);
+    }
+
+    /** Adds the films whose fog before the first level changes. */
+    private void addChangedFog(@Nullable FogTile before, @Nullable FogTile now, BitSet changes) {
+        if (before == now) {
+            return;
+        }
+        if (before == null || now == null || before.transmittance() != now.transmittance()) {
+            changes.set(0, job.target().parts().count());
+            return;
+        }
+        FilmParts parts = job.target().parts();
+        for (int part = 0; part < parts.count(); part++) {
+            for (int l = parts.get(part).from(); l < parts.get(part).to(); l++) {
+                LayerPlan layer = requireNonNull(job.topPlan()).layers().get(l);
+                boolean isSame = layer.base() != null && before.scattered()[layer.base().index()] == now.scattered()[l];
+                changes.set(part, changes.get(part) || !isSame);
+            }
+        }
     }
 
     private FogLookup fogLookup(PictureFog fog) {
@@ -315,16 +499,11 @@ final class TileWorker {
         return fogLookup;
     }
 
-    private float[][] sampleColors() {
-        sampleColors = sampleColors == null ? new float[3][Film.TILE_PIXELS] : sampleColors;
-        return sampleColors;
-    }
-
     /** @param order splice of the first level's rows; null if they are unchanged */
-    private BounceLevels.TracedLevels updateLower(SamplePositions places, CachedTile old, TileLevel top, @Nullable RowSplice order) {
+    private BounceLevels.TracedLevels updateLower(CachedTile old, TileLevel top, @Nullable RowSplice order) {
         if (top.rows().reflectiveCount == 0) {
-            return new BounceLevels.TracedLevels(new TileLevel[] {top}, new int[0][], null, old.levels[0].rows().reflectiveCount > 0);
+            return BounceLevels.TracedLevels.only(top, old.levels[0].rows().reflectiveCount > 0);
         }
-        return bounceLevels().updateAll(places, old, top, order);
+        return bounceLevels().updateAll(old, top, order);
     }
 }

@@ -3,150 +3,170 @@ package lightning.render.shading.composition;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
-import java.util.List;
+import java.util.EnumSet;
+import java.util.Set;
 import lightning.render.shading.BounceImages;
-import lightning.render.shading.ClearMaterialShader;
-import lightning.render.shading.ClearTerms;
-import lightning.render.shading.EmittedLight;
+import lightning.render.shading.FilmPart;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.IndirectRows;
-import lightning.render.shading.LightingEquation;
 import lightning.render.shading.ShadingMaterial;
 import lightning.render.shading.SumKernel;
 import lightning.render.shading.TermKernel;
-import lightning.render.shading.WeightedLight;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.MaterialTable;
-import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Third stage for one tile and level: sums the lights' contributions and evaluates the equation over all rows. Holds scratch
- * columns: use one instance per thread.
+ * Third stage for one tile and level: evaluates the equation of {@link lightning.render.shading.SurfaceFactors} over all rows, for one film after
+ * the other. Holds scratch columns: use one instance per thread.
  */
 final class LevelComposer {
     private static final int ROWS = TermKernel.MAX_ROWS;
-    private static final List<EmittedLight> MAPPED_KINDS =
-            Arrays.stream(EmittedLight.values()).filter(kind -> kind.map().isPresent()).toList();
 
     private final boolean litTextures;
-    private final SumKernel sumKernel;
     private final LightSum lightSum;
+    private final RowFactors factors;
+    private final MaterialTable materials;
     private final ShadingMaterial[] shadingMaterials;
-    /** Created on first use. */
-    private @Nullable ClearMaterialShader clearShader;
-    private final PrincipledShader principledShader = new PrincipledShader();
     private final float[][] colors = new float[3][ROWS];
-    /** Stands for an omitted sum. */
-    private final float[][] zeros = new float[3][ROWS];
     /** Allocated on first use. */
     private float @Nullable [][] indirectSum;
     private float @Nullable [][] reflectedColumns;
-    /** Light that the present rows reflect of their surroundings; null for none. */
-    private float @Nullable [][] reflected;
-    private LightComponent component = LightComponent.ALL;
-    private boolean showsGlow = true;
-    /** Emitted light of the run that is being shaded: red, green, blue. */
-    private final float[] emitted = new float[3];
-    /** Emitted light that an image multiplies: red, green, blue. */
-    private final float[] mapped = new float[3];
+    private Set<LightComponent> components = EnumSet.allOf(LightComponent.class);
+    /** Emission of the materials in the present film: red, green and blue of each. */
+    private final float[] emission;
 
     LevelComposer(MaterialTable materials, SumKernel sums, ViewEffects view) {
-        this.sumKernel = sums;
+        this.materials = materials;
         lightSum = new LightSum(sums);
+        factors = new RowFactors(sums);
         shadingMaterials = new ShadingMaterial[materials.count()];
         Arrays.setAll(shadingMaterials, m -> ShadingMaterial.of(materials, m));
+        emission = new float[3 * materials.count()];
         litTextures = view.litTextures();
     }
 
-    LightSum lightSum() {
-        return lightSum;
+    /** Sets the components that are composed from now on; initially all. */
+    void setComponents(Set<LightComponent> v) {
+        components = v;
     }
 
-    /** Sets the light component that is composed from now on. */
-    void setComponent(LightComponent v) {
-        component = v;
-    }
-
-    /** Sets whether surfaces glow from now on. */
-    void setShowsGlow(boolean v) {
-        showsGlow = v;
+    /** Prepares the rows of a level, for all films. */
+    void start(HitRows rows) {
+        for (int run = 0; run < rows.runCount; run++) {
+            factors.set(rows, run, shadingMaterials[rows.runMaterial[run]]);
+        }
     }
 
     /**
-     * Writes the color of each row to its parent.
+     * Writes the color of each row of the level in a film to its parent.
      *
-     * @param lights   lights in scene order
-     * @param layers   layer of each light; unread if the light is dark
-     * @param branches cached partial sums
-     * @param terms    cached terms of clear rows
-     * @param indirect indirect light of the rows
-     * @param images   colors of the rays that bounce from the rows; null if there are none
-     * @param to       receives the linear colors: red, green, blue, {@code float[1024]} each
+     * @param layers    layer of each light; unread if the light is dark
+     * @param indirect  indirect light of the rows
+     * @param mirrored  colors of mirrored rays; null if all are black
+     * @param refracted colors of refracted rays; null if all are black
+     * @param to        receives the linear colors: red, green, blue, {@code float[1024]} each, where there are rows; unchanged if all rows are black
      */
-    void compose(HitRows rows, WeightedLight[] lights, LightLayer[] layers, @Nullable BranchSums branches, @Nullable ClearTerms terms,
-            World world, @Nullable IndirectRows indirect, @Nullable BounceImages images, float[][] to) {
+    void compose(HitRows rows, FilmParts parts, int part, LightLayer[] layers, @Nullable IndirectRows indirect,
+            float @Nullable [][] mirrored, float @Nullable [][] refracted, FilmColors to) {
+        float[][] gathered = indirect == null || !components.contains(LightComponent.GATHERED) ? null : indirect.light()[part];
+        boolean isLit = (components.contains(LightComponent.DIFFUSE) || components.contains(LightComponent.SPECULAR))
+                && LightSum.isLit(parts, part, layers);
+        boolean emits = setEmission(rows, parts, part);
+        if (!isLit && gathered == null && mirrored == null && refracted == null && !emits) {
+            blacken(rows, to.get(part));
+            return;
+        }
         int from = firstLitRow(rows);
-        SumColumns sum = branches == null ? lightSum.total(from, rows.count, rows.owner, lights, layers)
-                : lightSum.total(from, rows.count, rows.owner, lights, layers, branches);
-        float[][] diffuse = indirect == null ? sum.diffuse : addIndirect(indirect, sum.diffuse, from, rows.count);
-        reflected = indirect == null ? null : reflected(indirect);
-        float ambience = (float) world.ambience();
+        SumColumns sum = isLit ? lightSum.total(from, rows.count, rows.owner, parts, part, layers) : null;
+        float[][] diffuse = gathered == null ? sum == null || !components.contains(LightComponent.DIFFUSE) ? null : sum.diffuse
+                : withIndirect(requireNonNull(indirect), gathered, sum, from, rows.count);
+        float[][] reflected = gathered == null ? null : reflected(requireNonNull(indirect), gathered);
         // Rows of one material keep the order of their parents. If every position has a row, row i goes to position i.
         boolean inOrder = rows.runCount == 1 && rows.count == ROWS;
+        float[][] target = to.toWrite(part);
         for (int r = 0; r < rows.runCount; r++) {
-            shade(rows, r, sum, diffuse, ambience, terms, images, inOrder ? to : colors);
+            ShadingMaterial material = shadingMaterials[rows.runMaterial[r]];
+            float[][] run = inOrder ? target : colors;
+            if (material.hasImage() && !litTextures) {
+                shadeUnlit(rows, r, material, parts.get(part).kind(), run);
+            } else {
+                shade(rows, r, material, diffuse, sum, reflected, mirrored, refracted, run);
+            }
+            addEmission(rows, r, material, parts.get(part).kind(), run);
             if (!inOrder) {
-                scatter(rows.parent, rows.runStart(r), rows.runEnd[r], to);
+                scatter(rows.parent, rows.runStart(r), rows.runEnd[r], target);
             }
         }
     }
 
+    /** @param background colors of a film with a background; null for others */
+    private static void blacken(HitRows rows, float @Nullable [][] background) {
+        for (int c = 0; background != null && c < 3; c++) {
+            for (int i = 0; i < rows.count; i++) {
+                background[c][rows.parent[i]] = 0;
+            }
+        }
+    }
+
+    /** Writes what the rows of the started level show of bounced rays, and nothing else; parameters as above. */
+    void composeImages(HitRows rows, BounceImages images, float[][] to) {
+        for (int r = 0; r < rows.runCount; r++) {
+            shade(rows, r, shadingMaterials[rows.runMaterial[r]], null, null, null, images.mirrored(), images.refracted(), colors);
+            scatter(rows.parent, rows.runStart(r), rows.runEnd[r], to);
+        }
+    }
+
+    /** Computes what materials emit in a film; returns whether any of the rows' materials does. */
+    private boolean setEmission(HitRows rows, FilmParts parts, int part) {
+        FilmPart its = parts.get(part);
+        boolean[] bulbs = its.kind() == FilmPart.Kind.LIGHT ? materials.bulbsOf(parts.lights()[its.index()].light().name()) : null;
+        boolean emits = false;
+        for (int run = 0; run < rows.runCount; run++) {
+            int m = rows.runMaterial[run];
+            for (int c = 0; c < 3; c++) {
+                float amount = !components.contains(LightComponent.EMITTED) ? 0 : switch (its.kind()) {
+                    case LIGHT -> bulbs == null || !bulbs[m] ? 0 : materials.bulbGlow(m, c) * its.inside().channel(c);
+                    case AMBIENCE -> materials.ambient(m, c) * its.inside().channel(c);
+                    case REST -> materials.ownGlow(m, c);
+                    case ENVIRONMENT_LIGHT, ENVIRONMENT_IMAGE -> 0;
+                };
+                emission[3 * m + c] = amount;
+                emits |= amount > 0 || !litTextures && its.kind() == FilmPart.Kind.REST && shadingMaterials[m].hasImage();
+            }
+        }
+        return emits;
+    }
+
     /** Returns the lights' diffuse sum plus the indirect light. */
-    private float[][] addIndirect(IndirectRows indirect, float[][] direct, int from, int to) {
+    private float[][] withIndirect(IndirectRows indirect, float[][] gathered, @Nullable SumColumns direct, int from, int to) {
         float[][] sum = indirectSum == null ? new float[3][ROWS] : indirectSum;
         indirectSum = sum;
-        indirect.weights().interpolate(indirect.light(), sum);
-        for (int c = 0; c < 3; c++) {
-            for (int i = from; i < to; i++) {
-                sum[c][i] += direct[c][i];
-            }
+        indirect.weights().interpolate(gathered, sum);
+        for (int c = 0; direct != null && components.contains(LightComponent.DIFFUSE) && c < 3; c++) {
+            add(direct.diffuse[c], sum[c], from, to);
         }
         return sum;
     }
 
+    private static void add(float[] from, float[] to, int start, int end) {
+        for (int i = start; i < end; i++) {
+            to[i] += from[i];
+        }
+    }
+
     /** Returns what the rows reflect of their surroundings: six columns; null if nothing blurs its reflections. */
-    private float @Nullable [][] reflected(IndirectRows indirect) {
+    private float @Nullable [][] reflected(IndirectRows indirect, float[][] gathered) {
         if (indirect.weights().reflected() == null) {
             return null;
         }
         float[][] columns = reflectedColumns == null ? new float[6][ROWS] : reflectedColumns;
         reflectedColumns = columns;
-        indirect.weights().interpolateReflected(indirect.light(), columns);
+        indirect.weights().interpolateReflected(gathered, columns);
         return columns;
-    }
-
-    private ClearMaterialShader clearShader() {
-        clearShader = clearShader == null ? new ClearMaterialShader(sumKernel) : clearShader;
-        return clearShader;
-    }
-
-    /** Returns the terms of a level's clear rows if its colors depend on them; otherwise null. */
-    @Nullable
-    ClearTerms clearTerms(HitRows rows, @Nullable BounceImages images) {
-        for (int run = 0; run < rows.runCount && rows.runStart(run) < rows.clearCount; run++) {
-            if (ClearMaterialShader.needsTerms(shadingMaterials[rows.runMaterial[run]], images)) {
-                return clearShader().terms(rows, shadingMaterials);
-            }
-        }
-        return null;
-    }
-
-    /** Returns whether terms of a level's clear rows fit the present materials. */
-    boolean isCurrent(ClearTerms terms, HitRows rows) {
-        return terms.isFor(rows, shadingMaterials);
     }
 
     /** Returns the first row whose color depends on light at its surface. */
@@ -158,68 +178,78 @@ final class LevelComposer {
         return run == rows.runCount ? rows.count : rows.runStart(run);
     }
 
-    private void shade(HitRows rows, int run, SumColumns sum, float[][] allDiffuse, float ambience, @Nullable ClearTerms terms,
-            @Nullable BounceImages images, float[][] to) {
-        ShadingMaterial material = shadingMaterials[rows.runMaterial[run]];
+    private void shade(HitRows rows, int run, ShadingMaterial material, float @Nullable [][] diffuse, @Nullable SumColumns sum,
+            float @Nullable [][] reflected, float @Nullable [][] mirrored, float @Nullable [][] refracted, float[][] to) {
+        int start = rows.runStart(run);
+        int end = rows.runEnd[run];
+        boolean shines = sum != null && sum.hasSpecular && material.hasSpecular() && components.contains(LightComponent.SPECULAR);
         for (int c = 0; c < 3; c++) {
-            emitted[c] = EmittedLight.unmapped(material.texels(), material.ambient()[c], ambience, showsGlow ? material.glow()[c] : 0);
-        }
-        if (material.hasImage() && !litTextures) {
-            shadeUnlit(rows, run, material, to);
-        } else {
-            shadeLit(rows, run, material, sum, allDiffuse, terms, images, to);
-        }
-        for (EmittedLight kind : MAPPED_KINDS) {
-            if (kind.isMapped(material.texels()) && (showsGlow || kind != EmittedLight.GLOW)) {
-                for (int c = 0; c < 3; c++) {
-                    mapped[c] = kind.amount(material.ambient()[c], ambience, material.glow()[c]);
-                }
-                addMapped(rows, run, material, kind.map().orElseThrow(), terms, to);
+            if (diffuse != null && material.takesLight()) {
+                multiply(factors.diffuse[c], diffuse[c], to[c], start, end);
+            } else {
+                Arrays.fill(to[c], start, end, 0);
+            }
+            if (shines && requireNonNull(sum).hasGrazing && material.texturedF0() != null) {
+                addProducts(factors.specular[c], requireNonNull(sum.specular)[c], factors.grazing[c], sum.grazing()[c], to[c], start, end);
+            } else if (shines) {
+                addProduct(factors.specular[c], requireNonNull(requireNonNull(sum).specular)[c], to[c], start, end);
+            }
+            if (mirrored != null && start < rows.reflectiveCount) {
+                addProduct(factors.mirrored[c], mirrored[c], to[c], start, end);
+            }
+            if (refracted != null && material.clarity() != null) {
+                addProduct(factors.refracted()[c], refracted[c], to[c], start, end);
+            }
+            if (reflected != null && material.principled() != null && material.clarity() == null) {
+                addProducts(factors.first()[c], reflected[c], factors.second()[c], reflected[3 + c], to[c], start, end);
             }
         }
     }
 
-    private void shadeLit(HitRows rows, int run, ShadingMaterial material, SumColumns sum, float[][] allDiffuse, @Nullable ClearTerms terms,
-            @Nullable BounceImages images, float[][] to) {
-        boolean shines = component != LightComponent.DIFFUSE;
-        float[][] diffuse = component == LightComponent.SPECULAR ? zeros : allDiffuse;
-        float[][] specular = shines && sum.hasSpecular && material.hasSpecular() ? sum.specular : null;
-        float[][] grazing = shines && sum.hasGrazing && material.texturedF0() != null ? sum.grazing : null;
-        if (material.clarity() != null) {
-            clearShader().shade(rows, run, material, emitted, diffuse, specular, grazing, terms, images, to);
-        } else if (material.principled() != null) {
-            principledShader.shade(rows, run, material, emitted, diffuse, specular, grazing, shines ? reflected : null,
-                    images == null ? null : images.mirrored(), to);
-        } else {
-            sumKernel.shade(rows, run, material, emitted, diffuse, specular, grazing, images == null ? null : images.mirrored(), to);
+    /** Adds the light that a run's rows emit. */
+    private void addEmission(HitRows rows, int run, ShadingMaterial material, FilmPart.Kind kind, float[][] to) {
+        boolean isMapped = kind != FilmPart.Kind.AMBIENCE && material.texels().has(ColumnGroup.GLOW_TEXEL);
+        for (int c = 0; c < 3; c++) {
+            float amount = emission[3 * rows.runMaterial[run] + c];
+            if (amount > 0) {
+                addEmitted(rows, isMapped, c, amount, factors.emitted[c], to[c], rows.runStart(run), rows.runEnd[run]);
+            }
+        }
+    }
+
+    private static void multiply(float[] a, float[] b, float[] to, int start, int end) {
+        for (int i = start; i < end; i++) {
+            to[i] = a[i] * b[i];
+        }
+    }
+
+    private static void addProduct(float[] a, float[] b, float[] to, int start, int end) {
+        for (int i = start; i < end; i++) {
+            to[i] += a[i] * b[i];
+        }
+    }
+
+    private static void addProducts(float[] a, float[] b, float[] c, float[] d, float[] to, int start, int end) {
+        for (int i = start; i < end; i++) {
+            to[i] += a[i] * b[i] + c[i] * d[i];
+        }
+    }
+
+    /** @param isMapped whether the glow map multiplies it */
+    private static void addEmitted(HitRows rows, boolean isMapped, int c, float amount, float[] factor, float[] to, int start, int end) {
+        float[] texel = isMapped ? requireNonNull(rows.texel(ColumnGroup.GLOW_TEXEL, c)) : null;
+        for (int i = start; i < end; i++) {
+            to[i] += factor[i] * (texel == null ? amount : amount * texel[i]);
         }
     }
 
     /** Shades an unlit texture, which shows its own color regardless of the lights. */
-    private void shadeUnlit(HitRows rows, int run, ShadingMaterial material, float[][] to) {
-        if (material.principled() != null) {
-            principledShader.shadeUnlit(rows, run, material, emitted, to);
-            return;
-        }
-        for (int c = 0; c < 3; c++) {
-            float[] texel = requireNonNull(rows.texel(c));
-            for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
-                to[c][i] = emitted[c] + material.diffuse()[c] * texel[i];
-            }
-        }
-    }
-
-    /** Adds emitted light that an image multiplies to the colors of a run's rows. */
-    private void addMapped(HitRows rows, int run, ShadingMaterial material, ColumnGroup map, @Nullable ClearTerms terms, float[][] to) {
-        if (material.clarity() != null) {
-            clearShader().addMapped(rows, run, material, mapped, map, terms, to);
-            return;
-        }
-        for (int c = 0; c < 3; c++) {
-            float[] texel = requireNonNull(rows.texel(map, c));
-            float weight = 1 - material.reflective()[c];
-            for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
-                to[c][i] = LightingEquation.addMapped(to[c][i], mapped[c], texel[i], weight);
+    private void shadeUnlit(HitRows rows, int run, ShadingMaterial material, FilmPart.Kind kind, float[][] to) {
+        if (kind == FilmPart.Kind.REST) {
+            factors.writeUnlit(rows, run, material, to);
+        } else {
+            for (float[] channel : to) {
+                Arrays.fill(channel, rows.runStart(run), rows.runEnd[run], 0);
             }
         }
     }

@@ -1,10 +1,15 @@
 package lightning.render.shading.composition;
 
-/** Component of the lights' contributions that is composed. */
+/** Component of what the rows of a level show. */
 public enum LightComponent {
-    ALL,
-    /** Diffuse component, kd·Σ Idiff. */
+    /** Lights' diffuse component. */
     DIFFUSE,
-    /** Specular component, ks·Σ Ispec + Σ Igraz. */
-    SPECULAR
+    /** Lights' specular and grazing component. */
+    SPECULAR,
+    /** Gathered light, and what blurred reflections show of it. */
+    GATHERED,
+    /** Mirrored and refracted rays. */
+    BOUNCED,
+    /** Light that surfaces emit. */
+    EMITTED
 }

@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.ArrayList;
 import java.util.List;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.LightingEquation;
 import lightning.render.shading.ObjectGains;
 import lightning.render.shading.SumKernel;
@@ -51,52 +52,30 @@ final class LightSum {
     }
 
     /**
-     * Returns the sum over all lights in rows {@code from … count − 1}.
+     * Returns the sum over the lights of a film in rows {@code from … count − 1}.
      *
      * @param shapes shape of each row; read only for lights with gains
      */
-    SumColumns total(int from, int count, int @Nullable [] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers) {
+    SumColumns total(int from, int count, int @Nullable [] shapes, FilmParts parts, int part, LightLayer[] lightLayers) {
+        return total(from, count, shapes, parts.lights(), lightLayers, parts.get(part).from(), parts.get(part).to());
+    }
+
+    /** Returns the sum over lights {@code first … end − 1}; parameters as above. */
+    SumColumns total(int from, int count, int @Nullable [] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers, int first,
+            int end) {
         begin(from, count, shapes, sceneLights, lightLayers);
-        collectOperands(0, sceneLights.length);
+        collectOperands(first, end);
         return sum();
     }
 
-    /** Returns the sum over all lights from the cached branches next to one light's path to the root. */
-    SumColumns total(int from, int count, int @Nullable [] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers,
-            BranchSums branches) {
-        begin(from, count, shapes, sceneLights, lightLayers);
-        int light = branches.key().light();
-        if (light != BranchSums.Key.NO_LIGHT) {
-            collectOperands(light, light + 1);
+    /** Returns whether any light of a film lights a row. */
+    static boolean isLit(FilmParts parts, int part, LightLayer[] lightLayers) {
+        for (int l = parts.get(part).from(); l < parts.get(part).to(); l++) {
+            if (!parts.lights()[l].isDark() && lightLayers[l] != null && lightLayers[l].litCount() > 0) {
+                return true;
+            }
         }
-        for (SumColumns branch : branches.fromLeaf()) {
-            addBranch(branch);
-        }
-        return sum();
-    }
-
-    /** Computes the sums of all branches next to a light's path to the root. */
-    BranchSums branchSums(int count, int @Nullable [] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers, BranchSums.Key key) {
-        begin(0, count, shapes, sceneLights, lightLayers);
-        if (key.light() == BranchSums.Key.NO_LIGHT) {
-            return new BranchSums(key, new SumColumns[] {compact(sum(0, sceneLights.length))});
-        }
-        List<SumColumns> fromRoot = new ArrayList<>();
-        int from = 0;
-        int to = sceneLights.length;
-        while (to - from > 1) {
-            int middle = (from + to) >>> 1;
-            boolean left = key.light() < middle;
-            fromRoot.add(compact(sum(left ? middle : from, left ? to : middle)));
-            usedScratch = 0;
-            from = left ? from : middle;
-            to = left ? middle : to;
-        }
-        return new BranchSums(key, fromRoot.reversed().toArray(SumColumns[]::new));
-    }
-
-    private @Nullable SumColumns compact(@Nullable SumColumns sum) {
-        return sum == null ? null : sum.compact(rows);
+        return false;
     }
 
     private void begin(int from, int count, int @Nullable [] shapes, WeightedLight[] sceneLights, LightLayer[] lightLayers) {

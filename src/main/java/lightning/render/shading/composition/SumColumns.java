@@ -1,7 +1,5 @@
 package lightning.render.shading.composition;
 
-import static java.util.Objects.requireNonNull;
-
 import java.util.Arrays;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
@@ -35,15 +33,6 @@ final class SumColumns {
             grazing = new float[3][TermKernel.MAX_ROWS];
         }
         return grazing;
-    }
-
-    /** Returns a copy that is just long enough. */
-    SumColumns compact(int rows) {
-        var compact = new SumColumns(copy(diffuse, rows), hasSpecular ? copy(requireNonNull(specular), rows) : null);
-        compact.grazing = hasGrazing ? copy(requireNonNull(grazing), rows) : null;
-        compact.hasSpecular = hasSpecular;
-        compact.hasGrazing = hasGrazing;
-        return compact;
     }
 
     private static float[][] copy(float[][] columns, int rows) {

@@ -3,27 +3,25 @@ package lightning.render.shading.composition;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
-import lightning.render.shading.BounceImages;
+import java.util.EnumSet;
+import lightning.render.shading.FilmPart;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.PrincipledMaterial;
 import lightning.render.shading.PrincipledRow;
 import lightning.render.shading.ShadingMaterial;
 import lightning.render.shading.SheenLayer;
 import lightning.render.shading.SumKernel;
-import lightning.render.shading.TermKernel;
-import lightning.render.shading.WeightedLight;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.MappedSurface;
 import lightning.render.trace.MaterialTable;
-import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
 import org.jspecify.annotations.Nullable;
 
-/** Computes the direct light, the albedo, the glow and the look of surfels. Holds scratch columns: use one instance per thread. */
+/** Computes the direct light, the albedo, the glow and the look of surfels in films. Holds scratch columns: use one instance per thread. */
 public final class SurfelShader {
     private static final float[] NO_TEXELS = {};
-    private static final World UNLIT = World.DEFAULT.withAmbience(0);
 
     private final LightSum lightSum;
     private final ShadingMaterial[] materials;
@@ -32,7 +30,7 @@ public final class SurfelShader {
     private final SumKernel sumKernel;
     /** Composes what a picture shows of the lights. Created on first use: only pictures with blurred reflections need it. */
     private @Nullable LevelComposer composer;
-    private float[][] colors = {};
+    private final FilmColors colors = new FilmColors();
 
     public SurfelShader(MaterialTable table, SumKernel sums) {
         this.table = table;
@@ -43,37 +41,44 @@ public final class SurfelShader {
     }
 
     /**
-     * Writes the lights' diffuse sum at each surfel of a block.
+     * Writes the lights' diffuse sum in a film at each surfel of a block.
      *
-     * @param layers layer of each light; unread if the light is dark
+     * @param layers  layer of each light; unread if the light is dark
      * @param numbers surfel of each parent
-     * @param to     receives red, green and blue of all surfels
+     * @param to      receives red, green and blue of all surfels
+     * @return false if no light of the film lights the block, so that nothing was written
      */
-    public void writeDirectLight(HitRows rows, WeightedLight[] lights, LightLayer[] layers, int[] numbers, float[][] to) {
-        float[][] sum = lightSum.total(0, rows.count, rows.owner, lights, layers).diffuse;
+    public boolean writeDirectLight(HitRows rows, FilmParts parts, int part, LightLayer[] layers, int[] numbers, float[][] to) {
+        if (!LightSum.isLit(parts, part, layers)) {
+            return false;
+        }
+        float[][] sum = lightSum.total(0, rows.count, rows.owner, parts, part, layers).diffuse;
         for (int c = 0; c < 3; c++) {
             for (int row = 0; row < rows.count; row++) {
                 to[c][numbers[rows.parent[row]]] = sum[c][row];
             }
         }
+        return true;
+    }
+
+    /** Prepares a block for {@link #addShownLight}. */
+    public void start(HitRows rows) {
+        composer().start(rows);
     }
 
     /**
-     * Adds the lights' diffuse and specular light that a picture shows of each surfel of a block, from where the surfel was first met.
+     * Adds the lights' diffuse and specular light that a film shows of each surfel of the started block, from where the surfel was first met.
      *
      * @param numbers surfel of each parent
-     * @param known   other light of all surfels: red, green and blue
-     * @param to      receives the sums; nothing is done if it has no elements
+     * @param to      red, green and blue of all surfels
      */
-    public void addShownLight(HitRows rows, WeightedLight[] lights, LightLayer[] layers, int[] numbers, float[][] known, float[][] to) {
-        if (to[0].length == 0) {
-            return;
-        }
-        composer().compose(rows, lights, layers, null, null, UNLIT, null, BounceImages.BLACK, colors);
-        for (int c = 0; c < 3; c++) {
+    public void addShownLight(HitRows rows, FilmParts parts, int part, LightLayer[] layers, int[] numbers, float[][] to) {
+        colors.clear(parts.count());
+        composer().compose(rows, parts, part, layers, null, null, null, colors);
+        float[][] shown = colors.get(part);
+        for (int c = 0; shown != null && c < 3; c++) {
             for (int row = 0; row < rows.count; row++) {
-                int surfel = numbers[rows.parent[row]];
-                to[c][surfel] = known[c][surfel] + colors[c][rows.parent[row]];
+                to[c][numbers[rows.parent[row]]] += shown[c][rows.parent[row]];
             }
         }
     }
@@ -83,43 +88,79 @@ public final class SurfelShader {
             return composer;
         }
         LevelComposer created = new LevelComposer(table, sumKernel, ViewEffects.ALL);
-        created.setShowsGlow(false);
-        colors = new float[3][TermKernel.MAX_ROWS];
+        created.setComponents(EnumSet.complementOf(EnumSet.of(LightComponent.EMITTED)));
         composer = created;
         return created;
     }
 
     /**
-     * Writes the light that each surfel of a block sends.
+     * Writes the share of the incoming light that each surfel of a block sends back diffusely.
      *
      * @param numbers surfel of each parent
-     * @param albedo receives the share of the incoming light that is sent back diffusely: red, green and blue of all surfels
-     * @param glow   receives the light that the surfels emit themselves: red, green and blue of all surfels
-     * @param seen   receives the light that a picture shows of the surfels without lights, bulbs included; empty if it is not needed
-     * @param ambience ambient light of the world
+     * @param to      receives red, green and blue of all surfels
      */
-    public void writeReflection(HitRows rows, int[] numbers, float[][] albedo, float[][] glow, float[][] seen, float ambience) {
+    public void writeAlbedo(HitRows rows, int[] numbers, float[][] to) {
         for (int run = 0; run < rows.runCount; run++) {
             ShadingMaterial material = materials[rows.runMaterial[run]];
+            if (material.principled() != null) {
+                writePrincipledAlbedo(rows, run, material, numbers, to);
+                continue;
+            }
             for (int c = 0; c < 3; c++) {
                 float[] texel = material.isTextured() ? requireNonNull(rows.texel(c)) : NO_TEXELS;
-                float emitted = (1 - material.reflective()[c]) * table.ownGlow(rows.runMaterial[run], c);
-                float[] map = material.texels().has(ColumnGroup.GLOW_TEXEL) ? rows.texel(ColumnGroup.GLOW_TEXEL, c) : null;
-                float shown = (1 - material.reflective()[c]) * table.glow(rows.runMaterial[run], c);
-                float ambient = (1 - material.reflective()[c]) * (material.ambient()[c] * ambience);
                 float share = (1 - material.reflective()[c]) * material.diffuse()[c];
                 for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
-                    albedo[c][numbers[rows.parent[row]]] = material.isTextured() ? share * texel[row] : share;
-                    glow[c][numbers[rows.parent[row]]] = map == null ? emitted : emitted * map[row];
-                    if (seen[c].length > 0) {
-                        seen[c][numbers[rows.parent[row]]] = ambient + (map == null ? shown : shown * map[row]);
-                    }
+                    to[c][numbers[rows.parent[row]]] = material.isTextured() ? share * texel[row] : share;
                 }
             }
-            if (material.principled() != null) {
-                writePrincipledAlbedo(rows, run, material, numbers, albedo);
+        }
+    }
+
+    /**
+     * Writes the light that each surfel of a block emits itself in a film: glow, and as a picture shows it also bulbs and ambient light.
+     *
+     * @param numbers surfel of each parent
+     * @param isShown whether bulbs and ambient light count
+     * @param to      receives red, green and blue of all surfels
+     */
+    public void writeEmission(HitRows rows, FilmParts parts, int part, int[] numbers, boolean isShown, float[][] to) {
+        FilmPart its = parts.get(part);
+        boolean[] bulbs = its.kind() == FilmPart.Kind.LIGHT ? table.bulbsOf(parts.lights()[its.index()].light().name()) : null;
+        for (int run = 0; run < rows.runCount; run++) {
+            int m = rows.runMaterial[run];
+            ShadingMaterial material = materials[m];
+            for (int c = 0; c < 3; c++) {
+                float amount = (1 - material.reflective()[c]) * switch (its.kind()) {
+                    case REST -> table.ownGlow(m, c);
+                    case AMBIENCE -> isShown ? table.ambient(m, c) * its.inside().channel(c) : 0;
+                    case LIGHT -> isShown && bulbs != null && bulbs[m] ? table.bulbGlow(m, c) * its.inside().channel(c) : 0;
+                    case ENVIRONMENT_LIGHT, ENVIRONMENT_IMAGE -> 0;
+                };
+                boolean isMapped = its.kind() != FilmPart.Kind.AMBIENCE && material.texels().has(ColumnGroup.GLOW_TEXEL);
+                float[] map = isMapped ? rows.texel(ColumnGroup.GLOW_TEXEL, c) : null;
+                for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
+                    to[c][numbers[rows.parent[row]]] = map == null ? amount : amount * map[row];
+                }
             }
         }
+    }
+
+    /** Returns whether any material emits light in a film; parameter as above. */
+    public static boolean emits(MaterialTable table, FilmParts parts, int part, boolean isShown) {
+        FilmPart its = parts.get(part);
+        boolean[] bulbs = its.kind() == FilmPart.Kind.LIGHT ? table.bulbsOf(parts.lights()[its.index()].light().name()) : null;
+        boolean emits = false;
+        for (int m = 0; m < table.count(); m++) {
+            for (int c = 0; c < 3; c++) {
+                emits |= switch (its.kind()) {
+                    case REST -> table.ownGlow(m, c) > 0;
+                    case AMBIENCE -> isShown && table.ambient(m, c) > 0;
+                    case LIGHT -> isShown && bulbs != null && bulbs[m];
+                    case ENVIRONMENT_LIGHT, ENVIRONMENT_IMAGE -> false;
+                };
+            }
+        }
+        return emits;
     }
 
     private void writePrincipledAlbedo(HitRows rows, int run, ShadingMaterial material, int[] numbers, float[][] albedo) {

@@ -1,132 +1,115 @@
 package lightning.render.shading.composition;
 
 import java.util.Arrays;
+import java.util.BitSet;
+import java.util.Set;
 import lightning.render.shading.BackgroundShader;
 import lightning.render.shading.BounceImages;
-import lightning.render.shading.ClearTerms;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.IndirectRows;
 import lightning.render.shading.SumKernel;
-import lightning.render.shading.TermKernel;
-import lightning.render.shading.WeightedLight;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
-import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
 import org.jspecify.annotations.Nullable;
 
-/** Composes colors from the deepest level of a tile up to its pixels. Holds scratch columns: use one instance per thread. */
+/** Composes the levels of a tile for all films. Holds scratch memory: use one instance per thread. */
 public final class TileComposer {
     private final LevelComposer composer;
     private final BackgroundShader backgroundShader;
     private final MaterialTable materials;
-    /** Indexed by the depth of a level. */
-    private BounceImages[] scratch = new BounceImages[2];
+    private FilmColors[][] scratch = {};
 
     /** @param scene scene whose camera and size tell how fine the environment is seen */
     public TileComposer(Scene scene, MaterialTable materials, SumKernel sums, ViewEffects view) {
-        backgroundShader = new BackgroundShader(scene);
         this.materials = materials;
+        backgroundShader = new BackgroundShader(scene);
         composer = new LevelComposer(materials, sums, view);
     }
 
     /**
-     * Returns black images for the rays that bounce from a level's rows if the recursion ended there; shared, and null if no ray
-     * bounces.
-     */
-    public @Nullable BounceImages blackImages(HitRows rows) {
-        return rows.reflectiveCount == 0 ? null : BounceImages.BLACK;
-    }
-
-    /**
-     * Returns the images of the rays that bounce from a level's rows, to be composed from the levels below. They start with the
-     * background, which remains if a ray hits nothing.
+     * Returns the colors of the rays that bounce from a level's rows, by {@link BounceKind}, to be composed from the levels below. They start
+     * with the background, which remains if a ray hits nothing.
      *
+     * @param films films that are composed
      * @param depth number of levels above this one
-     * @return valid until the next call for the same depth; null if no ray bounces
+     * @return valid until the next call for the same depth
      */
-    public @Nullable BounceImages backgroundImages(HitRows rows, World world, int depth) {
-        BounceImages images = scratchImages(rows, depth);
+    public FilmColors[] backgrounds(HitRows rows, FilmParts parts, BitSet films, int depth) {
+        FilmColors[] images = images(depth);
         for (BounceKind bounce : BounceKind.values()) {
-            if (images != null && bounce.rowCount(rows) > 0) {
-                backgroundShader.shadeBounceRays(rows, bounce, materials, world, images.forBounce(bounce));
+            FilmColors colors = images[bounce.ordinal()];
+            colors.clear(parts.count());
+            if (bounce.rowCount(rows) > 0) {
+                for (int part = films.nextSetBit(0); part >= 0; part = films.nextSetBit(part + 1)) {
+                    if (backgroundShader.showsBackground(parts, part)) {
+                        backgroundShader.shadeBounceRays(rows, bounce, materials, parts, part, colors.toWrite(part));
+                    }
+                }
             }
         }
         return images;
     }
 
-    private @Nullable BounceImages scratchImages(HitRows rows, int depth) {
-        if (rows.reflectiveCount == 0) {
-            return null;
-        }
+    private FilmColors[] images(int depth) {
         if (depth >= scratch.length) {
             scratch = Arrays.copyOf(scratch, depth + 1);
         }
-        if (scratch[depth] == null || rows.clearCount > 0 && scratch[depth].refracted() == null) {
-            scratch[depth] = new BounceImages(new float[3][TermKernel.MAX_ROWS],
-                    rows.clearCount > 0 ? new float[3][TermKernel.MAX_ROWS] : null);
+        FilmColors[] known = scratch[depth];
+        if (known == null) {
+            known = new FilmColors[] {new FilmColors(), new FilmColors()};
+            scratch[depth] = known;
         }
-        return scratch[depth];
+        return known;
     }
 
-    /** Fills the background of a tile before its first level is composed. */
-    public void fillBackground(HitRows rows, Scene scene, SamplePositions places, float[][] film) {
-        backgroundShader.shadeEyeRays(rows, scene, places, film);
+    /** Makes all films black and fills the background of a tile in some, before its first level is composed. */
+    public void fillBackground(HitRows rows, FilmParts parts, BitSet films, SamplePositions places, FilmColors to) {
+        to.clear(parts.count() + FilmMixer.EARLIER_FILMS);
+        for (int part = films.nextSetBit(0); part >= 0; part = films.nextSetBit(part + 1)) {
+            if (rows.count < to.positions() && backgroundShader.showsBackground(parts, part)) {
+                backgroundShader.shadeEyeRays(rows, parts, part, places, to.toWrite(part));
+            }
+        }
     }
 
     /**
-     * Composes the rows of one level.
+     * Composes the rows of one level in some films.
      *
-     * @param lights   lights in scene order
+     * @param films    films to compose; none is dark
      * @param layers   layer of each light; unread if the light is dark
-     * @param branches cached partial sums
-     * @param terms    cached terms of clear rows
-     * @param indirect indirect light of the rows
-     * @param images   colors of the rays that bounce from the rows; null if there are none
-     * @param to       receives each row's linear color at its parent: red, green, blue, {@code float[1024]} each
+     * @param indirect indirect light of the rows; null for none
+     * @param images   colors of the rays that bounce from the rows, by {@link BounceKind}; null if all are black
+     * @param to       receives each row's linear color at its parent
      */
-    public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, @Nullable BranchSums branches,
-            @Nullable ClearTerms terms, World world, @Nullable IndirectRows indirect, @Nullable BounceImages images, float[][] to) {
-        composer.compose(rows, lights, layers, branches, terms, world, indirect, images, to);
+    public void composeLevel(HitRows rows, FilmParts parts, BitSet films, LightLayer[] layers, @Nullable IndirectRows indirect,
+            FilmColors @Nullable [] images, FilmColors to) {
+        composer.start(rows);
+        for (int part = films.nextSetBit(0); part >= 0; part = films.nextSetBit(part + 1)) {
+            composer.compose(rows, parts, part, layers, indirect, image(images, BounceKind.MIRRORED, part),
+                    image(images, BounceKind.REFRACTED, part), to);
+        }
     }
 
-    /** Composes the rows of one level without cached sums and terms. */
-    public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, World world, @Nullable IndirectRows indirect,
-            @Nullable BounceImages images, float[][] to) {
-        composeLevel(rows, lights, layers, null, null, world, indirect, images, to);
+    /**
+     * Composes what the level that was composed last shows of rays that bounce from its rows, and nothing else.
+     *
+     * @param to receives each row's linear color at its parent
+     */
+    void composeImages(HitRows rows, BounceImages images, float[][] to) {
+        composer.composeImages(rows, images, to);
     }
 
-    /** Composes the rows of one level without cached sums and terms, and without indirect light. */
-    public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, World world, @Nullable BounceImages images,
-            float[][] to) {
-        composeLevel(rows, lights, layers, world, null, images, to);
+    private static float @Nullable [][] image(FilmColors @Nullable [] images, BounceKind bounce, int part) {
+        return images == null ? null : images[bounce.ordinal()].get(part);
     }
 
-    /** Returns the terms of a level's clear rows, for {@link #composeLevel}; null if its colors do not depend on them. */
-    public @Nullable ClearTerms clearTerms(HitRows rows, @Nullable BounceImages images) {
-        return composer.clearTerms(rows, images);
-    }
-
-    /** Returns whether terms of a level's clear rows fit the present materials. */
-    public boolean isCurrent(ClearTerms terms, HitRows rows) {
-        return composer.isCurrent(terms, rows);
-    }
-
-    /** Sets the light component that is composed from now on; initially all components. */
-    public void setComponent(LightComponent part) {
-        composer.setComponent(part);
-    }
-
-    /** Sets whether surfaces glow from now on; initially they do. */
-    public void setShowsGlow(boolean v) {
-        composer.setShowsGlow(v);
-    }
-
-    /** Returns the partial sums next to one light, for {@link #composeLevel} while only that light is edited. */
-    public BranchSums branchSums(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums.Key key) {
-        return composer.lightSum().branchSums(rows.count, rows.owner, lights, layers, key);
+    /** Sets the components that are composed from now on; initially all. */
+    public void setComponents(Set<LightComponent> v) {
+        composer.setComponents(v);
     }
 }

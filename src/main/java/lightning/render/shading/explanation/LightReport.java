@@ -1,5 +1,6 @@
 package lightning.render.shading.explanation;
 
+import lightning.render.shading.LightWeight;
 import lightning.scene.light.Light;
 
 /**
@@ -45,5 +46,15 @@ public record LightReport(Light light, State state, int blocker, int visibleSamp
         SHADOWED,
         /** The light reaches the point. */
         LIT
+    }
+
+    /** Returns this report of a light with a weight, if it is that of weight 1. */
+    LightReport times(LightWeight weight) {
+        return new LightReport(light, state, blocker, visibleSamples, samples, samplesBelowSurface, cosine, specular, grazing, falloff,
+                times(weight, diffuse), times(weight, highlight), times(weight, sheen), tint, face, gain);
+    }
+
+    private static float[] times(LightWeight weight, float[] color) {
+        return new float[] {weight.red() * color[0], weight.green() * color[1], weight.blue() * color[2]};
     }
 }

@@ -8,7 +8,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
-import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
@@ -17,13 +16,14 @@ import lightning.render.fog.FogMedium;
 import lightning.render.gather.RowWeigher;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.BackgroundShader;
-import lightning.render.shading.EmittedLight;
+import lightning.render.shading.FilmPart;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.HighlightFactor;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightWeight;
 import lightning.render.shading.LightingEquation;
-import lightning.render.shading.SurfaceWeights;
+import lightning.render.shading.SurfaceFactors;
 import lightning.render.shading.Transmittance;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.fog.BounceFog;
@@ -32,6 +32,7 @@ import lightning.render.shading.fog.FogLookup;
 import lightning.render.shading.fog.FogTile;
 import lightning.render.shading.fog.PictureFog;
 import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.NormalSteps;
 import lightning.render.trace.PixelRays;
@@ -39,6 +40,8 @@ import lightning.render.trace.SurfacePoint;
 import lightning.render.trace.tree.ShadowRayTarget;
 import lightning.scene.Scene;
 import lightning.scene.material.AlphaCutout;
+import lightning.scene.material.Material;
+import lightning.scene.value.Fog;
 import org.jspecify.annotations.Nullable;
 
 /** Traces single pixels and reports every part of their color. The color has the bits of the film's. */
@@ -50,7 +53,7 @@ public final class PixelExplainer {
     private final Geometry geometry;
     private final MaterialTable materials;
     private final @Nullable Geometry uncutGeometry;
-    private final List<WeightedLight> lights;
+    private final FilmParts parts;
     /** Null without indirect light, as the weigher. */
     private final @Nullable IndirectLight indirect;
     private final @Nullable RowWeigher weigher;
@@ -83,7 +86,7 @@ public final class PixelExplainer {
         this.uncutGeometry = uncut;
         this.indirect = indirect;
         weigher = indirect == null ? null : new RowWeigher(indirect.structure());
-        lights = scene.rig().effectiveLights().stream().map(light -> WeightedLight.of(light, scene)).toList();
+        parts = FilmParts.of(scene);
     }
 
     /** Returns an explainer of another scene that shares cached geometry with this one. */
@@ -133,10 +136,13 @@ public final class PixelExplainer {
         if (pictureFog == null) {
             return report;
         }
-        WeightedLight[] weighted = lights.toArray(WeightedLight[]::new);
-        FogTile tile = new FogLookup(pictureFog, weighted).point(x + 0.5, y + 0.5, distance(report, ray.origin()));
-        return behindFog(report, tile.transmittance()[0],
-                c -> FogComposer.scattered(tile, 0, weighted, 0, weighted.length, c));
+        FogTile tile = new FogLookup(pictureFog, parts.lights()).point(x + 0.5, y + 0.5, distance(report, ray.origin()));
+        float[] scattered = new float[parts.lights().length];
+        for (int l = 0; l < scattered.length; l++) {
+            float[] column = tile.scattered()[l];
+            scattered[l] = column == null ? 0 : column[0];
+        }
+        return behindFog(report, tile.transmittance()[0], scattered);
     }
 
     /**
@@ -156,9 +162,10 @@ public final class PixelExplainer {
     private PointReport explainRay(Ray ray, int depth, @Nullable BouncePlace place) {
         int shape = geometry.nearest(ray);
         if (shape < 0) {
-            return new PointReport(null, passedCutouts(ray, Double.POSITIVE_INFINITY), null,
-                    BackgroundShader.color(scene, ray.direction()), ZERO, ZERO, null, null,
-                    List.of(), null, null, null);
+            float[][] background = new float[parts.count()][];
+            Arrays.setAll(background, part -> BackgroundShader.color(parts, part, ray.direction()));
+            return new PointReport(null, passedCutouts(ray, Double.POSITIVE_INFINITY), null, color(background), background, ZERO, ZERO,
+                    null, null, List.of(), null, null, null);
         }
         SurfacePoint hit = geometry.surface(shape, ray);
         NormalSteps normals = geometry.normalSteps(shape, ray);
@@ -172,57 +179,87 @@ public final class PixelExplainer {
                 : explainBounce(through, depth - 1, !hit.isInAirBehind(), place == null ? null : place.behind(),
                         place == null ? null : light(place, place.refractions + 1, hit.material()));
         List<LightReport> reports = new ArrayList<>();
-        for (WeightedLight light : lights) {
+        for (WeightedLight light : parts.lights()) {
             reports.add(lightReport(light, hit, normals));
         }
-        float[] gathered = indirect == null || weigher == null ? null : indirect.at(hit, weigher);
-        float[] bounced = gathered == null ? null : Arrays.copyOf(gathered, 3);
-        float[] surroundings =
-                gathered == null || gathered.length == 3 || !materials.isPrincipled(hit.material()) ? null
-                        : Arrays.copyOfRange(gathered, 3, 9);
-        float[] color = new float[3];
-        float[] ambient = new float[3];
-        float[] glow = new float[3];
-        float ambience = (float) scene.world().ambience();
-        var share = new SurfaceWeights(hit);
-        PrincipledPoint principled = PrincipledPoint.of(materials.material(hit.material()), hit);
-        for (int c = 0; c < 3; c++) {
-            float ka = materials.ambient(hit.material(), c);
-            float kr = materials.reflective(hit.material(), c);
-            float ownLight = materials.glow(hit.material(), c);
-            float emitted = EmittedLight.unmapped(materials.texels(hit.material()), ka, ambience, ownLight);
-            float diffuse = sum(reports, c, LightReport::diffuse) + (bounced == null ? 0 : bounced[c]);
-            for (EmittedLight kind : EmittedLight.values()) {
-                float amount = kind.amount(ka, ambience, ownLight);
-                float[] map = kind.map().map(hit.maps()::get).orElse(null);
-                float[] part = switch (kind) {
-                    case AMBIENT -> ambient;
-                    case GLOW -> glow;
-                };
-                part[c] = map == null ? share.body(amount, kr, c) : share.bodyWeight(kr, c) * (amount * map[c]);
+        Material material = materials.material(hit.material());
+        SurfaceFactors factors = new SurfaceFactors(hit, material);
+        float[][] films = new float[parts.count()][3];
+        float[] gathered = null;
+        for (int part = 0; part < films.length; part++) {
+            FilmPart its = parts.get(part);
+            if (its.isDark()) {
+                continue;
             }
-            color[c] = materials.isClear(hit.material())
-                    ? share.color(c, emitted, hit.diffuse()[c], diffuse,
-                            hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
-                            reflected == null ? 0 : reflected.color()[c], refracted == null ? 0 : refracted.color()[c])
-                    : principled != null
-                            ? principled.color(c, emitted, diffuse, sum(reports, c, LightReport::highlight),
-                                    sum(reports, c, LightReport::sheen),
-                                    surroundings, reflected == null ? 0 : reflected.color()[c])
-                    : LightingEquation.color(emitted, hit.diffuse()[c], diffuse,
-                            hit.specular()[c], sum(reports, c, LightReport::highlight), sum(reports, c, LightReport::sheen), kr,
-                            reflected == null ? 0 : reflected.color()[c]);
-            for (EmittedLight kind : EmittedLight.values()) {
-                color[c] = kind.isMapped(materials.texels(hit.material()))
-                        ? LightingEquation.addMapped(color[c], kind.amount(ka, ambience, ownLight),
-                                requireNonNull(hit.maps().get(kind.map().orElseThrow()))[c], share.bodyWeight(kr, c))
-                        : color[c];
+            float[] light = indirect == null || weigher == null ? null : indirect.at(hit, weigher, part);
+            gathered = add(gathered, light, its.weight());
+            for (int c = 0; c < 3; c++) {
+                List<LightReport> own = reports.subList(its.from(), its.to());
+                films[part][c] = factors.lit(c, sum(own, c, LightReport::diffuse) + (light == null ? 0 : light[c]),
+                        sum(own, c, LightReport::highlight), sum(own, c, LightReport::sheen));
+                films[part][c] += reflected == null ? 0 : factors.mirrored(c, reflected.films()[part][c]);
+                films[part][c] += refracted == null ? 0 : factors.refracted(c, refracted.films()[part][c]);
+                films[part][c] += light == null || light.length == 3 ? 0 : factors.reflected(c, light[3 + c], light[6 + c]);
+                films[part][c] += factors.emitted(c, emitted(hit, material, its, c));
             }
         }
-        return new PointReport(hit, passedCutouts(ray, geometry.distance(shape, ray)), normals, color, ambient, glow, bounced,
-                surroundings, reports,
-                reflected,
-                refracted, null);
+        float[] ambient = new float[3];
+        float[] glow = new float[3];
+        for (int part = 0; part < films.length; part++) {
+            FilmPart its = parts.get(part);
+            for (int c = 0; c < 3; c++) {
+                float emitted = factors.emitted(c, emitted(hit, material, its, c)) * its.weight().channel(c);
+                ambient[c] += its.kind() == FilmPart.Kind.AMBIENCE ? emitted : 0;
+                glow[c] += its.kind() == FilmPart.Kind.AMBIENCE ? 0 : emitted;
+            }
+        }
+        List<LightReport> weighted = new ArrayList<>();
+        for (int part = 0; part < films.length; part++) {
+            for (LightReport report : reports.subList(parts.get(part).from(), parts.get(part).to())) {
+                weighted.add(report.times(parts.get(part).weight()));
+            }
+        }
+        boolean isReflecting = gathered != null && gathered.length > 3 && materials.isPrincipled(hit.material());
+        return new PointReport(hit, passedCutouts(ray, geometry.distance(shape, ray)), normals, color(films), films, ambient, glow,
+                gathered == null ? null : Arrays.copyOf(gathered, 3), isReflecting ? Arrays.copyOfRange(gathered, 3, 9) : null, weighted,
+                reflected, refracted, null);
+    }
+
+    /** Returns one channel of the light that a point emits in a film. */
+    private float emitted(SurfacePoint hit, Material material, FilmPart part, int c) {
+        float amount = switch (part.kind()) {
+            case LIGHT -> material.bulb().light().equals(parts.lights()[part.index()].light().name())
+                    ? materials.bulbGlow(hit.material(), c) : 0;
+            case AMBIENCE -> materials.ambient(hit.material(), c);
+            case REST -> materials.ownGlow(hit.material(), c);
+            case ENVIRONMENT_LIGHT, ENVIRONMENT_IMAGE -> 0;
+        };
+        float[] map = part.kind() == FilmPart.Kind.AMBIENCE ? null : hit.maps().get(HitRows.ColumnGroup.GLOW_TEXEL);
+        return map == null ? amount : amount * map[c];
+    }
+
+    private static float @Nullable [] add(float @Nullable [] sum, float @Nullable [] light, LightWeight weight) {
+        if (light == null) {
+            return sum;
+        }
+        float[] added = sum == null ? new float[light.length] : sum;
+        for (int i = 0; i < added.length; i++) {
+            added[i] += weight.channel(i % 3) * light[i];
+        }
+        return added;
+    }
+
+    /** Returns the sum of all films, times their weights. */
+    private float[] color(float[][] films) {
+        float[] color = new float[3];
+        for (int c = 0; c < 3; c++) {
+            float[] terms = new float[films.length];
+            for (int part = 0; part < terms.length; part++) {
+                terms[part] = parts.get(part).weight().channel(c) * films[part][c];
+            }
+            color[c] = LightingEquation.sum(terms, 0, terms.length);
+        }
+        return color;
     }
 
     /** Light in fog along a bounced ray with a length. */
@@ -237,7 +274,7 @@ public final class PixelExplainer {
         PictureFog bounced = bounceFog;
         return bounced == null ? null
                 : (ray, length) -> BounceFog.scatteredAlong(bounced, ray, length, place.x, place.y, path, material,
-                        lights.toArray(WeightedLight[]::new));
+                        parts.lights());
     }
 
     /**
@@ -256,32 +293,32 @@ public final class PixelExplainer {
         Vec3 d = ray.direction();
         float passed = (float) FogMedium.transmittance(medium.depth(o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), distance(report, o)));
         float[] scattered = light == null ? null : light.along(ray, distance(report, o));
-        return behindFog(report, passed, c -> scattered == null ? 0f : weighted(scattered, c));
+        return behindFog(report, passed, scattered);
     }
 
-    /** Returns the sum of a channel of all lights. */
-    private float weighted(float[] scattered, int c) {
-        float sum = 0;
-        for (int l = 0; l < scattered.length; l++) {
-            sum += lights.get(l).fog().channel(c) * scattered[l];
+    /** @param scattered light of each lamp of weight 1; null for none */
+    private PointReport behindFog(PointReport report, float passed, float @Nullable [] scattered) {
+        Fog fog = scene.world().fog();
+        float[][] films = new float[parts.count()][3];
+        float[][] added = new float[parts.count()][3];
+        for (int part = 0; part < films.length; part++) {
+            FilmPart its = parts.get(part);
+            for (int c = 0; c < 3 && !its.isDark(); c++) {
+                float sum = 0;
+                for (int l = its.from(); scattered != null && l < its.to(); l++) {
+                    sum += parts.lights()[l].fog().channel(c) * scattered[l];
+                }
+                float ambient = its.kind() == FilmPart.Kind.REST ? LightWeight.channel(fog.ambient(), c) : 0;
+                films[part][c] = FogComposer.color(report.films()[part][c], passed, LightWeight.channel(fog.color(), c), ambient, sum);
+                added[part][c] = FogComposer.color(0, passed, LightWeight.channel(fog.color(), c), ambient, sum);
+            }
         }
-        return sum;
+        return report.behind(new FogReport(passed, report.color(), color(added)), color(films), films);
     }
 
     private static double distance(PointReport report, Vec3 from) {
         SurfacePoint hit = report.hit();
         return hit == null ? Double.POSITIVE_INFINITY : new Vec3(hit.px(), hit.py(), hit.pz()).minus(from).length();
-    }
-
-    /** @param scattered light of lamps that white fog scatters, by channel */
-    private PointReport behindFog(PointReport report, float passed, IntFunction<Float> scattered) {
-        float[] color = new float[3];
-        float[] adds = new float[3];
-        for (int c = 0; c < 3; c++) {
-            color[c] = FogComposer.color(report.color()[c], passed, scene.world().fog(), c, scattered.apply(c));
-            adds[c] = FogComposer.color(0, passed, scene.world().fog(), c, scattered.apply(c));
-        }
-        return report.behind(new FogReport(passed, report.color(), adds), color);
     }
 
     /** Returns the primitives that the ray would hit before a distance if nothing were cut out of them. */

@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
  * @param passedCutouts primitives through whose cutouts the ray passed, each once; empty if not tested
  * @param normals       steps from the geometric to the shading normal; null if both are equal
  * @param color         the color of the ray with fog, linear, {@code float[3]}
+ * @param films         what each film shows with weight 1, in the order of {@link lightning.render.shading.FilmParts}, linear, {@code float[3]} each
  * @param ambient       ka·ambience·(1 − kr), linear, {@code float[3]}
  * @param glow          glow·(1 − kr), linear, {@code float[3]}
  * @param indirect      indirect light in the units of the lights' diffuse sum, linear, {@code float[3]}; null if there is none
@@ -23,13 +24,15 @@ import org.jspecify.annotations.Nullable;
  * @param fog           fog along the ray; null if there is none
  */
 public record PointReport(@Nullable SurfacePoint hit, List<Integer> passedCutouts, @Nullable NormalSteps normals, float[] color,
-        float[] ambient, float[] glow, float @Nullable [] indirect, float @Nullable [] surroundings, List<LightReport> lights,
+        float[][] films, float[] ambient, float[] glow, float @Nullable [] indirect, float @Nullable [] surroundings,
+        List<LightReport> lights,
         @Nullable PointReport reflected,
         @Nullable PointReport refracted, @Nullable FogReport fog) {
 
-    /** Returns the report of the same point behind fog. */
-    PointReport behind(FogReport air, float[] seen) {
-        return new PointReport(hit, passedCutouts, normals, seen, ambient, glow, indirect, surroundings, lights, reflected, refracted, air);
+    /** Returns the report of the same point behind fog. @param seen color, and {@code filmsSeen} the films */
+    PointReport behind(FogReport air, float[] seen, float[][] filmsSeen) {
+        return new PointReport(hit, passedCutouts, normals, seen, filmsSeen, ambient, glow, indirect, surroundings, lights, reflected,
+                refracted, air);
     }
 
     /** Returns whether the ray hit nothing. */

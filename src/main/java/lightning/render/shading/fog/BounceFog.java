@@ -3,12 +3,14 @@ package lightning.render.shading.fog;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import lightning.base.math.Ray;
 import lightning.render.fog.FogMedium;
 import lightning.render.fog.FogRay;
-import lightning.render.shading.ClearMaterialShader;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.TermKernel;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.composition.FilmColors;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
@@ -30,7 +32,7 @@ public final class BounceFog {
     private final double[] distance = new double[TermKernel.MAX_ROWS];
     private final double[] direction = new double[3];
     private final float[] transmittance = new float[TermKernel.MAX_ROWS];
-    private final float[] sum = new float[TermKernel.MAX_ROWS];
+    private final FogComposer composer = new FogComposer();
 
     private BounceFog(FogMedium medium, Fog fog, @Nullable BounceLookup lookup) {
         this.medium = medium;
@@ -64,27 +66,14 @@ public final class BounceFog {
      *
      * @param below   rows that these rays hit
      * @param columns light of lamps along these rays; null if they show none
-     * @param lights  lights of the scene, in its order
-     * @param colors  red, green and blue by row of the level above; overwritten
+     * @param films   films that are composed; none is dark
+     * @param colors  of these films; overwritten
      */
     public void add(HitRows above, HitRows below, BounceKind bounce, MaterialTable materials, @Nullable BounceColumns columns,
-            WeightedLight[] lights, float[][] colors) {
-        int count = bounce.rowCount(above);
+            FilmParts parts, BitSet films, FilmColors colors) {
         writeTransmittances(above, below, bounce, materials, transmittance);
-        for (int c = 0; c < 3; c++) {
-            float tint = ClearMaterialShader.channel(fog.color(), c);
-            float ambient = ClearMaterialShader.channel(fog.ambient(), c);
-            Arrays.fill(sum, 0, count, 0);
-            for (int l = 0; columns != null && l < lights.length; l++) {
-                float[] column = lights[l].isDarkInFog() ? null : columns.columns()[l];
-                float weight = lights[l].fog().channel(c);
-                for (int i = 0; column != null && i < count; i++) {
-                    sum[i] += weight * column[i];
-                }
-            }
-            for (int i = 0; i < count; i++) {
-                colors[c][i] = FogComposer.color(colors[c][i], transmittance[i], tint, ambient, sum[i]);
-            }
+        for (int part = films.nextSetBit(0); part >= 0; part = films.nextSetBit(part + 1)) {
+            composer.add(transmittance, columns == null ? null : columns.columns(), parts, part, fog, bounce.rowCount(above), colors);
         }
     }
 
@@ -93,7 +82,7 @@ public final class BounceFog {
      *
      * @param below rows that these rays hit
      */
-    public void writeTransmittances(HitRows above, HitRows below, BounceKind bounce, MaterialTable materials, float[] to) {
+    private void writeTransmittances(HitRows above, HitRows below, BounceKind bounce, MaterialTable materials, float[] to) {
         int count = bounce.rowCount(above);
         writeDistances(above, below, bounce);
         float[] ox = bounce.originX(above);

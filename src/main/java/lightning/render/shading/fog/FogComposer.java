@@ -1,12 +1,18 @@
 package lightning.render.shading.fog;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
-import lightning.base.math.Rgb;
+import java.util.BitSet;
 import lightning.render.image.Film;
-import lightning.render.shading.ClearMaterialShader;
+import lightning.render.shading.FilmPart;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.LightWeight;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.composition.FilmColors;
+import lightning.render.shading.composition.FilmMixer;
 import lightning.scene.value.Fog;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Adds fog to the colors of a tile's camera rays:
@@ -27,73 +33,79 @@ public final class FogComposer {
 
     /** Returns channel {@code c} of a color behind fog. */
     public static float color(float surface, float transmittance, Fog fog, int c, float scattered) {
-        return color(surface, transmittance, ClearMaterialShader.channel(fog.color(), c), ClearMaterialShader.channel(fog.ambient(), c),
+        return color(surface, transmittance, LightWeight.channel(fog.color(), c), LightWeight.channel(fog.ambient(), c),
                 scattered);
     }
 
-    /** Returns channel {@code c} of what white fog scatters of lights {@code from … to − 1} at a position of a tile. */
-    public static float scattered(FogTile tile, int position, WeightedLight[] lights, int from, int to, int c) {
-        float sum = 0;
-        for (int l = from; l < to; l++) {
-            float[] column = tile.scattered()[l];
-            sum += column == null || lights[l].isDarkInFog() ? 0 : lights[l].fog().channel(c) * column[position];
+    /**
+     * Adds fog to some films, and before earlier mirrors.
+     *
+     * @param films  films that are composed; none is dark
+     * @param colors of the surfaces; overwritten
+     */
+    public void add(FogTile tile, FilmParts parts, BitSet films, Fog fog, FilmColors colors) {
+        for (int part = films.nextSetBit(0); part >= 0; part = films.nextSetBit(part + 1)) {
+            add(tile.transmittance(), tile.scattered(), parts, part, fog, Film.TILE_PIXELS, colors);
         }
-        return sum;
+        dim(tile, parts.count(), parts.count() + FilmMixer.EARLIER_FILMS, colors);
     }
 
-    /**
-     * Adds fog with all its lights.
-     *
-     * @param colors red, green and blue of the surfaces, {@code float[1024]} each; overwritten
-     */
-    public void add(FogTile tile, WeightedLight[] lights, Fog fog, float[][] colors) {
-        add(tile, lights, 0, lights.length, fog.color(), fog.ambient(), colors);
+    /** Dims all films as by fog without light. */
+    public void dim(FogTile tile, FilmParts parts, FilmColors colors) {
+        dim(tile, 0, parts.count() + FilmMixer.EARLIER_FILMS, colors);
     }
 
-    /**
-     * Adds fog with some of its lights.
-     *
-     * @param from    the first light
-     * @param to      the light after the last
-     * @param color   color of the fog
-     * @param ambient light that comes from all sides
-     */
-    public void add(FogTile tile, WeightedLight[] lights, int from, int to, Rgb color, Rgb ambient, float[][] colors) {
-        for (int c = 0; c < 3; c++) {
-            Arrays.fill(sum, 0);
-            for (int l = from; l < to; l++) {
-                float[] scattered = tile.scattered()[l];
-                if (scattered != null && !FogLookup.isDark(scattered) && !lights[l].isDarkInFog()) {
-                    addWeighted(scattered, lights[l].fog(), c);
+    private static void dim(FogTile tile, int from, int to, FilmColors colors) {
+        for (int film = from; film < to; film++) {
+            float[][] its = colors.get(film);
+            for (int c = 0; its != null && c < 3; c++) {
+                for (int i = 0; i < Film.TILE_PIXELS; i++) {
+                    its[c][i] *= tile.transmittance()[i];
                 }
             }
-            float tint = ClearMaterialShader.channel(color, c);
-            float even = ClearMaterialShader.channel(ambient, c);
-            float[] column = colors[c];
-            float[] transmittance = tile.transmittance();
-            for (int i = 0; i < column.length; i++) {
+        }
+    }
+
+    /**
+     * Adds fog along rays to one film.
+     *
+     * @param transmittance share of the light behind the fog that passes, by ray
+     * @param scattered     light that the fog scatters of each light of weight 1, by ray; null for none, and for lights without
+     */
+    void add(float[] transmittance, float @Nullable [] @Nullable [] scattered, FilmParts parts, int part, Fog fog, int rays,
+            FilmColors colors) {
+        FilmPart its = parts.get(part);
+        boolean isLit = false;
+        for (int l = its.from(); l < its.to(); l++) {
+            isLit |= shines(scattered, parts.lights(), l);
+        }
+        boolean hasAmbient = its.kind() == FilmPart.Kind.REST && !fog.ambient().isBlack();
+        if (colors.get(part) == null && !isLit && !hasAmbient) {
+            return;
+        }
+        float[][] to = colors.toWrite(part);
+        for (int c = 0; c < 3; c++) {
+            Arrays.fill(sum, 0, rays, 0);
+            for (int l = its.from(); l < its.to(); l++) {
+                if (shines(scattered, parts.lights(), l)) {
+                    addWeighted(requireNonNull(requireNonNull(scattered)[l]), parts.lights()[l].fog().channel(c), rays);
+                }
+            }
+            float tint = LightWeight.channel(fog.color(), c);
+            float even = hasAmbient ? LightWeight.channel(fog.ambient(), c) : 0;
+            float[] column = to[c];
+            for (int i = 0; i < rays; i++) {
                 column[i] = color(column[i], transmittance[i], tint, even, sum[i]);
             }
         }
     }
 
-    /**
-     * Adds fog with one light to one color.
-     *
-     * @param position pixel or sample of the tile
-     * @param l        index of the light
-     * @param color    receives red, green and blue from {@code at}
-     */
-    public static void addLight(FogTile tile, int position, WeightedLight[] lights, int l, Fog fog, float[] color, int at) {
-        for (int c = 0; c < 3; c++) {
-            color[at + c] = color(color[at + c], tile.transmittance()[position], ClearMaterialShader.channel(fog.color(), c), 0,
-                    scattered(tile, position, lights, l, l + 1, c));
-        }
+    private static boolean shines(float @Nullable [] @Nullable [] scattered, WeightedLight[] lights, int l) {
+        return scattered != null && scattered[l] != null && !FogLookup.isDark(requireNonNull(scattered[l])) && !lights[l].isDarkInFog();
     }
 
-    private void addWeighted(float[] scattered, LightWeight weight, int c) {
-        float factor = weight.channel(c);
-        for (int i = 0; i < scattered.length; i++) {
+    private void addWeighted(float[] scattered, float factor, int rays) {
+        for (int i = 0; i < rays; i++) {
             sum[i] += factor * scattered[i];
         }
     }

@@ -28,8 +28,9 @@ import lightning.editor.window.EditorFixture;
 import lightning.editor.window.OwnEditor;
 import lightning.editor.window.widget.PercentText;
 import lightning.render.image.Film;
-import lightning.render.relight.LightImage;
+import lightning.render.relight.ContributionScene;
 import lightning.render.shading.reference.ReferenceTracer;
+import lightning.scene.Contribution;
 import lightning.scene.Scene;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
@@ -109,7 +110,7 @@ class MixerPaneTest extends EditorFixture {
 
     @Test
     void strip_showsContributionAndPercentage() {
-        Film share = new ReferenceTracer(LightImage.scene(first, "stage")).trace();
+        Film share = new ReferenceTracer(ContributionScene.of(first, "stage")).trace();
         int[] all = model().picture().viewProperty().get().toPixels(share);
         var image = robot.lookup("#thumbnail-stage").<ImageView>query().getImage();
         int[] shown = new int[64 * 48];
@@ -124,7 +125,7 @@ class MixerPaneTest extends EditorFixture {
     @Test
     void shares_followTheEdit() {
         waitFor("the shares of all pixels are known", () -> mixer().shares().isPresent());
-        double before = mixer().shares().orElseThrow().ofLights(0);
+        double before = mixer().shares().orElseThrow().of(Contribution.of(model().editor().scene().lights().getFirst()));
         robot.interact(() -> {
             Scene scene = model().editor().scene();
             Light light = scene.lights().getFirst();

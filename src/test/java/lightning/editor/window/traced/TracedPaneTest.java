@@ -37,7 +37,7 @@ import lightning.format.image.ImageFile;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.LightImage;
+import lightning.render.relight.ContributionScene;
 import lightning.render.shading.explanation.LightReport;
 import lightning.render.shading.explanation.PixelExplainer;
 import lightning.render.shading.reference.ReferenceTracer;
@@ -402,10 +402,10 @@ class TracedPaneTest extends EditorFixture {
         click("only-selected");
         waitFor("the look is shown", () -> isShown("look"));
         assertThat(text("look")).isEqualTo("View: Only stage");
-        assertCanvasShows(new ReferenceTracer(LightImage.scene(model().editor().scene(), "stage")).trace());
+        assertCanvasShows(new ReferenceTracer(ContributionScene.of(model().editor().scene(), "stage")).trace());
         robot.interact(() -> model().editor().selection().selectLight("sun"));
         waitFor("the other look is shown", () -> text("look").equals("View: Only sun"));
-        assertCanvasShows(new ReferenceTracer(LightImage.scene(model().editor().scene(), "sun")).trace());
+        assertCanvasShows(new ReferenceTracer(ContributionScene.of(model().editor().scene(), "sun")).trace());
         click("only-selected");
         waitFor("the full picture is shown", () -> !isShown("look"));
         assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
@@ -432,7 +432,7 @@ class TracedPaneTest extends EditorFixture {
         click("only-selected");
         waitFor("the look is shown", () -> isShown("look"));
         robot.interact(() -> model().editor().edit(scene -> LightEdits.rename(scene, "stage", "rim")));
-        assertCanvasShows(new ReferenceTracer(LightImage.scene(model().picture().frame().scene(), "stage")).trace());
+        assertCanvasShows(new ReferenceTracer(ContributionScene.of(model().picture().frame().scene(), "stage")).trace());
     }
 
     @Test

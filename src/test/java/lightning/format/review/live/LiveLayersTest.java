@@ -10,7 +10,7 @@ import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.format.review.LightWeights;
 import lightning.render.cache.PixelCache;
-import lightning.render.relight.LightFilms;
+import lightning.render.relight.PictureFilms;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.sample.JenScenes;
@@ -45,7 +45,7 @@ class LiveLayersTest {
     /** Asserts that the layers with their weights are the lights of the picture, apart from their rounding to halves. */
     private static void assertShow(LiveLayers layers, PixelCache cache) {
         Map<Contribution, float[]> films = new HashMap<>();
-        LightFilms.forEach(cache, OPTIONS, _ -> true, Progress.NONE, (name, film) -> films.put(name, film.toScanlines()));
+        new PictureFilms(cache, OPTIONS).forEachShining(Progress.NONE, (name, film) -> films.put(name, film.toScanlines()));
         for (LiveLayers.Part part : layers.parts()) {
             float[] weight = LightWeights.of(cache.scene(), layers.base(), part.light());
             float[] wanted = films.getOrDefault(part.light(), new float[part.halves().length]);

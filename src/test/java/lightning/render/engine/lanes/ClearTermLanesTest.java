@@ -6,9 +6,7 @@ import java.util.Random;
 import lightning.base.math.PowerFunction;
 import lightning.base.math.Rgb;
 import lightning.render.engine.choice.Engines;
-import lightning.render.shading.ClearChannel;
 import lightning.render.shading.InteriorTint;
-import lightning.render.shading.SumKernel;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.TexelColumns;
 import lightning.scene.material.MaterialAttribute;
@@ -45,36 +43,6 @@ class ClearTermLanesTest {
             for (int i = from; i < ROWS; i++) {
                 assertSameBits(lanes[k][i], loops[k][i]);
             }
-        }
-    }
-
-    @Property
-    void clearColors_matchEquation(@ForAll Random random, @ForAll boolean scalar) {
-        SumKernel kernel = (scalar ? Engines.SCALAR : Engines.LANES).sums();
-        float kr = random.nextInt(2) * random.nextFloat();
-        float body = random.nextInt(2) * random.nextFloat();
-        ClearChannel channel = new ClearChannel(random.nextFloat(), random.nextFloat(), random.nextInt(2) * random.nextFloat(),
-                random.nextInt(2) * random.nextFloat(), kr, body, 1 - body);
-        float[][] in = new float[8][ROWS + 3];
-        for (float[] column : in) {
-            for (int i = 0; i < ROWS; i++) {
-                column[i] = random.nextInt(4) == 0 ? random.nextInt(2) : random.nextFloat();
-            }
-        }
-        int from = random.nextInt(20);
-        float[] withSurface = new float[ROWS + 3];
-        float[] bouncesOnly = new float[ROWS + 3];
-        kernel.clearSurface(from, ROWS, channel, in[0], in[1], in[2], in[3], in[4], withSurface);
-        kernel.clearColor(from, ROWS, channel, true, in[5], in[6], in[4], in[7], withSurface);
-        kernel.clearColor(from, ROWS, channel, false, in[5], in[6], in[4], in[7], bouncesOnly);
-        for (int i = from; i < ROWS; i++) {
-            float mirror = kr + (1 - kr) * in[4][i];
-            float surface = (channel.emitted() + channel.diffuse() * in[0][i] * in[1][i]) * ((1 - mirror) * body)
-                    + ((channel.texturedF0() * in[0][i] + channel.specular()) * in[2][i] + in[3][i]);
-            float mirrored = mirror * in[5][i];
-            float refracted = (1 - mirror) * (1 - body) * in[6][i];
-            assertSameBits(withSurface[i], (surface + mirrored + refracted) * in[7][i]);
-            assertSameBits(bouncesOnly[i], (mirrored + refracted) * in[7][i]);
         }
     }
 

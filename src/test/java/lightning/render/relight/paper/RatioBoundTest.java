@@ -10,7 +10,6 @@ import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.render.cache.LayerStamp;
 import lightning.render.image.DisplayCurve;
-import lightning.render.image.FilmAssert;
 import lightning.render.relight.FilmError;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
@@ -95,43 +94,46 @@ class RatioBoundTest {
                 .isEqualTo(4 * ETA + 4 * ETA * 7 / Float.MIN_NORMAL);
     }
 
-    /** 6 roundings of the two contributions, 4 of two scalings, and twice: the levels of the sum, 5 for the equation, 2 per mirror. */
+    /** 6 roundings of the two contributions, 4 of two scalings, and twice: the levels of the sum over the films, 8 for the equation, 5 per mirror. */
     @ParameterizedTest
-    @CsvSource({"1,0,0", "2,0,1", "3,0,2", "4,0,2", "5,0,3", "8,1,3", "9,10,4"})
+    @CsvSource({"1,0,2", "2,0,3", "3,0,3", "4,0,4", "5,0,4", "8,1,5", "9,10,5"})
     void relativePart_countsRoundingsToFilm(int lights, int mirrors, int sumDepth) {
         LayerStamp[] stamps = new LayerStamp[lights];
         stamps[0] = new ScaledStamp(ONE, 4, 0, 0);
         if (lights > 2) {
             stamps[2] = new ScaledStamp(ONE, 2, 0, 0);
         }
-        double n = 6 + 4 + 2 * (sumDepth + 5 + 2 * mirrors);
+        double n = 6 + 4 + 2 * (sumDepth + 8 + 5 * mirrors);
         assertThat(RatioBound.relative(stamps, mirrors, 1)).isCloseTo(n * U / (1 - 2 * n * U), withinPercentage(1e-9));
     }
 
-    /** The mean of 16 samples has four levels of additions and one division. */
+    /** The mean of 16 samples has four levels of additions, a division, and a sum with further samples; four films have two levels. */
     @Test
     void sampleMean_addsRoundingsOfBothImages() {
         LayerStamp[] stamps = {new ScaledStamp(ONE, 2, 0, 0)};
-        double n = 6 + 2 + 2 * (5 + 4 + 1);
+        double n = 6 + 2 + 2 * (2 + 8 + 4 + 2);
         assertThat(RatioBound.relative(stamps, 0, 16)).isCloseTo(n * U / (1 - 2 * n * U), withinPercentage(1e-9));
     }
 
+    /** Stored contributions contain weights, and films do not. */
     @Test
-    void unscaledLayers_areExact() {
+    void unscaledLayers_differByRoundings() {
         LayerStamp[] fresh = {LayerStamp.ofComputed(ONE), null};
-        assertThat(RatioBound.relative(fresh, 3, 1)).isZero();
-        assertThat(RatioBound.absolute(fresh, 4, 2)).isZero();
-        assertThat(RatioBound.relative(new LayerStamp[0], 3, 1)).isZero();
+        double n = 6 + 2 * (3 + 8 + 5 * 3);
+        assertThat(RatioBound.relative(fresh, 3, 1)).isCloseTo(n * U / (1 - 2 * n * U), withinPercentage(1e-9));
+        assertThat(RatioBound.absolute(fresh, 4, 2)).isCloseTo(4 * 2 * (4 * ETA + 16 * ETA + 2 * Float.MIN_NORMAL), withinPercentage(1e-9));
+        assertThat(RatioBound.absolute(new LayerStamp[0], 4, 2)).isZero();
     }
 
-    /** Twice the loss of the lights of weights 1 and 4, plus twice two smallest normal floats for each, on 3 levels. */
+    /** Twice the loss of each light, 16 operations on its film, and two smallest normal floats, on 3 levels. */
     @Test
-    void absolutePart_isTwiceLossOfScaledLights() {
+    void absolutePart_isTwiceLossOfLights() {
         Light four = light(2, 1, 0);
         LayerStamp[] stamps =
                 {new ScaledStamp(ONE, 2, 0x1p-100, 0x1p-101), null, LayerStamp.ofComputed(ONE), new ScaledStamp(four, 4, 0x1p-100, 0)};
-        double loss = 2 * (0x1p-100 + 0x1p-101 + 2 * Float.MIN_NORMAL) + 2 * (4 * 0x1p-100 + 2 * Float.MIN_NORMAL);
-        assertThat(RatioBound.absolute(stamps, 3, 2)).isEqualTo(3 * loss);
+        double loss =
+                0x1p-100 + 0x1p-101 + 16 * ETA + 4 * ETA + 16 * ETA + 4 * 0x1p-100 + 2 * 5 * ETA + 4 * 16 * ETA + 6 * Float.MIN_NORMAL;
+        assertThat(RatioBound.absolute(stamps, 3, 2)).isCloseTo(3 * 2 * loss, withinPercentage(1e-9));
     }
 
     /** The largest slope of sRGB is 1.055/2.4 for a relative change and 12.92 for a difference. */
@@ -161,7 +163,7 @@ class RatioBoundTest {
         Light key = scene.lights().getFirst();
         Light dim = key.withIntensity(0.5);
         try (Renderer renderer = renderer()) {
-            assertThat(renderer.render(scene, Progress.NONE).errorBound()).isZero();
+            assertThat(renderer.render(scene, Progress.NONE).errorBound()).isBetween(1e-9, 1e-4);
             UpdateResult update = renderer.render(scene.withLight(dim), Progress.NONE);
             double brightest = 0;
             for (float value : renderer.film().toScanlines()) {
@@ -214,7 +216,7 @@ class RatioBoundTest {
         }
     }
 
-    /** A bound at that exposure is visible immediately: contributions are recomputed, and the bound returns to 0. */
+    /** A bound at that exposure is visible immediately: contributions are recomputed, and the bound returns to a few roundings. */
     @Test
     void visibleError_triggersRefresh() {
         Scene scene = StudioScene.of(LightType.SPOT).withWorld(new World(0, Rgb.BLACK));
@@ -227,9 +229,9 @@ class RatioBoundTest {
             Scene back = narrow.withLight(key.withDropoff(1));
             UpdateResult update = renderer.render(back, Progress.NONE);
             assertThat(update.wasRefreshed()).isTrue();
-            assertThat(update.errorBound()).isZero();
+            assertThat(update.errorBound()).isLessThan(1e-4);
             assertThat(update.rays().shadow()).isZero();
-            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(back).trace(), "refreshed");
+            assertThat(FilmError.largestError(renderer.film(), new ReferenceTracer(back).trace())).isLessThanOrEqualTo(update.errorBound());
         }
     }
 }

@@ -50,10 +50,10 @@ class PremultipliedLayersTest {
 
     @Test
     void eightLightsWithoutHighlight_premultiplyFalloff() {
-        for (int lights : new int[] {RepeatedEditDetector.MIN_LIGHTS - 1, RepeatedEditDetector.MIN_LIGHTS}) {
+        for (int lights : new int[] {ExactMethod.MIN_PREMULTIPLIED_LIGHTS - 1, ExactMethod.MIN_PREMULTIPLIED_LIGHTS}) {
             try (Renderer renderer = new Renderer(CURRENT)) {
                 renderer.render(NIGHT.withLights(NIGHT.lights().subList(0, lights)), Progress.NONE);
-                assertThat(lone(renderer) == 0).as(lights + " lights").isEqualTo(lights >= RepeatedEditDetector.MIN_LIGHTS);
+                assertThat(lone(renderer) == 0).as(lights + " lights").isEqualTo(lights >= ExactMethod.MIN_PREMULTIPLIED_LIGHTS);
             }
         }
     }

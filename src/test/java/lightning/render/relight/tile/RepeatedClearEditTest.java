@@ -1,16 +1,11 @@
 package lightning.render.relight.tile;
 
-import static org.assertj.core.api.Assertions.assertThat;
-
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
-import lightning.render.cache.PixelCache;
-import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
 import lightning.render.engine.choice.Engines;
 import lightning.render.image.FilmAssert;
@@ -34,7 +29,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
 
-/** Tests repeated edits of scenes with several clear materials, whose terms the levels cache. */
+/** Tests repeated edits of scenes with several clear materials. */
 class RepeatedClearEditTest {
     private static final Transmission CLEAR = Transmission.NONE.withColor(Rgb.WHITE).withTint(new Rgb(0.9, 0.3, 1)).withTintDistance(0.5);
 
@@ -87,44 +82,6 @@ class RepeatedClearEditTest {
                 renderer.render(scene, Progress.NONE);
                 FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(), "edit " + edit);
             }
-        }
-    }
-
-    private static long clearTermBytes(PixelCache cache) {
-        long bytes = 0;
-        for (int t = 0; t < cache.tileCount(); t++) {
-            for (TileLevel level : cache.tile(t).levels) {
-                bytes += level.clearTerms() == null ? 0 : level.clearTerms().bytes();
-            }
-        }
-        return bytes;
-    }
-
-    private static int levelsWithTerms(PixelCache cache) {
-        int levels = 0;
-        for (int t = 0; t < cache.tileCount(); t++) {
-            levels += (int) Arrays.stream(cache.tile(t).levels).filter(level -> level.clearTerms() != null).count();
-        }
-        return levels;
-    }
-
-    @Test
-    void terms_areCachedFromSecondEditOfLight() {
-        Scene scene = scene();
-        Light key = scene.lights().getFirst();
-        try (Renderer renderer = new Renderer(options(Engines.SCALAR, MirrorStorage.FULL_ROWS))) {
-            renderer.render(scene, Progress.NONE);
-            renderer.render(scene.withLight(key.withIntensity(0.5)), Progress.NONE);
-            assertThat(clearTermBytes(renderer.cache())).isZero();
-            assertThat(levelsWithTerms(renderer.cache())).isZero();
-            long before = renderer.cache().bytes();
-            renderer.render(scene.withLight(key.withIntensity(0.6)), Progress.NONE);
-            assertThat(clearTermBytes(renderer.cache())).isPositive().isEqualTo(renderer.cache().bytes() - before);
-            // Rows of plain glass need no terms where the recursion ends.
-            assertThat(levelsWithTerms(renderer.cache())).isGreaterThan(2 * renderer.cache().tileCount());
-            // Terms of another light's edit are the same.
-            renderer.render(scene.withLight(scene.lights().getLast().withIntensity(0.6)), Progress.NONE);
-            assertThat(clearTermBytes(renderer.cache())).isEqualTo(renderer.cache().bytes() - before);
         }
     }
 

@@ -1,7 +1,5 @@
 package lightning.render.relight.tile;
 
-import static org.assertj.core.api.Assertions.assertThat;
-
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -9,7 +7,6 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
-import lightning.render.cache.PixelCache;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.Renderer;
@@ -23,9 +20,8 @@ import lightning.scene.value.Attenuation;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
-import org.junit.jupiter.api.Test;
 
-/** Tests that partial sums of the other lights are cached while one light is dragged, without changing a bit. */
+/** Tests that edits of scenes with many lights, in any order, equal full traces. */
 @Slow
 class RepeatedEditTest {
     private static final Scene NIGHT = SmallNightScene.SCENE;
@@ -41,14 +37,6 @@ class RepeatedEditTest {
             case 6 -> light.withDropoff(9 * random.nextDouble());
             default -> light.withDirection(light.direction().plus(new Vec3(0, 0, 0.1 * random.nextDouble())));
         };
-    }
-
-    private static int tilesWithSums(PixelCache cache) {
-        int tiles = 0;
-        for (int t = 0; t < cache.tileCount(); t++) {
-            tiles += cache.tile(t).levels[0].branches() == null ? 0 : 1;
-        }
-        return tiles;
     }
 
     @Property
@@ -100,57 +88,6 @@ class RepeatedEditTest {
                 scene = editedMaterialsOrAmbience(scene, random);
                 renderer.render(scene, Progress.NONE);
                 FilmAssert.assertSameBits(renderer.film(), new TraditionalTracer(scene).trace(workers, Progress.NONE).film(), "beside");
-            }
-        }
-    }
-
-    @Test
-    void sumOfAllLights_isCachedUntilLightEdit() {
-        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
-            renderer.render(NIGHT, Progress.NONE);
-            renderer.render(NIGHT.withWorld(NIGHT.world().withAmbience(0.5)), Progress.NONE);
-            assertThat(tilesWithSums(renderer.cache())).isZero();
-            Scene twice = NIGHT.withWorld(NIGHT.world().withAmbience(0.6));
-            renderer.render(twice, Progress.NONE);
-            assertThat(tilesWithSums(renderer.cache())).isPositive();
-            renderer.render(twice.withLight(NIGHT.lights().getFirst().withIntensity(0.1)), Progress.NONE);
-            assertThat(tilesWithSums(renderer.cache())).isZero();
-        }
-    }
-
-    /** Adding seven lights again reads less memory than their sums would take. */
-    @Test
-    void sums_areCachedFromEightLights() {
-        for (int lights : new int[] {RepeatedEditDetector.MIN_LIGHTS - 1, RepeatedEditDetector.MIN_LIGHTS}) {
-            Scene scene = NIGHT.withLights(NIGHT.lights().subList(0, lights));
-            try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
-                renderer.render(scene, Progress.NONE);
-                for (double intensity : new double[] {0.5, 0.6}) {
-                    renderer.render(scene.withLight(scene.lights().getFirst().withIntensity(intensity)), Progress.NONE);
-                }
-                assertThat(tilesWithSums(renderer.cache()) > 0).as(lights + " lights").isEqualTo(lights >= RepeatedEditDetector.MIN_LIGHTS);
-            }
-        }
-    }
-
-    @Test
-    void sums_areCachedFromSecondEditOfLight() {
-        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
-            renderer.render(NIGHT, Progress.NONE);
-            Light first = NIGHT.lights().getFirst();
-            Scene once = NIGHT.withLight(first.withIntensity(0.5));
-            renderer.render(once, Progress.NONE);
-            assertThat(tilesWithSums(renderer.cache())).isZero();
-            Scene twice = once.withLight(first.withIntensity(0.6));
-            renderer.render(twice, Progress.NONE);
-            assertThat(tilesWithSums(renderer.cache())).isPositive();
-            Light last = NIGHT.lights().getLast();
-            renderer.render(twice.withLight(last.withIntensity(0.1)), Progress.NONE);
-            renderer.render(twice.withLight(last.withIntensity(0.2)), Progress.NONE);
-            PixelCache cache = renderer.cache();
-            for (int t = 0; t < cache.tileCount(); t++) {
-                var sums = cache.tile(t).levels[0].branches();
-                assertThat(sums == null || sums.key().light() == NIGHT.lights().size() - 1).isTrue();
             }
         }
     }

@@ -6,8 +6,8 @@ import java.util.Optional;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.fog.FogGrid;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.WeightedLight;
-import lightning.render.shading.fog.FogComposer;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.Scene;
 import lightning.scene.material.Material;
@@ -18,6 +18,7 @@ final class ReferenceBounceFog {
     private final FogGrid grid;
     private final Fog fog;
     private final int depth;
+    private final FilmParts parts;
     private final WeightedLight[] lights;
     private final ReferenceFog.Visibility visibility;
     private final ReferenceFogSamples samples;
@@ -28,11 +29,13 @@ final class ReferenceBounceFog {
     /** Ray that bounces from the grid, and the material from which it bounces. */
     private record NearRay(Ray ray, Material from) {}
 
-    ReferenceBounceFog(Scene scene, WeightedLight[] lights, ReferenceFog.Visibility visibility) {
+    ReferenceBounceFog(FilmParts parts, ReferenceFog.Visibility visibility) {
+        Scene scene = parts.scene();
+        this.parts = parts;
         grid = new FogGrid(scene.camera(), scene.picture());
         fog = scene.world().fog();
         depth = scene.picture().depth();
-        this.lights = lights;
+        lights = parts.lights();
         this.visibility = visibility;
         samples = new ReferenceFogSamples(scene, grid.scale(), visibility);
     }
@@ -47,19 +50,13 @@ final class ReferenceBounceFog {
      */
     float[] color(Ray ray, float[] color, double distance, double[] place, int path, String material) {
         float passed = (float) samples.transmittance(ray, distance);
-        float[] scattered = new float[3];
+        float[] ofLight = new float[lights.length];
         for (int l = 0; l < lights.length && place != null; l++) {
             if (!lights[l].isDarkInFog()) {
-                float one = light(l, ray, distance, place, path, material);
-                for (int c = 0; c < 3; c++) {
-                    scattered[c] += lights[l].fog().channel(c) * one;
-                }
+                ofLight[l] = light(l, ray, distance, place, path, material);
             }
         }
-        return new float[] {
-            FogComposer.color(color[0], passed, (float) fog.color().r(), (float) fog.ambient().r(), scattered[0]),
-            FogComposer.color(color[1], passed, (float) fog.color().g(), (float) fog.ambient().g(), scattered[1]),
-            FogComposer.color(color[2], passed, (float) fog.color().b(), (float) fog.ambient().b(), scattered[2])};
+        return ReferenceFog.behind(parts, color, passed, ofLight);
     }
 
     /** Returns the mean of what the 4×4 rays around a place see, in the filter 1, 2, 1 between the two next to it, by material and direction. */

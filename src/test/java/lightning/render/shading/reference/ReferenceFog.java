@@ -6,8 +6,10 @@ import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.fog.FogGrid;
 import lightning.render.fog.FogMedium;
-import lightning.render.fog.FogPath;
+import lightning.render.shading.FilmPart;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.LightSource;
+import lightning.render.shading.LightWeight;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.fog.FogComposer;
 import lightning.render.trace.SurfacePoint;
@@ -34,17 +36,20 @@ final class ReferenceFog {
     private final FogGrid grid;
     private final FogMedium medium;
     private final Fog fog;
+    private final FilmParts parts;
     private final WeightedLight[] lights;
     private final ReferenceFogSamples samples;
     /** Light of the parts of each ray, by light and ray. */
-    private final Map<Long, float[]> parts = new HashMap<>();
+    private final Map<Long, float[]> scattered = new HashMap<>();
     private final Map<Long, float[]> sums = new HashMap<>();
 
-    ReferenceFog(Scene scene, WeightedLight[] lights, Visibility visibility) {
+    ReferenceFog(FilmParts parts, Visibility visibility) {
+        Scene scene = parts.scene();
+        this.parts = parts;
         grid = new FogGrid(scene.camera(), scene.picture());
         medium = FogMedium.of(scene);
         fog = scene.world().fog();
-        this.lights = lights;
+        lights = parts.lights();
         samples = new ReferenceFogSamples(scene, grid.scale(), visibility);
     }
 
@@ -59,20 +64,35 @@ final class ReferenceFog {
         Vec3 eye = grid.eye();
         float passed =
                 (float) FogMedium.transmittance(medium.depth(eye.x(), eye.y(), eye.z(), d.x(), d.y(), d.z(), distance));
-        float[] scattered = new float[3];
+        float[] ofLight = new float[lights.length];
         for (int l = 0; l < lights.length; l++) {
             if (!lights[l].isDarkInFog()) {
-                FogPath path = samples.path(lights[l].source(), new Ray(eye, d));
-                float one = before(l, x, y, path.place(distance));
-                for (int c = 0; c < 3; c++) {
-                    scattered[c] += lights[l].fog().channel(c) * one;
-                }
+                ofLight[l] = before(l, x, y, samples.path(lights[l].source(), new Ray(eye, d)).place(distance));
             }
         }
-        return new float[] {
-            FogComposer.color(surface[0], passed, (float) fog.color().r(), (float) fog.ambient().r(), scattered[0]),
-            FogComposer.color(surface[1], passed, (float) fog.color().g(), (float) fog.ambient().g(), scattered[1]),
-            FogComposer.color(surface[2], passed, (float) fog.color().b(), (float) fog.ambient().b(), scattered[2])};
+        return behind(parts, surface, passed, ofLight);
+    }
+
+    /**
+     * Returns the films of a surface behind fog.
+     *
+     * @param ofLight light of each lamp of weight 1 in white fog
+     */
+    static float[] behind(FilmParts parts, float[] surface, float passed, float[] ofLight) {
+        Fog fog = parts.scene().world().fog();
+        float[] films = new float[surface.length];
+        for (int channel = 0; channel < films.length; channel++) {
+            int c = channel % 3;
+            FilmPart part = channel / 3 < parts.count() ? parts.get(channel / 3) : null;
+            float scattered = 0;
+            for (int l = part == null ? 0 : part.from(); part != null && l < part.to(); l++) {
+                scattered += parts.lights()[l].fog().channel(c) * ofLight[l];
+            }
+            boolean isRest = part != null && part.kind() == FilmPart.Kind.REST;
+            films[channel] = FogComposer.color(surface[channel], passed, LightWeight.channel(fog.color(), c),
+                    isRest ? LightWeight.channel(fog.ambient(), c) : 0, scattered);
+        }
+        return films;
     }
 
     private Vec3 direction(double x, double y) {
@@ -127,7 +147,7 @@ final class ReferenceFog {
     }
 
     private float[] parts(int light, int column, int line) {
-        return parts.computeIfAbsent(key(light, column, line), _ -> traceParts(light, column, line));
+        return scattered.computeIfAbsent(key(light, column, line), _ -> traceParts(light, column, line));
     }
 
     private float[] traceParts(int light, int column, int line) {

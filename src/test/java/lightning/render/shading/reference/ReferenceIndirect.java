@@ -1,6 +1,7 @@
 package lightning.render.shading.reference;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
@@ -11,7 +12,7 @@ import lightning.render.gather.cell.CellKeys;
 import lightning.render.gather.cell.DirectionCells;
 import lightning.render.gather.cell.DirectionTable;
 import lightning.render.gather.glow.GlowShapes;
-import lightning.render.shading.BackgroundLight;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.IndirectSolver;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows.ColumnGroup;
@@ -32,8 +33,11 @@ final class ReferenceIndirect {
     private final Geometry geometry;
     private final GatherSettings settings;
     private final CellKeys keys;
-    /** Light of rays that leave the scene: red, green, blue of each cell of directions, or of all. */
-    private final float[] background;
+    /** Light of rays that leave the scene in each film: red, green, blue of each cell of directions, or of all. */
+    private final float[][] background;
+    /** Red, green and blue of all films. */
+    private final int channels;
+    private final int rest;
     private final GlowShapes glows;
     private final Function<SurfacePoint, float[]> directLight;
     private final List<Surfel> surfels = new ArrayList<>();
@@ -54,16 +58,18 @@ final class ReferenceIndirect {
      */
     private record Surfel(SurfacePoint at, float[] texel, MappedSurface mapped, float[] direct, float[] glow) {}
 
-    /** @param directLight returns the lights' diffuse sum at a surface: red, green, blue */
-    ReferenceIndirect(Scene scene, Geometry geometry, GatherSettings settings, BackgroundLight leaving,
-            Function<SurfacePoint, float[]> directLight) {
-        this.scene = scene;
+    /** @param directLight returns the lights' diffuse sum at a surface: red, green, blue of each film */
+    ReferenceIndirect(FilmParts parts, Geometry geometry, GatherSettings settings, Function<SurfacePoint, float[]> directLight) {
+        scene = parts.scene();
+        channels = 3 * parts.count();
+        rest = channels - 3;
         this.geometry = geometry;
         this.settings = settings;
         this.directLight = directLight;
         keys = new CellKeys(scene, settings);
         glows = settings.isIndirect() ? GlowShapes.of(geometry) : GlowShapes.none();
-        background = leaving.cells(settings.environment() ? DirectionCells.COUNT : 1);
+        background = new float[parts.count()][];
+        Arrays.setAll(background, part -> parts.background(part).cells(settings.environment() ? DirectionCells.COUNT : 1));
         List<ReferenceGatherPoints.GatherPoint> points = new ReferenceGatherPoints(scene, geometry, keys, glows, settings).place();
         NewSurfels met = new NewSurfels();
         points.forEach(point -> met.add(point.rays()));
@@ -81,9 +87,10 @@ final class ReferenceIndirect {
         return ray.isMiss() ? null : surfels.get(surfelByCell.get(ray.cell())).at();
     }
 
-    /** Returns the indirect light at a surface that the picture shows: red, green, blue. */
+    /** Returns the indirect light at a surface that the picture shows: red, green, blue of each film. */
     float[] at(SurfacePoint hit) {
-        return light.at(hit);
+        float[] found = light.at(hit);
+        return found.length == 0 ? new float[channels] : found;
     }
 
     /** Surfel of each new cell that some rays hit: the hit of the ray with the lowest rank. */
@@ -111,11 +118,11 @@ final class ReferenceIndirect {
     private void addSurfel(ReferenceGatherRay ray) {
         MaterialTable materials = geometry.materials();
         int material = ray.hit().material();
-        float[] glow = new float[3];
+        float[] glow = new float[channels];
         float[] glowMap = ray.maps().get(ColumnGroup.GLOW_TEXEL);
         for (int c = 0; c < 3; c++) {
             float emitted = (1 - materials.reflective(material, c)) * materials.ownGlow(material, c);
-            glow[c] = glowMap == null ? emitted : emitted * glowMap[c];
+            glow[rest + c] = glowMap == null ? emitted : emitted * glowMap[c];
         }
         surfelByCell.put(ray.cell(), surfels.size());
         var mapped = new MappedSurface();
@@ -161,9 +168,9 @@ final class ReferenceIndirect {
 
     /** Returns the light at each point: red, green, blue. */
     private float[][] gather(List<ReferenceGatherPoints.GatherPoint> points) {
-        float[][] gathered = new float[points.size()][3];
+        float[][] gathered = new float[points.size()][channels];
         List<Map<Integer, List<ReferenceGatherRay>>> rims = rims(points);
-        for (int c = 0; c < 3; c++) {
+        for (int c = 0; c < channels; c++) {
             float[] scattered = scattered(c);
             int channel = c;
             for (int p = 0; p < points.size(); p++) {
@@ -171,7 +178,7 @@ final class ReferenceIndirect {
                 List<ReferenceGatherRay> own = points.get(p).rays();
                 rims.get(p).forEach((cell, added) -> value[0] += rimChange(own, cell, added, scattered, channel));
                 for (float[] object : points.get(p).glow()) {
-                    value[0] += object[c];
+                    value[0] += c < rest ? 0 : object[c - rest];
                 }
                 gathered[p][c] = value[0];
             }
@@ -203,9 +210,9 @@ final class ReferenceIndirect {
                 // Surfels exist only where other rays found them.
                 met = own.get((cell + i) % own.size());
             }
-            sum += light(met, scattered, c) * share * ray.tint()[c];
+            sum += light(met, scattered, c) * share * ray.tint()[c % 3];
         }
-        return (sum - added.size() * (light(own.get(cell), scattered, c) * share * own.get(cell).tint()[c])) / (added.size() + 1);
+        return (sum - added.size() * (light(own.get(cell), scattered, c) * share * own.get(cell).tint()[c % 3])) / (added.size() + 1);
     }
 
     /** Returns one channel of the light that each surfel scatters. */
@@ -217,7 +224,7 @@ final class ReferenceIndirect {
             for (int s = 0; s < sent.length; s++) {
                 float met = s >= surfelRays.size() ? 0 : bounce > 1 ? light(surfelRays.get(s), surfelGlow.get(s), before, c)
                         : settings.environment() ? fromEnvironment(surfelRays.get(s), c) : 0;
-                sent[s] = albedo(surfels.get(s), c) * (surfels.get(s).direct()[c] + met);
+                sent[s] = albedo(surfels.get(s), c % 3) * (surfels.get(s).direct()[c] + met);
             }
         }
         return sent;
@@ -228,10 +235,10 @@ final class ReferenceIndirect {
         float share = 1f / rays.size();
         float sum = 0;
         for (ReferenceGatherRay ray : rays) {
-            sum += light(ray, scattered, c) * share * ray.tint()[c];
+            sum += light(ray, scattered, c) * share * ray.tint()[c % 3];
         }
         for (float[] object : glow) {
-            sum += object[c];
+            sum += c < rest ? 0 : object[c - rest];
         }
         return sum;
     }
@@ -254,13 +261,13 @@ final class ReferenceIndirect {
         float share = 1f / rays.size();
         float sum = 0;
         for (ReferenceGatherRay ray : rays) {
-            sum += ray.isMiss() ? background(ray, c) * share * ray.tint()[c] : 0;
+            sum += ray.isMiss() ? background(ray, c) * share * ray.tint()[c % 3] : 0;
         }
         return sum;
     }
 
     private float background(ReferenceGatherRay ray, int c) {
         Vec3 d = ray.direction();
-        return background[3 * (settings.environment() ? DirectionCells.of(d.x(), d.y(), d.z()) : 0) + c];
+        return background[c / 3][3 * (settings.environment() ? DirectionCells.of(d.x(), d.y(), d.z()) : 0) + c % 3];
     }
 }

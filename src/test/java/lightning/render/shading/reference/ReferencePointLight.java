@@ -48,7 +48,7 @@ final class ReferencePointLight {
         for (int p = 0; p < points.size(); p++) {
             barriers.add(barriers(p, targets.get(p), geometry));
         }
-        light = new float[points.size()][3];
+        light = new float[points.size()][];
         for (int p = 0; p < light.length; p++) {
             light[p] = mean(neighbors(p), gathered);
         }
@@ -76,15 +76,18 @@ final class ReferencePointLight {
     /** Returns the weighted mean of some points' values: red, green, blue. */
     private static float[] mean(List<Weighted> points, float[][] values) {
         float total = 0;
-        float[] sum = new float[3];
+        float[] sum = new float[values.length == 0 ? 0 : values[0].length];
         for (Weighted point : points) {
             total += point.weight;
-            for (int c = 0; c < 3; c++) {
+            for (int c = 0; c < sum.length; c++) {
                 sum[c] += point.weight * NO_OVERFLOW * values[point.point][c];
             }
         }
         float share = total == 0 ? 0 : 1 / (total * NO_OVERFLOW);
-        return new float[] {sum[0] * share, sum[1] * share, sum[2] * share};
+        for (int c = 0; c < sum.length; c++) {
+            sum[c] *= share;
+        }
+        return sum;
     }
 
     private float reach(int p, boolean isFlat) {

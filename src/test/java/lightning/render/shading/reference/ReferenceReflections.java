@@ -1,5 +1,7 @@
 package lightning.render.shading.reference;
 
+import java.util.Arrays;
+import java.util.BitSet;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.function.Function;
@@ -8,11 +10,13 @@ import lightning.base.work.WorkerPool;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.RowWeigher;
 import lightning.render.gather.build.GatherBuilder;
-import lightning.render.shading.BackgroundLight;
+import lightning.render.shading.FilmPart;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.IndirectLight;
 import lightning.render.shading.IndirectSolver;
 import lightning.render.shading.PrincipledRow;
 import lightning.render.shading.ShadingMaterial;
+import lightning.render.shading.StoredFilms;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
@@ -33,19 +37,21 @@ final class ReferenceReflections {
     private final RowWeigher weigher;
 
     /**
-     * @param directLight returns the lights' diffuse sum at a surface: red, green, blue
-     * @param shownLight  returns the lights' diffuse and specular light that a picture shows of a surface: red, green, blue
+     * @param directLight returns the lights' diffuse sum at a surface: red, green, blue of each film
+     * @param shownLight  returns the lights' diffuse and specular light that films show of a surface: red, green, blue of each
      */
-    ReferenceReflections(Scene scene, Geometry geometry, GatherSettings settings, BackgroundLight background,
-            Function<SurfacePoint, float[]> directLight, Function<SurfacePoint, float[]> shownLight) {
+    ReferenceReflections(FilmParts parts, Geometry geometry, GatherSettings settings, Function<SurfacePoint, float[]> directLight,
+            Function<SurfacePoint, float[]> shownLight) {
+        Scene scene = parts.scene();
         WorkerPool workers = new WorkerPool(1);
         GatherStructure structure = new GatherBuilder(geometry, scene, settings, workers,
                 _ -> new ReferenceRays(geometry), 1L << 30, Progress.NONE).build();
         int count = structure.surfelCount();
-        float[][] direct = new float[3][count];
+        int channels = 3 * parts.count();
+        float[][] direct = new float[channels][count];
         float[][] albedo = new float[3][count];
-        float[][] glow = new float[3][count];
-        float[][] seen = new float[3][count];
+        float[][] glow = new float[channels][count];
+        float[][] seen = new float[channels][count];
         HitRows[] blocks = structure.surfels();
         MaterialTable materials = geometry.materials();
         for (int block = 0; block < blocks.length; block++) {
@@ -56,23 +62,43 @@ final class ReferenceReflections {
                 SurfacePoint point = point(materials, rows, row, material);
                 float[] lit = directLight.apply(point);
                 float[] shown = shownLight.apply(point);
-                for (int c = 0; c < 3; c++) {
+                for (int channel = 0; channel < channels; channel++) {
+                    int c = channel % 3;
                     float texel = materials.isTextured(material) ? rows.texel(c)[row] : 1;
                     boolean isMapped = materials.texels(material).has(ColumnGroup.GLOW_TEXEL);
                     float map = isMapped ? rows.texel(ColumnGroup.GLOW_TEXEL, c)[row] : 1;
                     float left = 1 - materials.reflective(material, c);
-                    direct[c][surfel] = lit[c];
+                    direct[channel][surfel] = lit[channel];
                     albedo[c][surfel] = albedo(materials, rows, row, c, texel, left);
-                    glow[c][surfel] = left * materials.ownGlow(material, c) * map;
-                    seen[c][surfel] = left * (materials.ambient(material, c) * (float) scene.world().ambience())
-                            + left * materials.glow(material, c) * map + shown[c];
+                    FilmPart part = parts.get(channel / 3);
+                    float emitted = switch (part.kind()) {
+                        case AMBIENCE -> left * materials.ambient(material, c);
+                        case REST -> left * materials.ownGlow(material, c) * map;
+                        case LIGHT -> materials.material(material).bulb().light().equals(scene.lights().get(part.index()).name())
+                                ? left * materials.bulbGlow(material, c) * map : 0;
+                        case ENVIRONMENT_LIGHT, ENVIRONMENT_IMAGE -> 0;
+                    };
+                    glow[channel][surfel] = part.kind() == FilmPart.Kind.REST ? emitted : 0;
+                    seen[channel][surfel] = emitted + shown[channel];
                 }
             }
         }
         float[][] objects = structure.glow().shapes().glow(materials);
-        light = new IndirectLight(structure,
-                new IndirectSolver(structure, workers, Progress.NONE).solve(direct, albedo, glow, objects, seen, background), null);
+        float[][] noObjects = new float[3][objects[0].length];
+        IndirectSolver solver = new IndirectSolver(structure, workers, Progress.NONE);
+        float[][][] films = new float[parts.count()][][];
+        BitSet known = new BitSet();
+        for (int part = 0; part < films.length; part++) {
+            known.set(part);
+            films[part] = solver.solve(of(direct, part), albedo, of(glow, part), parts.get(part).kind() == FilmPart.Kind.REST ? objects
+                    : noObjects, of(seen, part), parts.background(part));
+        }
+        light = new IndirectLight(structure, new StoredFilms(films, known), films);
         weigher = new RowWeigher(structure);
+    }
+
+    private static float[][] of(float[][] channels, int part) {
+        return Arrays.copyOfRange(channels, 3 * part, 3 * part + 3);
     }
 
     /** Returns the surface of a surfel's row, with the mean colors of its images. */
@@ -130,7 +156,7 @@ final class ReferenceReflections {
     }
 
     /** Returns the light at a surface that the picture shows, as {@link IndirectLight#at}. */
-    float[] at(SurfacePoint hit) {
-        return light.at(hit, weigher);
+    float[] at(SurfacePoint hit, int film) {
+        return light.at(hit, weigher, film);
     }
 }

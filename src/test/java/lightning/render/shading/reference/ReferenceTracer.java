@@ -10,23 +10,25 @@ import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.image.Film;
 import lightning.render.shading.AreaSamples;
-import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.BackgroundShader;
 import lightning.render.shading.EdgeColors;
-import lightning.render.shading.EmittedLight;
+import lightning.render.shading.FilmPart;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.HighlightFactor;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightWeight;
 import lightning.render.shading.LightingEquation;
 import lightning.render.shading.PrincipledMaterial;
 import lightning.render.shading.PrincipledWeights;
+import lightning.render.shading.RenderedScenes;
 import lightning.render.shading.SampleMean;
-import lightning.render.shading.SurfaceWeights;
+import lightning.render.shading.SurfaceFactors;
 import lightning.render.shading.Transmittance;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.layer.LightRows;
 import lightning.render.trace.BruteForce;
 import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.PixelRays;
 import lightning.render.trace.SampleCells;
@@ -59,8 +61,8 @@ public final class ReferenceTracer {
     private final Scene scene;
     private final Geometry geometry;
     private final MaterialTable materials;
+    private final FilmParts parts;
     private final WeightedLight[] lights;
-    private final boolean forEdges;
     private final ShadowRayTarget[] targets;
     /** Shadow ray targets of area light samples. */
     private final Map<Vec3, ShadowRayTarget> sampleTargets = new HashMap<>();
@@ -71,8 +73,8 @@ public final class ReferenceTracer {
     /** Gain of a light on each shape by its name. */
     private final Map<Light, Map<String, Float>> gains = new IdentityHashMap<>();
     private final ReferenceTracer mirrorTracer;
-    /** Created on first use. */
-    private ReferenceTracer edgeTracer;
+    /** Films of pixel centers that were traced: {@code float[channels]}. */
+    private final Map<Integer, float[]> centers = new HashMap<>();
     /** Computed on first use; null if the scene has none. */
     private ReferenceIndirect indirect;
     /** The same for scenes with blurred reflections. */
@@ -92,17 +94,12 @@ public final class ReferenceTracer {
      * The two may differ in lights, world and materials.
      */
     public ReferenceTracer(Scene scene, Scene mirrored) {
-        this(scene, mirrored, false);
-    }
-
-    /** @param forEdges true for the colors by which anti-aliasing decides ({@link EdgeColors}) */
-    private ReferenceTracer(Scene scene, Scene mirrored, boolean forEdges) {
         this.scene = scene;
-        this.forEdges = forEdges;
-        mirrorTracer = scene == mirrored ? this : new ReferenceTracer(mirrored, mirrored, forEdges);
+        mirrorTracer = new RenderedScenes(scene, mirrored).areReflectionsCurrent() ? this : new ReferenceTracer(mirrored, mirrored);
         geometry = Geometry.of(scene);
         materials = geometry.materials();
-        lights = forEdges ? WeightedLight.forEdges(WeightedLight.ofScene(scene)) : WeightedLight.ofScene(scene);
+        parts = FilmParts.of(scene);
+        lights = parts.lights();
         firstCells = SampleCells.first(scene.picture().sampling());
         restCells = SampleCells.rest(scene.picture().sampling());
         targets = Arrays.stream(lights).map(WeightedLight::source)
@@ -120,57 +117,98 @@ public final class ReferenceTracer {
         int width = scene.picture().width();
         int height = scene.picture().height();
         boolean[] fine = sampled.finePixels();
-        ReferenceTracer edges = sampled.edgeTracer();
         float[] rgb = new float[3 * width * height];
         for (int y = 0; y < height; y++) {
             for (int x = 0; x < width; x++) {
-                float[] color = fine[y * width + x] ? finePixel(x, y, sampled, edges) : pixel(x, y);
+                float[] color = fine[y * width + x] ? finePixel(x, y, sampled) : pixel(x, y);
                 System.arraycopy(color, 0, rgb, 3 * (y * width + x), 3);
             }
         }
         return Film.ofScanlines(width, height, rgb);
     }
 
-    private ReferenceTracer edgeTracer() {
-        if (edgeTracer == null) {
-            edgeTracer = new ReferenceTracer(scene, mirrorTracer.scene, true);
-        }
-        return edgeTracer;
-    }
-
     /** Returns the linear color at the center of one pixel, {@code float[3]}. */
     public float[] pixel(int x, int y) {
-        return eyeColor(new PixelRays(scene).ray(x, y), x + 0.5, y + 0.5, NO_PATTERN);
+        return mix(center(x, y), parts.weights(), earlier(0));
     }
 
-    /** Returns the mean of a pixel's samples: the first ones, and if their colors differ visibly, the rest. */
-    private float[] finePixel(int x, int y, ReferenceTracer sampled, ReferenceTracer edges) {
-        float[] first = mean(samples(x, y, sampled.firstCells));
-        if (sampled.restCells.count() == 0 || !edges.differs(x, y, sampled.firstCells)) {
-            return first;
-        }
-        float[] rest = mean(samples(x, y, sampled.restCells));
-        float[] color = new float[3];
+    /** Returns the color at the center of one pixel by which edges are found, {@code float[3]}. */
+    private float[] edgePixel(int x, int y) {
+        return mix(center(x, y), parts.edgeWeights(), earlier(1));
+    }
+
+    private float[] center(int x, int y) {
+        return centers.computeIfAbsent(y * scene.picture().width() + x,
+                _ -> eyeColor(new PixelRays(scene).ray(x, y), x + 0.5, y + 0.5, NO_PATTERN));
+    }
+
+    /** Returns the number of values of a color: red, green and blue of each film, then of what mirrors show of an earlier scene, and for edges. */
+    private int channels() {
+        return earlier(2);
+    }
+
+    /** Returns the first channel of what mirrors show of an earlier scene: 0 for colors, 1 for edges. */
+    private int earlier(int kind) {
+        return 3 * (parts.count() + kind);
+    }
+
+    /** Returns the sum of all films. */
+    private float[] mix(float[] films, LightWeight[] weights, int earlier) {
+        float[] color = mix(films, weights);
         for (int c = 0; c < 3; c++) {
-            color[c] = SampleMean.combine(first[c], sampled.firstCells.count(), rest[c], sampled.restCells.count());
+            color[c] += films[earlier + c];
         }
         return color;
     }
 
-    /** Returns whether the colors of some samples of a pixel differ visibly. */
-    private boolean differs(int x, int y, SampleCells cells) {
-        return EdgeColors.needMore(EdgeColors.pack(samples(x, y, cells)), 0, cells.count());
+    private static float[] mix(float[] films, LightWeight[] weights) {
+        float[] color = new float[3];
+        for (int c = 0; c < 3; c++) {
+            float[] terms = new float[weights.length];
+            for (int part = 0; part < terms.length; part++) {
+                terms[part] = weights[part].channel(c) * films[3 * part + c];
+            }
+            color[c] = LightingEquation.sum(terms, 0, terms.length);
+        }
+        return color;
     }
 
-    /** Returns the colors of some samples of a pixel: red, green and blue columns. */
+    /** Returns the mean of a pixel's samples: the first ones, and if their colors differ visibly, the rest. */
+    private float[] finePixel(int x, int y, ReferenceTracer sampled) {
+        float[] mean = mean(samples(x, y, sampled.firstCells));
+        if (sampled.restCells.count() > 0 && sampled.differs(x, y, sampled.firstCells)) {
+            float[] rest = mean(samples(x, y, sampled.restCells));
+            for (int c = 0; c < mean.length; c++) {
+                mean[c] = SampleMean.combine(mean[c], sampled.firstCells.count(), rest[c], sampled.restCells.count());
+            }
+        }
+        return mix(mean, parts.weights(), earlier(0));
+    }
+
+    /** Returns whether the colors of some samples of a pixel differ visibly. */
+    private boolean differs(int x, int y, SampleCells cells) {
+        float[][] samples = samples(x, y, cells);
+        int[] packed = new int[cells.count()];
+        for (int s = 0; s < packed.length; s++) {
+            float[] films = new float[channels()];
+            for (int c = 0; c < films.length; c++) {
+                films[c] = samples[c][s];
+            }
+            float[] color = mix(films, parts.edgeWeights(), earlier(1));
+            packed[s] = EdgeColors.pack(color[0], color[1], color[2]);
+        }
+        return EdgeColors.needMore(packed, 0, packed.length);
+    }
+
+    /** Returns the films of some samples of a pixel, by channel. */
     private float[][] samples(int x, int y, SampleCells cells) {
-        float[][] samples = new float[3][cells.count()];
+        float[][] samples = new float[channels()][cells.count()];
         for (int s = 0; s < cells.count(); s++) {
             int cell = cells.cells()[s];
             int pattern = SamplePattern.of(x, y, cells.part(s), cells.grid()) & 0xFF;
             float[] color = eyeColor(new PixelRays(scene).ray(x, y, cell, cells.grid()), x + offset(cell % cells.grid(), cells.grid()),
                     y + offset(cell / cells.grid(), cells.grid()), pattern);
-            for (int c = 0; c < 3; c++) {
+            for (int c = 0; c < color.length; c++) {
                 samples[c][s] = color[c];
             }
         }
@@ -178,7 +216,11 @@ public final class ReferenceTracer {
     }
 
     private static float[] mean(float[][] samples) {
-        return new float[] {mean(samples[0]), mean(samples[1]), mean(samples[2])};
+        float[] mean = new float[samples.length];
+        for (int c = 0; c < mean.length; c++) {
+            mean[c] = mean(samples[c]);
+        }
+        return mean;
     }
 
     private static float mean(float[] samples) {
@@ -190,13 +232,13 @@ public final class ReferenceTracer {
         return (2 * cell + 1) / (2.0 * grid);
     }
 
-    /** Returns the color of a camera ray through a point of the image, in pixels, with the fog before it. Fog has no edges. */
+    /** Returns the films of a camera ray through a point of the image, in pixels, with the fog before it. */
     private float[] eyeColor(Ray ray, double x, double y, int pattern) {
         float[] color = color(ray, scene.picture().depth(), pattern, new BouncePlace(x, y, 0));
-        if (forEdges || !scene.world().fog().isPresent()) {
+        if (!scene.world().fog().isPresent()) {
             return color;
         }
-        fog = fog == null ? new ReferenceFog(scene, lights, new AirVisibility()) : fog;
+        fog = fog == null ? new ReferenceFog(parts, new AirVisibility()) : fog;
         int primitive = geometry.nearestBruteForce(ray);
         if (primitive < 0) {
             return fog.color(color, x, y, Double.POSITIVE_INFINITY);
@@ -214,7 +256,7 @@ public final class ReferenceTracer {
     private record BouncePlace(double x, double y, int refractions) {}
 
     /**
-     * Returns the color of a reflected or refracted ray with the fog along it.
+     * Returns the films of a reflected or refracted ray with the fog along it.
      *
      * @param shown place whose bounced rays show light in fog, if this one does; null otherwise
      * @param path  number of refractions of this ray; 0 for a mirrored one
@@ -224,7 +266,7 @@ public final class ReferenceTracer {
     private float[] bouncedColor(Ray ray, int depth, int pattern, boolean isInside, BouncePlace shown, int path, BouncePlace next,
             String from) {
         float[] color = color(ray, depth, pattern, next);
-        if (forEdges || isInside || !scene.world().fog().isPresent()) {
+        if (isInside || !scene.world().fog().isPresent()) {
             return color;
         }
         int primitive = geometry.nearestBruteForce(ray);
@@ -236,7 +278,7 @@ public final class ReferenceTracer {
             double dz = hit.pz() - ray.origin().z();
             distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
         }
-        bounceFog = bounceFog == null ? new ReferenceBounceFog(scene, lights, new AirVisibility()) : bounceFog;
+        bounceFog = bounceFog == null ? new ReferenceBounceFog(parts, new AirVisibility()) : bounceFog;
         return bounceFog.color(ray, color, distance, shown == null ? null : new double[] {shown.x, shown.y}, path, from);
     }
 
@@ -263,7 +305,7 @@ public final class ReferenceTracer {
     }
 
     /**
-     * Returns the color of a ray; {@code depth} more bounces may be followed.
+     * Returns the films of a ray; {@code depth} more bounces may be followed.
      *
      * @param pattern pattern of area light samples, or {@link #NO_PATTERN} for a pixel center
      * @param place   place of the surface in the image; null if rays that bounce from it show no light in fog
@@ -271,120 +313,124 @@ public final class ReferenceTracer {
     private float[] color(Ray ray, int depth, int pattern, BouncePlace place) {
         int primitive = geometry.nearestBruteForce(ray);
         if (primitive < 0) {
-            return BackgroundShader.color(scene, ray.direction());
+            float[] background = new float[channels()];
+            for (int part = 0; part < parts.count(); part++) {
+                System.arraycopy(BackgroundShader.color(parts, part, ray.direction()), 0, background, 3 * part, 3);
+            }
+            return background;
         }
         SurfacePoint hit = BruteForce.surface(geometry, primitive, ray);
         int material = hit.material();
-        float[] mirrored = {0, 0, 0};
+        float[] mirrored = new float[mirrorTracer.channels()];
         if (materials.isReflective(material) && depth > 0) {
             mirrored = mirrorTracer.bouncedColor(hit.reflectedRay(materials.material(material)), depth - 1, pattern,
                     materials.isClear(material) && hit.backSide().isInside(),
                     place != null && place.refractions == 0 ? place : null, 0, null, materials.material(material).name());
         }
         Ray through = materials.isClear(material) && depth > 0 ? hit.refractedRay() : null;
-        float[] refracted = new float[3];
+        float[] refracted = new float[mirrorTracer.channels()];
         if (through != null) {
             boolean isInside = !hit.backSide().isInside() && !hit.backSide().transmission().thin();
             int path = place == null ? 0 : place.refractions + 1;
             refracted = mirrorTracer.bouncedColor(through, depth - 1, pattern, isInside, place, path,
                     place == null ? null : new BouncePlace(place.x, place.y, path), materials.material(material).name());
         }
-        float[] color = new float[3];
+        float[] color = new float[channels()];
         float[][] terms = terms(hit, pattern);
-        float[] diffuse = diffuse(hit, terms);
-        PrincipledMaterial principled = PrincipledMaterial.of(materials.material(material));
-        boolean hasReflections = principled != null && GatherSettings.of(scene).map(GatherSettings::reflections).orElse(false);
-        float[] light = hasReflections && !materials.isClear(material) ? reflections().at(hit) : new float[9];
-        for (int c = 0; c < 3; c++) {
-            float specular = sum(terms, SPECULAR, c);
-            float grazing = sum(terms, GRAZING, c);
-            color[c] = materials.isClear(material) ? clearColor(hit, c, diffuse[c], specular, grazing, mirrored, refracted)
-                    : principled != null ? principledColor(hit, principled, c, diffuse[c], specular, grazing, mirrored[c], light)
-                    : LightingEquation.color(emitted(hit, c), hit.diffuse()[c], diffuse[c],
-                            hit.specular()[c], specular, grazing, materials.reflective(material, c), mirrored[c]);
-            for (EmittedLight kind : EmittedLight.values()) {
-                if (kind.isMapped(materials.texels(material))) {
-                    float amount =
-                            kind.amount(materials.ambient(material, c), (float) scene.world().ambience(), materials.glow(material, c));
-                    color[c] = LightingEquation.addMapped(color[c], amount, hit.maps().get(kind.map().orElseThrow())[c],
-                            new SurfaceWeights(hit).bodyWeight(materials.reflective(material, c), c));
+        SurfaceFactors factors = new SurfaceFactors(hit, materials.material(material));
+        boolean gathers = GatherSettings.of(scene).isPresent();
+        boolean blurs = gathers && GatherSettings.of(scene).get().reflections() && materials.isPrincipled(material)
+                && !materials.isClear(material);
+        for (int part = 0; part < parts.count(); part++) {
+            float[] light = gathers ? gathered(hit, part) : new float[9];
+            for (int c = 0; c < 3; c++) {
+                int channel = 3 * part + c;
+                float value = factors.lit(c, gathers ? light[c] + sum(terms, part, DIFFUSE, c) : sum(terms, part, DIFFUSE, c),
+                        sum(terms, part, SPECULAR, c), sum(terms, part, GRAZING, c));
+                if (mirrorTracer == this) {
+                    value += factors.mirrored(c, mirrored[channel]);
+                    value += factors.refracted(c, refracted[channel]);
                 }
+                value += blurs ? factors.reflected(c, light[3 + c], light[6 + c]) : 0;
+                color[channel] = value + factors.emitted(c, emitted(hit, part, c));
             }
         }
+        if (mirrorTracer != this) {
+            addEarlier(factors, mirrored, refracted, mirrorTracer.parts.weights(), color, earlier(0));
+            addEarlier(factors, mirrored, refracted, mirrorTracer.parts.edgeWeights(), color, earlier(1));
+        }
         return color;
     }
 
-    private float emitted(SurfacePoint hit, int c) {
+    private static void addEarlier(SurfaceFactors factors, float[] mirrored, float[] refracted, LightWeight[] weights, float[] to, int at) {
+        float[] reflection = mix(mirrored, weights);
+        float[] transmission = mix(refracted, weights);
+        for (int c = 0; c < 3; c++) {
+            to[at + c] = factors.mirrored(c, reflection[c]) + factors.refracted(c, transmission[c]);
+        }
+    }
+
+    /** Returns one channel of the light that a surface emits in a film. */
+    private float emitted(SurfacePoint hit, int part, int c) {
         int material = hit.material();
-        return EmittedLight.unmapped(materials.texels(material), materials.ambient(material, c), (float) scene.world().ambience(),
-                materials.glow(material, c));
+        FilmPart its = parts.get(part);
+        float[] map =
+                materials.texels(material).has(HitRows.ColumnGroup.GLOW_TEXEL) ? hit.maps().get(HitRows.ColumnGroup.GLOW_TEXEL) : null;
+        float texel = map == null ? 1 : map[c];
+        return switch (its.kind()) {
+            case AMBIENCE -> materials.ambient(material, c);
+            case REST -> materials.ownGlow(material, c) * texel;
+            case LIGHT -> materials.material(material).bulb().light().equals(scene.lights().get(its.index()).name())
+                    ? materials.bulbGlow(material, c) * texel : 0;
+            case ENVIRONMENT_LIGHT, ENVIRONMENT_IMAGE -> 0;
+        };
     }
 
-    /** Returns the lights' diffuse sum plus the indirect light: red, green, blue. */
-    private float[] diffuse(SurfacePoint hit, float[][] terms) {
-        float[] direct = {sum(terms, DIFFUSE, 0), sum(terms, DIFFUSE, 1), sum(terms, DIFFUSE, 2)};
-        if (GatherSettings.of(scene).isEmpty()) {
-            return direct;
+    /** Returns the gathered light of a film: red, green, blue, and what blurred reflections show. */
+    private float[] gathered(SurfacePoint hit, int part) {
+        GatherSettings settings = GatherSettings.of(scene).get();
+        if (settings.reflections()) {
+            reflections = reflections == null
+                    ? new ReferenceReflections(parts, geometry, settings, this::directLight, this::shownLight) : reflections;
+            return reflections.at(hit, part);
         }
-        if (GatherSettings.of(scene).get().reflections()) {
-            float[] more = reflections().at(hit);
-            return new float[] {direct[0] + more[0], direct[1] + more[1], direct[2] + more[2]};
-        }
-        indirect = indirect == null ? new ReferenceIndirect(scene, geometry, GatherSettings.of(scene).get(),
-                forEdges ? BackgroundLight.of(scene).forEdges() : BackgroundLight.of(scene), this::directLight)
-                : indirect;
-        float[] more = indirect.at(hit);
-        return new float[] {direct[0] + more[0], direct[1] + more[1], direct[2] + more[2]};
+        indirect = indirect == null ? new ReferenceIndirect(parts, geometry, settings, this::directLight) : indirect;
+        return Arrays.copyOfRange(indirect.at(hit), 3 * part, 3 * part + 3);
     }
 
-    private ReferenceReflections reflections() {
-        reflections = reflections == null ? new ReferenceReflections(scene, geometry, GatherSettings.of(scene).get(),
-                forEdges ? BackgroundLight.of(scene).forEdges() : BackgroundLight.of(scene), this::directLight, this::shownLight)
-                : reflections;
-        return reflections;
-    }
-
-    /** Returns the lights' diffuse sum at a surface outside pixels: red, green, blue. */
+    /** Returns the lights' diffuse sum at a surface outside pixels, by film: red, green, blue of each. */
     private float[] directLight(SurfacePoint hit) {
         float[][] terms = terms(hit, NO_PATTERN, false);
-        return new float[] {sum(terms, DIFFUSE, 0), sum(terms, DIFFUSE, 1), sum(terms, DIFFUSE, 2)};
+        float[] light = new float[3 * parts.count()];
+        for (int channel = 0; channel < light.length; channel++) {
+            light[channel] = sum(terms, channel / 3, DIFFUSE, channel % 3);
+        }
+        return light;
     }
 
-    /** Returns the lights' diffuse and specular light that a picture shows of a surface outside pixels: red, green, blue. */
+    /** Returns the lights' diffuse and specular light that films show of a surface outside pixels: red, green, blue of each. */
     private float[] shownLight(SurfacePoint hit) {
         float[][] terms = terms(hit, NO_PATTERN, false);
-        PrincipledMaterial principled = PrincipledMaterial.of(materials.material(hit.material()));
-        float[] color = new float[3];
-        for (int c = 0; c < 3; c++) {
-            float diffuse = sum(terms, DIFFUSE, c);
-            float specular = sum(terms, SPECULAR, c);
-            float grazing = sum(terms, GRAZING, c);
-            color[c] = principled == null
-                    ? LightingEquation.color(0, hit.diffuse()[c], diffuse, hit.specular()[c], specular, grazing,
-                            materials.reflective(hit.material(), c), 0)
-                    : weights(principled, hit).color(principled, c, 0, hit.diffuse()[c], diffuse, hit.specular()[c],
-                            principled.colors().square(c, hit.mapped(principled.material()), hit.texel()[c]), specular, grazing, 0);
+        SurfaceFactors factors = new SurfaceFactors(hit, materials.material(hit.material()));
+        float[] light = new float[3 * parts.count()];
+        for (int channel = 0; channel < light.length; channel++) {
+            int part = channel / 3;
+            int c = channel % 3;
+            light[channel] = factors.lit(c, sum(terms, part, DIFFUSE, c), sum(terms, part, SPECULAR, c), sum(terms, part, GRAZING, c));
         }
-        return color;
+        return light;
     }
 
-    /** Returns one channel of the sum of a term over all lights. */
-    private float sum(float[][] terms, int term, int c) {
-        float[] contributions = new float[lights.length];
-        for (int l = 0; l < lights.length; l++) {
+    /** Returns one channel of the sum of a term over the lights of a film. */
+    private float sum(float[][] terms, int part, int term, int c) {
+        int from = parts.get(part).from();
+        float[] contributions = new float[parts.get(part).to() - from];
+        for (int l = from; l < from + contributions.length; l++) {
             LightWeight weight = term == DIFFUSE ? lights[l].diffuse() : lights[l].specular();
             int factor = term == DIFFUSE ? DIFFUSE_FACTOR : SPECULAR_FACTOR;
-            contributions[l] = LightingEquation.contribution(weight.channel(c), terms[l][term], terms[l][2], terms[l][factor + c]);
+            contributions[l - from] = LightingEquation.contribution(weight.channel(c), terms[l][term], terms[l][2], terms[l][factor + c]);
         }
-        return LightingEquation.sum(contributions, 0, lights.length);
-    }
-
-    /** Returns one channel of the color of a clear surface. */
-    private float clearColor(SurfacePoint hit, int c, float diffuse, float specular, float grazing, float[] mirrored,
-            float[] refracted) {
-        return new SurfaceWeights(hit).color(c, emitted(hit, c), hit.diffuse()[c], diffuse, hit.specular()[c], specular, grazing,
-                materials.reflective(hit.material(), c), mirrored[c],
-                refracted[c]);
+        return LightingEquation.sum(contributions, 0, contributions.length);
     }
 
     /**
@@ -416,7 +462,7 @@ public final class ReferenceTracer {
         List<String> names = new ArrayList<>(scene.stage().enclosingGroups(shape).stream().map(NodeGroup::name).toList());
         names.add(shape);
         return names.reversed().stream().flatMap(name -> light.contribution().gains().get(name).stream()).findFirst()
-                .map(gain -> (float) light.limitedGain(gain)).map(gain -> forEdges ? LightWeight.nearestPowerOfTwo(gain) : gain).orElse(1f);
+                .map(gain -> (float) light.limitedGain(gain)).orElse(1f);
     }
 
     /** Returns the terms of a point light. */
@@ -550,23 +596,6 @@ public final class ReferenceTracer {
         return weights;
     }
 
-    /** Returns one channel of the color of a principled surface. */
-    private float principledColor(SurfacePoint hit, PrincipledMaterial material, int c, float diffuse, float specular, float grazing,
-            float mirrored, float[] light) {
-        PrincipledWeights weights = weights(material, hit);
-        float shine = specular + light[3 + c] * weights.reflected(material);
-        boolean isFrosted = material.material().isFrosted();
-        float graze = grazing + light[isFrosted ? 3 + c : 6 + c] * weights.reflectedGrazing(material);
-        if (material.isMirror()) {
-            shine += mirrored * weights.mirrored(material);
-            graze += mirrored * weights.mirroredGrazing(material);
-        }
-        return weights.color(material, c, emitted(hit, c), hit.diffuse()[c], diffuse, hit.specular()[c],
-                material.colors().square(c, hit.mapped(material.material()), hit.texel()[c]),
-                shine, graze,
-                isFrosted ? weights.passing(material, c, light[6 + c]) : 0);
-    }
-
     private float specular(LightingEquation equation, SurfacePoint hit, HighlightFactor factor) {
         if (materials.isMetallic(hit.material())) {
             PrincipledMaterial principled = PrincipledMaterial.of(materials.material(hit.material()));
@@ -609,10 +638,9 @@ public final class ReferenceTracer {
             case OFF -> Arrays.fill(fine, false);
             case EVERY -> Arrays.fill(fine, true);
             case EDGES -> {
-                ReferenceTracer edges = edgeTracer();
                 int[] colors = new int[fine.length];
                 for (int i = 0; i < fine.length; i++) {
-                    float[] color = edges.pixel(i % picture.width(), i / picture.width());
+                    float[] color = edgePixel(i % picture.width(), i / picture.width());
                     colors[i] = EdgeColors.pack(color[0], color[1], color[2]);
                 }
                 for (int i = 0; i < fine.length; i++) {

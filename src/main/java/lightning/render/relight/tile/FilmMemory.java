@@ -1,0 +1,50 @@
+package lightning.render.relight.tile;
+
+import lightning.render.image.Film;
+import lightning.render.shading.FilmParts;
+import lightning.render.shading.composition.FilmMixer;
+import lightning.scene.GatherSettings;
+import lightning.scene.PictureSettings;
+import lightning.scene.Scene;
+import lightning.scene.effects.SceneEffects;
+
+/** Memory of the films that the tiles of a picture keep. */
+public final class FilmMemory {
+    /** With so many films, reading them is much faster than composing them again. */
+    private static final int MANY_FILMS = 8;
+
+    private FilmMemory() {}
+
+    /** Returns whether keeping the films of pixel centers pays: composing them gathers light, crosses fog, or reads the rows of many lights. */
+    static boolean pays(Scene scene) {
+        boolean hasManyRows = scene.picture().sampling().isSupersampled() || SceneEffects.of(scene).spawnsSecondaryRays();
+        return scene.world().fog().isPresent() || GatherSettings.of(scene).isPresent()
+                || hasManyRows && FilmParts.of(scene).shining().cardinality() >= MANY_FILMS;
+    }
+
+    /** Returns the maximum bytes of the films of pixel centers, if tiles keep them. */
+    static long maxCenterBytes(Scene scene) {
+        return pays(scene) ? bytes(scene, 1) : 0;
+    }
+
+    /** Returns the maximum bytes of the films of finer samples: means of two groups of samples, and their mean. */
+    public static long maxSampleBytes(Scene scene) {
+        return scene.picture().sampling().isSupersampled() ? bytes(scene, 3) : 0;
+    }
+
+    /** Returns the maximum bytes of all films that are kept. */
+    public static long maxBytes(Scene scene, boolean centersOnly) {
+        return maxCenterBytes(scene) + (centersOnly ? 0 : maxSampleBytes(scene));
+    }
+
+    private static long bytes(Scene scene, int copies) {
+        PictureSettings picture = scene.picture();
+        long tiles = (long) Film.tilesAlong(picture.width()) * Film.tilesAlong(picture.height());
+        return copies * tiles * Film.TILE_PIXELS * (bytesPerPixel(scene) + 3L * Float.BYTES * FilmMixer.EARLIER_FILMS);
+    }
+
+    /** Returns the maximum bytes of all films of a pixel, if mirrors are current. */
+    public static long bytesPerPixel(Scene scene) {
+        return 3L * Float.BYTES * FilmParts.of(scene).shining().cardinality();
+    }
+}

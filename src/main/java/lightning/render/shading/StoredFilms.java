@@ -1,0 +1,59 @@
+package lightning.render.shading;
+
+import java.util.BitSet;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Films of a tile's pixel centers, of samples of some pixels, or of gather points.
+ *
+ * @param colors columns of each film; null for films that are black, and for unknown ones
+ * @param known  films whose colors are known
+ */
+public record StoredFilms(float[] @Nullable [][] colors, BitSet known) {
+    // Arrays in a record: written once by their creator, never after.
+
+    /** Returns the columns of a known film; null if it is black, and for numbers after the last. */
+    public float @Nullable [][] get(int film) {
+        return film < colors.length ? colors[film] : null;
+    }
+
+    /** Source of the new films of an update. */
+    @FunctionalInterface
+    public interface Source {
+        /** Returns red, green and blue of a film, which are copied if they are scratch memory; null if it is black. */
+        float @Nullable [][] get(int film);
+    }
+
+    /**
+     * Returns the films after an update.
+     *
+     * @param before   films before; null if there are none
+     * @param origin   for each film its number before; −1 for none
+     * @param changed  films that differ, of which those in {@code composed} are known
+     * @param composed films of the source
+     */
+    public static StoredFilms after(@Nullable StoredFilms before, int[] origin, BitSet changed, BitSet composed, Source source) {
+        float[] @Nullable [][] colors = new float[origin.length][][];
+        BitSet known = (BitSet) composed.clone();
+        for (int film = 0; film < origin.length; film++) {
+            if (composed.get(film)) {
+                colors[film] = source.get(film);
+            } else if (before != null && origin[film] >= 0 && !changed.get(film) && before.known.get(origin[film])) {
+                colors[film] = before.colors[origin[film]];
+                known.set(film);
+            }
+        }
+        return new StoredFilms(colors, known);
+    }
+
+    /** Returns the bytes of all colors. */
+    public long bytes() {
+        long bytes = 0;
+        for (float[][] film : colors) {
+            for (float[] column : film == null ? new float[0][] : film) {
+                bytes += (long) Float.BYTES * column.length;
+            }
+        }
+        return bytes;
+    }
+}

@@ -1,0 +1,58 @@
+package lightning.render.shading.composition;
+
+import java.util.Arrays;
+import lightning.render.shading.TermKernel;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Colors of all films over the positions of a tile, or over the rays that bounce from a level's rows: red, green and blue columns of {@code
+ * float[1024]} each. Films that are black there have none. Scratch memory for one thread.
+ */
+public final class FilmColors {
+    private float[] @Nullable [][] columns = new float[0][][];
+    private boolean[] isShown = {};
+
+    /** Returns the number of positions. */
+    int positions() {
+        return TermKernel.MAX_ROWS;
+    }
+
+    /** Makes all films black. */
+    public void clear(int films) {
+        if (columns.length < films) {
+            columns = Arrays.copyOf(columns, films);
+            isShown = new boolean[films];
+        } else {
+            Arrays.fill(isShown, false);
+        }
+    }
+
+    /** Returns the colors of a film; null if it is black. */
+    public float @Nullable [][] get(int film) {
+        return film < isShown.length && isShown[film] ? columns[film] : null;
+    }
+
+    /** Returns a copy of the colors of a film; null if it is black. */
+    public float @Nullable [][] copy(int film) {
+        float[][] its = get(film);
+        return its == null ? null : new float[][] {its[0].clone(), its[1].clone(), its[2].clone()};
+    }
+
+    /** Returns the colors of a film, to be written; 0 if it was black. */
+    public float[][] toWrite(int film) {
+        if (isShown[film]) {
+            return columns[film];
+        }
+        float[][] its = columns[film];
+        if (its == null) {
+            its = new float[3][TermKernel.MAX_ROWS];
+            columns[film] = its;
+        } else {
+            for (float[] channel : its) {
+                Arrays.fill(channel, 0);
+            }
+        }
+        isShown[film] = true;
+        return its;
+    }
+}

@@ -1,0 +1,109 @@
+package lightning.render.shading.composition;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.BitSet;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.render.gather.GatherStructure;
+import lightning.render.shading.BackgroundLight;
+import lightning.render.shading.FilmPart;
+import lightning.render.shading.FilmParts;
+import lightning.render.shading.IndirectSolver;
+import lightning.render.shading.layer.LightLayer;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
+import org.jspecify.annotations.Nullable;
+
+/** Light of the surfels of a scene in some films, and what gather points receive of it. Different threads may write different blocks. */
+public final class SurfelLight {
+    private final GatherStructure structure;
+    private final MaterialTable materials;
+    private final FilmParts parts;
+    /** Films that are computed; none is dark. */
+    private final BitSet chosen;
+    private final boolean reflects;
+    private final float[][] albedo;
+    /** Lights' diffuse sum at each surfel: red, green and blue, by film; null for films that are not computed, as the next two. */
+    private final float[] @Nullable [][] direct;
+    /** Light that the surfels emit; null for films without. */
+    private final float[] @Nullable [][] glow;
+    /** Light that reflections show of the surfels, without what they gather; null without reflections. */
+    private final float[] @Nullable [][] seen;
+
+    /** @param chosen films to compute; none is dark */
+    public SurfelLight(GatherStructure structure, MaterialTable materials, FilmParts parts, BitSet chosen) {
+        this.structure = structure;
+        this.materials = materials;
+        this.parts = parts;
+        this.chosen = chosen;
+        reflects = structure.reflections() != null;
+        int surfels = structure.surfelCount();
+        albedo = new float[3][surfels];
+        direct = new float[parts.count()][][];
+        glow = new float[parts.count()][][];
+        seen = new float[parts.count()][][];
+        for (int part = chosen.nextSetBit(0); part >= 0; part = chosen.nextSetBit(part + 1)) {
+            direct[part] = parts.get(part).from() < parts.get(part).to() ? new float[3][surfels] : null;
+            glow[part] = SurfelShader.emits(materials, parts, part, false) ? new float[3][surfels] : null;
+            seen[part] = reflects ? new float[3][surfels] : null;
+        }
+    }
+
+    /** Writes the light of a block of surfels. @param layers layer of each light; unread if the light is dark */
+    public void write(int[] numbers, HitRows rows, LightLayer[] layers, SurfelShader shader) {
+        shader.writeAlbedo(rows, numbers, albedo);
+        if (reflects) {
+            shader.start(rows);
+        }
+        for (int part = chosen.nextSetBit(0); part >= 0; part = chosen.nextSetBit(part + 1)) {
+            if (direct[part] != null) {
+                shader.writeDirectLight(rows, parts, part, layers, numbers, requireNonNull(direct[part]));
+            }
+            if (glow[part] != null) {
+                shader.writeEmission(rows, parts, part, numbers, false, requireNonNull(glow[part]));
+            }
+            if (reflects) {
+                shader.writeEmission(rows, parts, part, numbers, true, requireNonNull(seen[part]));
+                shader.addShownLight(rows, parts, part, layers, numbers, requireNonNull(seen[part]));
+            }
+        }
+    }
+
+    /**
+     * Returns the light at all points by film, as {@link IndirectSolver#solve}; null for films without.
+     *
+     * @throws java.util.concurrent.CancellationException if the progress requested cancellation
+     */
+    public float[] @Nullable [][] solve(WorkerPool workers, Progress progress) {
+        IndirectSolver solver = new IndirectSolver(structure, workers, progress);
+        float[][] objects = structure.glow().shapes().glow(materials);
+        float[] @Nullable [][] light = new float[parts.count()][][];
+        float[][] none = new float[3][structure.surfelCount()];
+        float[][] noObjects = new float[3][objects[0].length];
+        float[][] unseen = new float[3][reflects ? structure.surfelCount() : 0];
+        for (int part = chosen.nextSetBit(0); part >= 0; part = chosen.nextSetBit(part + 1)) {
+            BackgroundLight background = parts.background(part);
+            boolean isRest = parts.get(part).kind() == FilmPart.Kind.REST;
+            if (!isBlack(direct[part]) || glow[part] != null || !isBlack(seen[part]) || !background.equals(BackgroundLight.NONE)) {
+                light[part] = solver.solve(direct[part] == null ? none : direct[part], albedo, glow[part] == null ? none : glow[part],
+                        isRest ? objects : noObjects, seen[part] == null ? unseen : seen[part], background);
+            }
+        }
+        return light;
+    }
+
+    private static boolean isBlack(float @Nullable [][] light) {
+        if (light == null) {
+            return true;
+        }
+        for (float[] channel : light) {
+            for (float value : channel) {
+                if (value > 0) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+}
