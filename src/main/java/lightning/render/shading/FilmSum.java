@@ -8,7 +8,12 @@ import org.jspecify.annotations.Nullable;
  * have no weight would add +0 to sums that are never negative, so that leaving them out changes no bit. Scratch memory for one thread.
  */
 public final class FilmSum {
+    private static final int FEW = 4;
+
+    private final float[][] few = new float[FEW][];
+    private final float[] fewWeights = new float[FEW];
     private float[][] scratch = {};
+    private float[] dark = {};
 
     /** Colors of a film. */
     @FunctionalInterface
@@ -24,49 +29,65 @@ public final class FilmSum {
      * @param to      receives red, green and blue
      */
     public void add(LightWeight[] weights, Films films, int length, float[][] to) {
+        if (dark.length < length) {
+            dark = new float[length];
+        }
         for (int c = 0; c < 3; c++) {
-            if (!sum(weights, films, 0, weights.length, c, length, to[c], 0)) {
+            if (!add(weights, films, 0, weights.length, c, length, dark, to[c], 0)) {
                 Arrays.fill(to[c], 0, length, 0);
             }
         }
     }
 
-    /** Writes the sum over films {@code from … end − 1}; returns false if it is 0 and nothing was written. @param depth of the branch in the tree */
-    private boolean sum(LightWeight[] weights, Films films, int from, int end, int c, int length, float[] to, int depth) {
-        if (end - from == 1) {
-            float[][] film = films.get(from);
-            if (film == null || weights[from].channel(c) == 0) {
-                return false;
-            }
-            write(weights[from].channel(c), film[c], to, length);
-            return true;
+    /**
+     * Adds the sum over films {@code from … end − 1} to others; returns false if it is 0 and nothing was written.
+     *
+     * @param before what it is added to, maybe {@code to} itself
+     * @param depth  of the branch in the tree
+     */
+    private boolean add(LightWeight[] weights, Films films, int from, int end, int c, int length, float[] before, float[] to, int depth) {
+        if (end - from <= FEW) {
+            return addFew(weights, films, from, end, c, length, before, to);
         }
-        if (end == from) {
-            return false;
+        if (before != dark) {
+            float[] sum = scratch(depth, length);
+            boolean shows = add(weights, films, from, end, c, length, dark, sum, depth + 1);
+            if (shows) {
+                add(before, 1, sum, to, length);
+            }
+            return shows;
         }
         int middle = (from + end) >>> 1;
-        boolean hasLeft = sum(weights, films, from, middle, c, length, to, depth + 1);
-        if (end - middle == 1) {
-            float[][] film = films.get(middle);
-            float weight = weights[middle].channel(c);
-            if (film == null || weight == 0) {
-                return hasLeft;
+        boolean hasLeft = add(weights, films, from, middle, c, length, dark, to, depth);
+        return add(weights, films, middle, end, c, length, hasLeft ? to : dark, to, depth) || hasLeft;
+    }
+
+    /** Adds a small branch in one pass, because memory is fastest when several films are read side by side. */
+    private boolean addFew(LightWeight[] weights, Films films, int from, int end, int c, int length, float[] before, float[] to) {
+        int count = 0;
+        int left = 0;
+        for (int film = from; film < end; film++) {
+            float[][] colors = weights[film].channel(c) == 0 ? null : films.get(film);
+            if (colors != null) {
+                few[count] = colors[c];
+                fewWeights[count++] = weights[film].channel(c);
+                left += film < (from + end) >>> 1 ? 1 : 0;
             }
-            if (hasLeft) {
-                add(weight, film[c], to, length);
-            } else {
-                write(weight, film[c], to, length);
+        }
+        float[] w = fewWeights;
+        switch (count) {
+            case 0 -> {}
+            case 1 -> add(before, w[0], few[0], to, length);
+            case 2 -> add(before, w[0], few[0], w[1], few[1], to, length);
+            case 3 -> {
+                // The single film of a branch is added to the sum of the two others.
+                int single = left == 1 ? 0 : 2;
+                int first = left == 1 ? 1 : 0;
+                add(before, w[single], few[single], w[first], few[first], w[first + 1], few[first + 1], to, length);
             }
-            return true;
+            default -> add(before, w, few, to, length);
         }
-        if (!hasLeft) {
-            return sum(weights, films, middle, end, c, length, to, depth + 1);
-        }
-        float[] right = scratch(depth, length);
-        if (sum(weights, films, middle, end, c, length, right, depth + 1)) {
-            add(1, right, to, length);
-        }
-        return true;
+        return count > 0;
     }
 
     private float[] scratch(int depth, int length) {
@@ -79,15 +100,35 @@ public final class FilmSum {
         return scratch[depth];
     }
 
-    private static void write(float weight, float[] film, float[] to, int length) {
+    private static void add(float[] before, float a, float[] filmA, float[] to, int length) {
         for (int i = 0; i < length; i++) {
-            to[i] = weight * film[i];
+            to[i] = before[i] + a * filmA[i];
         }
     }
 
-    private static void add(float weight, float[] film, float[] to, int length) {
+    private static void add(float[] before, float a, float[] filmA, float b, float[] filmB, float[] to, int length) {
         for (int i = 0; i < length; i++) {
-            to[i] += weight * film[i];
+            to[i] = before[i] + (a * filmA[i] + b * filmB[i]);
+        }
+    }
+
+    private static void add(float[] before, float a, float[] filmA, float b, float[] filmB, float c, float[] filmC, float[] to, int length) {
+        for (int i = 0; i < length; i++) {
+            to[i] = before[i] + (a * filmA[i] + (b * filmB[i] + c * filmC[i]));
+        }
+    }
+
+    private static void add(float[] before, float[] weights, float[][] films, float[] to, int length) {
+        float a = weights[0];
+        float b = weights[1];
+        float c = weights[2];
+        float d = weights[3];
+        float[] filmA = films[0];
+        float[] filmB = films[1];
+        float[] filmC = films[2];
+        float[] filmD = films[3];
+        for (int i = 0; i < length; i++) {
+            to[i] = before[i] + ((a * filmA[i] + b * filmB[i]) + (c * filmC[i] + d * filmD[i]));
         }
     }
 }
