@@ -1,5 +1,7 @@
 package lightning.render.relight.plan;
 
+import static java.util.Objects.requireNonNull;
+
 import lightning.render.cache.CachedLight;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.TileLevel;
@@ -81,6 +83,12 @@ public record LayerPlan(WeightedLight target, @Nullable CachedLight base, LightU
     /** Returns whether the light's weight changes: color, intensity, gains, on or solo. */
     private boolean changesWeight() {
         return previous == null || changesGains || !previous.hasSameWeights(target);
+    }
+
+    /** Returns whether nothing but the weight of a light with layers changes. @param index of the light */
+    boolean onlyReweights(int index) {
+        return base != null && base.index() == index && shadows.isEmpty() && !changesGains && (target.isDark() || !requireNonNull(previous).isDark())
+                && (update instanceof LightUpdate.Keep || update instanceof LightUpdate.Reweight);
     }
 
     /** Returns whether this plan alone changes the picture. */

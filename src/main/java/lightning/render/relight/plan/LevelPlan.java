@@ -3,6 +3,7 @@ package lightning.render.relight.plan;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import lightning.render.cache.CachedLight;
 import lightning.render.cache.CachedScene;
 import lightning.render.shading.WeightedLight;
@@ -39,6 +40,12 @@ public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, bool
                     scene.stage(), ShapeChange.NONE));
         }
         return new LevelPlan(layers, List.of(), true, MaterialUpdate.none(materials));
+    }
+
+    /** Returns whether nothing but weights of lights that shone or stay dark changes. */
+    public boolean onlyReweights() {
+        return droppedLights.isEmpty() && materials.isEmpty()
+                && IntStream.range(0, layers.size()).allMatch(l -> layers.get(l).onlyReweights(l));
     }
 
     /**

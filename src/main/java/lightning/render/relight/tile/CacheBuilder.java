@@ -65,7 +65,7 @@ public final class CacheBuilder {
         RenderJob job = planned.withIndirect(indirect, mirroredIndirect, old, indirectBuilder.pointChanges())
                 .withProgress(indirectBuilder.tileProgress());
         FogUpdate fog = new FogUpdate(job, workers, old);
-        job = fog.apply();
+        job = fog.apply().compare(old);
         BuildResult tiles = new CacheBuilder(job, workers, old).buildTiles(indirect, mirroredIndirect, centersOnly);
         return new BuildResult(tiles.cache(), tiles.work().plus(indirectBuilder.work()).plus(fog.work()));
     }
@@ -81,7 +81,7 @@ public final class CacheBuilder {
         PictureFog bounced = centers.mirrored().fog();
         RenderJob job = planned.withIndirect(centers.indirect(), centers.mirrored().indirect(), old, null).withFog(centers.shown().fog())
                 .withBounceFog(bounced)
-                .withChangesBounceFog(FogUpdate.showsOtherLight(old == null ? null : old.mirrored().fog(), bounced));
+                .withChangesBounceFog(FogUpdate.showsOtherLight(old == null ? null : old.mirrored().fog(), bounced)).compare(old);
         return new CacheBuilder(job, workers, old).addSamples(centers);
     }
 

@@ -67,6 +67,12 @@ final class FineSampleWorker {
     @Nullable
     FineTile buildTile(int tile, @Nullable CachedTile center, @Nullable CachedTile oldCenter, @Nullable FineTile old) {
         hasNewFilms = false;
+        if (job.onlyReweights() && old != null && old.films() != null) {
+            boolean isSame = job.films().reweighted().stream().allMatch(film -> old.films().get(film) == null)
+                    && (center == null || center.film == requireNonNull(oldCenter).film);
+            return isSame ? old
+                    : FineTile.of(center == null ? null : center.film, old.first(), old.rest(), old.films(), tileWorkers.forTile(tile).mixer());
+        }
         boolean reusesPixels = old != null && (!job.detectsEdges() || edges.hasSameEdges(tile, requireNonNull(previousEdges)));
         short[] pixels = old != null && reusesPixels ? old.first().pixels() : pixels(tile);
         FineSamples first = update(tile, firstCells, pixels, old == null ? FineSamples.none(firstCells) : old.first());

@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Objects;
 import lightning.render.gather.RowWeights;
 import lightning.render.relight.plan.FilmUpdate;
 import lightning.render.shading.IndirectLight;
@@ -37,6 +38,11 @@ record IndirectChange(boolean[] @Nullable [] points, boolean isAll) {
             }
         }
         return new IndirectChange(points, false);
+    }
+
+    /** Returns whether no point has other light. */
+    boolean isNone() {
+        return !isAll && Arrays.stream(points).allMatch(Objects::isNull);
     }
 
     private static boolean @Nullable [] changedPoints(float[][] before, float[][] after) {

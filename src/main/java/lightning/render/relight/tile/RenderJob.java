@@ -1,5 +1,7 @@
 package lightning.render.relight.tile;
 
+import static java.util.Objects.requireNonNull;
+
 import io.soabase.recordbuilder.core.RecordBuilder;
 import lightning.base.work.Progress;
 import lightning.render.cache.IndirectCache;
@@ -36,6 +38,7 @@ import org.jspecify.annotations.Nullable;
  * @param fog fog of the target scene; null if its air is clear, or before it is computed
  * @param bounceFog fog along bounced rays of the target scene of mirrors; null if no light is seen there, or before it is computed
  * @param changesBounceFog whether it shows other light than in the last picture
+ * @param onlyReweights whether nothing but weights of known films changes, and edges do not
  */
 @RecordBuilder
 public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Scene mirroredScene, RenderOptions options,
@@ -43,13 +46,13 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Scene 
         Progress progress, FilmUpdate films, FilmUpdate mirroredFilms, boolean togglesMirrors,
         IndirectChange indirectChange, IndirectChange mirroredIndirectChange, @Nullable PictureFog fog,
         @Nullable PictureFog bounceFog,
-        boolean changesBounceFog) implements RenderJobBuilder.With {
+        boolean changesBounceFog, boolean onlyReweights) implements RenderJobBuilder.With {
 
     private static RenderJob of(PreparedScene target, PreparedScene mirrorTarget, Scene mirroredScene, RenderOptions options,
             UpdatePlan.@Nullable Relight plan, Progress progress, FilmUpdate films, FilmUpdate mirroredFilms) {
         return new RenderJob(target, mirrorTarget, mirroredScene, options, plan, progress, films, mirroredFilms, false, IndirectChange.NONE,
                 IndirectChange.NONE,
-                null, null, false);
+                null, null, false, false);
     }
 
     /** Creates the job of a first pass. */
@@ -112,6 +115,15 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Scene 
                 : IndirectChange.between(mirroredBefore, mirroredLight, mirroredFilms);
         PreparedScene below = mirrorTarget == target ? top : mirrorTarget.withIndirect(mirroredLight, null);
         return with(job -> job.target(top).mirrorTarget(below).indirectChange(change).mirroredIndirectChange(inMirrors));
+    }
+
+    /** Returns this job, whose indirect light and fog are known, with {@link #onlyReweights}. @param old cache of the last picture */
+    RenderJob compare(@Nullable PixelCache old) {
+        boolean isSame = plan != null && old != null && plan.top().onlyReweights() && plan.mirrors() != null && plan.mirrors().onlyReweights()
+                && plan.shapes().isEmpty() && !plan.resampled() && plan.oldDepth() == plan.newDepth() && !areMirrorsOutdated() && !togglesMirrors
+                && options.method().isExact() && !storesImages();
+        return withOnlyReweights(isSame && films.isSame() && !films.changesEdges() && indirectChange.isNone() && !changesBounceFog
+                && !FogUpdate.showsOtherLight(requireNonNull(old).shown().fog(), fog));
     }
 
     private static @Nullable IndirectLight light(@Nullable IndirectCache indirect) {

@@ -185,11 +185,28 @@ final class TileWorker {
     @Nullable
     CachedTile relight(int tile, CachedTile old) {
         SamplePositions places = SamplePositions.centers(tile % job.tilesX() * Film.TILE_SIZE, tile / job.tilesX() * Film.TILE_SIZE);
+        if (job.onlyReweights()) {
+            return reweight(places, old);
+        }
         BitSet retraced = changedRays(places);
         if (!LevelWorker.isWorthUpdating(retraced, places.count())) {
             return firstPass(tile);
         }
         return relight(places, old, old.films, retraced, job.detectsEdges(), false);
+    }
+
+    /** Returns a tile with the same films in other weights. */
+    private CachedTile reweight(SamplePositions places, CachedTile old) {
+        if (old.films == null) {
+            return buildTile(places, old.levels[0], BounceLevels.TracedLevels.kept(old), new BitSet(), old, old.fog, job.detectsEdges(), false);
+        }
+        if (!isAnyShown(old, old.levels)) {
+            return old;
+        }
+        float[][] colors = new float[3][Film.TILE_PIXELS];
+        mixer().mix(old.films::get, colors);
+        filmBytes += 12L * Film.TILE_PIXELS;
+        return new CachedTile(old.levels, old.hitShapes, old.images, colors, old.films, old.edges, old.fog);
     }
 
     /** Returns the sample positions whose rays may have another hit than before. */
