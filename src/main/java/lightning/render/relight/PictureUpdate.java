@@ -150,8 +150,10 @@ record PictureUpdate(RenderOptions options, WorkerPool workers,
         }
         var scenes = new RenderedScenes(target, plan.mirrors() == null ? old.mirrored().scene() : target);
         RenderJob job = RenderJob.relight(plan, old, plan.shapes().after(old.geometry()), scenes, options, progress);
-        CacheBuilder.BuildResult result = CacheBuilder.build(job, workers, old, centersOnly);
-        return new Step(centersOnly ? new CentersOnly(result.cache(), samplesAfter(from, plan)) : finished(result), result.work());
+        // Where only weights change, samples take no longer than centers.
+        boolean defers = centersOnly && !(from instanceof Finished && job.keepsSamples());
+        CacheBuilder.BuildResult result = CacheBuilder.build(job, workers, old, defers);
+        return new Step(defers ? new CentersOnly(result.cache(), samplesAfter(from, plan)) : finished(result), result.work());
     }
 
     private static PendingSamples samplesAfter(PictureState from, UpdatePlan.Relight plan) {

@@ -176,6 +176,16 @@ class DeferredSamplesTest {
     }
 
     @Test
+    void weightEditThatKeepsEdges_isFinishedAtOnce() {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+            renderer.render(key(0.5, true), Progress.NONE);
+            centers(renderer, key(0.55, true));
+            assertThat(renderer.state().isFinished()).isTrue();
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(key(0.55, true)).trace(), "weight-edit");
+        }
+    }
+
+    @Test
     void undoneEditBeforeSamples_restoresFinishedImage() {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
             renderer.render(studio(), Progress.NONE);

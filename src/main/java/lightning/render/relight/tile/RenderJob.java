@@ -117,12 +117,16 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Scene 
         return with(job -> job.target(top).mirrorTarget(below).indirectChange(change).mirroredIndirectChange(inMirrors));
     }
 
+    /** Returns whether finer samples and all films stay, if indirect light and fog do. */
+    public boolean keepsSamples() {
+        return plan != null && plan.top().onlyReweights() && plan.mirrors() != null && plan.mirrors().onlyReweights()
+                && plan.shapes().isEmpty() && !plan.resampled() && plan.oldDepth() == plan.newDepth() && !areMirrorsOutdated()
+                && !togglesMirrors && options.method().isExact() && !storesImages() && films.isSame() && !films.changesEdges();
+    }
+
     /** Returns this job, whose indirect light and fog are known, with {@link #onlyReweights}. @param old cache of the last picture */
     RenderJob compare(@Nullable PixelCache old) {
-        boolean isSame = plan != null && old != null && plan.top().onlyReweights() && plan.mirrors() != null && plan.mirrors().onlyReweights()
-                && plan.shapes().isEmpty() && !plan.resampled() && plan.oldDepth() == plan.newDepth() && !areMirrorsOutdated() && !togglesMirrors
-                && options.method().isExact() && !storesImages();
-        return withOnlyReweights(isSame && films.isSame() && !films.changesEdges() && indirectChange.isNone() && !changesBounceFog
+        return withOnlyReweights(keepsSamples() && indirectChange.isNone() && !changesBounceFog
                 && !FogUpdate.showsOtherLight(requireNonNull(old).shown().fog(), fog));
     }
 
