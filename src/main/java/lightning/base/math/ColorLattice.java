@@ -17,6 +17,10 @@ public final class ColorLattice {
     /** Code of 0, and difference to that of 1. Codes are above 0, so that 0 is a point not computed yet. */
     private static final long ZERO = 1L << BITS - 2;
     private static final long ONE = 1L << BITS - 1;
+    private static final int STEP_BITS = 32 - BITS;
+    private static final int STEPS = 1 << STEP_BITS;
+    /** Half a step for each of two channels. */
+    private static final long HALVES = STEPS / 2 | (long) STEPS / 2 << 32;
     /** Threads may compute a point twice; each write is atomic and writes the same bits. */
     private static final VarHandle POINT = MethodHandles.arrayElementVarHandle(long[].class);
 
@@ -24,6 +28,7 @@ public final class ColorLattice {
     private final int last;
     private final int alongGreen;
     private final int alongBlue;
+    private final int[] along;
     private final Function function;
     private final long[] lattice;
 
@@ -46,52 +51,58 @@ public final class ColorLattice {
         last = points - 1;
         alongGreen = points;
         alongBlue = points * points;
+        along = new int[] {1, alongGreen, alongBlue};
         lattice = new long[points * points * points];
     }
 
-    /** Returns the codes of the color at a position, each coordinate 0 to 1. */
+    /** Returns the codes of the color at a position, each coordinate 0 to 1, rounded to {@link #STEPS} steps of a cell. */
     public long color(double red, double green, double blue) {
-        double atRed = last * red;
-        double atGreen = last * green;
-        double atBlue = last * blue;
-        int r = Math.min((int) atRed, last - 1);
-        int g = Math.min((int) atGreen, last - 1);
-        int b = Math.min((int) atBlue, last - 1);
-        double x = atRed - r;
-        double y = atGreen - g;
-        double z = atBlue - b;
-        // From a corner of the cell along the axes, the largest fraction first, to the opposite corner.
-        int first = x >= y ? x >= z ? 1 : alongBlue : y >= z ? alongGreen : alongBlue;
-        int lastAxis = x < y ? x < z ? 1 : alongBlue : y < z ? alongGreen : alongBlue;
-        double max = Math.max(x, Math.max(y, z));
-        double min = Math.min(x, Math.min(y, z));
-        double middle = x + y + z - max - min;
+        int atRed = (int) (last * STEPS * red + 0.5);
+        int atGreen = (int) (last * STEPS * green + 0.5);
+        int atBlue = (int) (last * STEPS * blue + 0.5);
+        int r = Math.min(atRed >> STEP_BITS, last - 1);
+        int g = Math.min(atGreen >> STEP_BITS, last - 1);
+        int b = Math.min(atBlue >> STEP_BITS, last - 1);
+        // The fraction of each axis, with its number in the lowest bits, sorted without branches.
+        int x = atRed - (r << STEP_BITS) << 2;
+        int y = atGreen - (g << STEP_BITS) << 2 | 1;
+        int z = atBlue - (b << STEP_BITS) << 2 | 2;
+        int most = Math.max(x, Math.max(y, z));
+        int least = Math.min(x, Math.min(y, z));
+        int max = most >> 2;
+        int min = least >> 2;
+        int middle = x + y + z - most - least >> 2;
         int corner = r + g * alongGreen + b * alongBlue;
         int opposite = corner + 1 + alongGreen + alongBlue;
         long p = point(corner);
-        long p1 = point(corner + first);
-        long p2 = point(opposite - lastAxis);
+        // From a corner of the cell along the axes, the largest fraction first, to the opposite corner.
+        long p1 = point(corner + along[most & 3]);
+        long p2 = point(opposite - along[least & 3]);
         long p3 = point(opposite);
-        double share1 = max - middle;
-        double share2 = middle - min;
-        double share = 1 - max;
-        return weighted(p, share, p1, share1, p2, share2, p3, min)
-                | weighted(p >>> BITS, share, p1 >>> BITS, share1, p2 >>> BITS, share2, p3 >>> BITS, min) << BITS
-                | weighted(p >>> 2 * BITS, share, p1 >>> 2 * BITS, share1, p2 >>> 2 * BITS, share2, p3 >>> 2 * BITS, min) << 2 * BITS;
+        // Two channels at once: a sum of codes, times shares that add up to STEPS, has 32 bits.
+        long redBlue = spread(p) * (STEPS - max) + spread(p1) * (max - middle) + spread(p2) * (middle - min) + spread(p3) * min + HALVES;
+        long greens = green(p) * (STEPS - max) + green(p1) * (max - middle) + green(p2) * (middle - min) + green(p3) * min + STEPS / 2;
+        return redBlue >>> STEP_BITS & MASK | greens >>> STEP_BITS << BITS | redBlue >>> 32 + STEP_BITS << 2 * BITS;
     }
 
-    /** Returns the weighted mean of the lowest codes of four points. */
-    private static long weighted(long a, double shareA, long b, double shareB, long c, double shareC, long d, double shareD) {
-        return (long) ((a & MASK) * shareA + (b & MASK) * shareB + (c & MASK) * shareC + (d & MASK) * shareD + 0.5);
+    /** Returns the code of red in the lowest 32 bits, and that of blue in the highest. */
+    private static long spread(long codes) {
+        return codes & MASK | codes >>> 2 * BITS << 32;
+    }
+
+    private static long green(long codes) {
+        return codes >>> BITS & MASK;
     }
 
     private long point(int at) {
         long point = (long) POINT.getOpaque(lattice, at);
-        if (point == 0) {
-            point = codes(function.at((double) (at % points) / last, (double) (at / points % points) / last,
-                    (double) (at / alongBlue) / last));
-            POINT.setOpaque(lattice, at, point);
-        }
+        return point == 0 ? compute(at) : point;
+    }
+
+    private long compute(int at) {
+        long point = codes(function.at((double) (at % points) / last, (double) (at / points % points) / last,
+                (double) (at / alongBlue) / last));
+        POINT.setOpaque(lattice, at, point);
         return point;
     }
 
