@@ -112,7 +112,8 @@ public final class FilmSum {
         }
     }
 
-    private static void add(float[] before, float a, float[] filmA, float b, float[] filmB, float c, float[] filmC, float[] to, int length) {
+    private static void add(float[] before, float a, float[] filmA, float b, float[] filmB, float c, float[] filmC, float[] to,
+            int length) {
         for (int i = 0; i < length; i++) {
             to[i] = before[i] + (a * filmA[i] + (b * filmB[i] + c * filmC[i]));
         }

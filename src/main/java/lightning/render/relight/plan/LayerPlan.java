@@ -87,7 +87,8 @@ public record LayerPlan(WeightedLight target, @Nullable CachedLight base, LightU
 
     /** Returns whether nothing but the weight of a light with layers changes. @param index of the light */
     boolean onlyReweights(int index) {
-        return base != null && base.index() == index && shadows.isEmpty() && !changesGains && (target.isDark() || !requireNonNull(previous).isDark())
+        return base != null && base.index() == index && shadows.isEmpty() && !changesGains
+                && (target.isDark() || !requireNonNull(previous).isDark())
                 && (update instanceof LightUpdate.Keep || update instanceof LightUpdate.Reweight);
     }
 

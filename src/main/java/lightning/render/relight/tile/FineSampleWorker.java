@@ -71,7 +71,8 @@ final class FineSampleWorker {
             boolean isSame = job.films().reweighted().stream().allMatch(film -> old.films().get(film) == null)
                     && (center == null || center.film == requireNonNull(oldCenter).film);
             return isSame ? old
-                    : FineTile.of(center == null ? null : center.film, old.first(), old.rest(), old.films(), tileWorkers.forTile(tile).mixer());
+                    : FineTile.of(center == null ? null : center.film, old.first(), old.rest(), old.films(),
+                            tileWorkers.forTile(tile).mixer());
         }
         boolean reusesPixels = old != null && (!job.detectsEdges() || edges.hasSameEdges(tile, requireNonNull(previousEdges)));
         short[] pixels = old != null && reusesPixels ? old.first().pixels() : pixels(tile);

@@ -198,7 +198,8 @@ final class TileWorker {
     /** Returns a tile with the same films in other weights. */
     private CachedTile reweight(SamplePositions places, CachedTile old) {
         if (old.films == null) {
-            return buildTile(places, old.levels[0], BounceLevels.TracedLevels.kept(old), new BitSet(), old, old.fog, job.detectsEdges(), false);
+            return buildTile(places, old.levels[0], BounceLevels.TracedLevels.kept(old), new BitSet(), old, old.fog, job.detectsEdges(),
+                    false);
         }
         if (!isAnyShown(old, old.levels)) {
             return old;
