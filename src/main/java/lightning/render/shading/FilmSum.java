@@ -64,30 +64,23 @@ public final class FilmSum {
 
     /** Adds a small branch in one pass, because memory is fastest when several films are read side by side. */
     private boolean addFew(LightWeight[] weights, Films films, int from, int end, int c, int length, float[] before, float[] to) {
-        int count = 0;
-        int left = 0;
+        Arrays.fill(few, dark);
+        Arrays.fill(fewWeights, 0);
+        boolean shows = false;
         for (int film = from; film < end; film++) {
             float[][] colors = weights[film].channel(c) == 0 ? null : films.get(film);
             if (colors != null) {
-                few[count] = colors[c];
-                fewWeights[count++] = weights[film].channel(c);
-                left += film < (from + end) >>> 1 ? 1 : 0;
+                // Three films are one, and two others.
+                int place = end - from == 3 && film > from ? film - from + 1 : film - from;
+                few[place] = colors[c];
+                fewWeights[place] = weights[film].channel(c);
+                shows = true;
             }
         }
-        float[] w = fewWeights;
-        switch (count) {
-            case 0 -> {}
-            case 1 -> add(before, w[0], few[0], to, length);
-            case 2 -> add(before, w[0], few[0], w[1], few[1], to, length);
-            case 3 -> {
-                // The single film of a branch is added to the sum of the two others.
-                int single = left == 1 ? 0 : 2;
-                int first = left == 1 ? 1 : 0;
-                add(before, w[single], few[single], w[first], few[first], w[first + 1], few[first + 1], to, length);
-            }
-            default -> add(before, w, few, to, length);
+        if (shows) {
+            add(before, fewWeights, few, to, length);
         }
-        return count > 0;
+        return shows;
     }
 
     private float[] scratch(int depth, int length) {
@@ -103,19 +96,6 @@ public final class FilmSum {
     private static void add(float[] before, float a, float[] filmA, float[] to, int length) {
         for (int i = 0; i < length; i++) {
             to[i] = before[i] + a * filmA[i];
-        }
-    }
-
-    private static void add(float[] before, float a, float[] filmA, float b, float[] filmB, float[] to, int length) {
-        for (int i = 0; i < length; i++) {
-            to[i] = before[i] + (a * filmA[i] + b * filmB[i]);
-        }
-    }
-
-    private static void add(float[] before, float a, float[] filmA, float b, float[] filmB, float c, float[] filmC, float[] to,
-            int length) {
-        for (int i = 0; i < length; i++) {
-            to[i] = before[i] + (a * filmA[i] + (b * filmB[i] + c * filmC[i]));
         }
     }
 

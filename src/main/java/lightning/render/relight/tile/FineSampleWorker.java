@@ -67,12 +67,12 @@ final class FineSampleWorker {
     @Nullable
     FineTile buildTile(int tile, @Nullable CachedTile center, @Nullable CachedTile oldCenter, @Nullable FineTile old) {
         hasNewFilms = false;
-        if (job.onlyReweights() && old != null && old.films() != null) {
-            boolean isSame = job.films().reweighted().stream().allMatch(film -> old.films().get(film) == null)
+        StoredFilms known = old == null ? null : old.films();
+        if (job.onlyReweights() && old != null && known != null) {
+            boolean isSame = job.films().reweighted().stream().allMatch(film -> known.get(film) == null)
                     && (center == null || center.film == requireNonNull(oldCenter).film);
             return isSame ? old
-                    : FineTile.of(center == null ? null : center.film, old.first(), old.rest(), old.films(),
-                            tileWorkers.forTile(tile).mixer());
+                    : FineTile.of(center == null ? null : center.film, old.first(), old.rest(), known, tileWorkers.forTile(tile).mixer());
         }
         boolean reusesPixels = old != null && (!job.detectsEdges() || edges.hasSameEdges(tile, requireNonNull(previousEdges)));
         short[] pixels = old != null && reusesPixels ? old.first().pixels() : pixels(tile);
@@ -85,14 +85,14 @@ final class FineSampleWorker {
         if (job.progress().isCanceled()) {
             return null;
         }
-        boolean keepsFilms = old != null && old.films() != null && !hasNewFilms && job.films().isSame()
+        boolean keepsFilms = old != null && known != null && !hasNewFilms && job.films().isSame()
                 && Arrays.equals(first.pixels(), old.first().pixels()) && Arrays.equals(rest.pixels(), old.rest().pixels());
         boolean isUnchanged = keepsFilms && !job.films().reweights() && (center == null || center.film == requireNonNull(oldCenter).film);
         if (isUnchanged) {
-            return new FineTile(first, rest, requireNonNull(old).films(), old.film());
+            return new FineTile(first, rest, known, requireNonNull(old).film());
         }
         FilmMixer mixer = tileWorkers.forTile(tile).mixer();
-        StoredFilms films = keepsFilms ? requireNonNull(requireNonNull(old).films()) : FineTile.films(first, rest, mixer.films());
+        StoredFilms films = keepsFilms ? requireNonNull(known) : FineTile.films(first, rest, mixer.films());
         return FineTile.of(center == null ? null : center.film, first, rest, films, mixer);
     }
 
