@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import java.util.stream.IntStream;
 import lightning.scene.Contribution;
 import lightning.scene.FaderValues;
 import lightning.scene.Scene;
@@ -134,15 +133,6 @@ public sealed interface MixerChannel {
             case OfContribution(Contribution contribution) -> List.of(contribution);
             case OfLightGroup(String name) ->
                     scene.lights().stream().filter(light -> light.lightGroup().equals(name)).map(Contribution::of).toList();
-        };
-    }
-
-    /** Returns the indices of the channel's lights, as {@link Contribution#effectiveLights}. */
-    default int[] effectiveLights(Scene scene) {
-        return switch (this) {
-            case OfContribution(Contribution contribution) -> contribution.effectiveLights(scene);
-            case OfLightGroup(String name) -> IntStream.range(0, scene.lights().size())
-                    .filter(i -> scene.lights().get(i).lightGroup().equals(name)).toArray();
         };
     }
 

@@ -62,5 +62,4 @@ public record FineSamples(SampleCells cells, short[] pixels, SampleBlock[] block
     public FineSamples map(UnaryOperator<SampleBlock> change) {
         return new FineSamples(cells, pixels, Arrays.stream(blocks).map(change).toArray(SampleBlock[]::new));
     }
-
 }

@@ -77,10 +77,10 @@ final class HitShader {
         shader.writeAlbedo(rows, RAYS_BY_INDEX, albedo);
         clear(seen);
         for (int part = shining.nextSetBit(0); part >= 0; part = shining.nextSetBit(part + 1)) {
-            shader.writeEmission(rows, parts, part, RAYS_BY_INDEX, true, film);
+            shader.writeEmission(rows, parts, part, RAYS_BY_INDEX, film);
             addTo(seen, parts.get(part).weight());
             if (parts.get(part).kind() == FilmPart.Kind.REST) {
-                shader.writeEmission(rows, parts, part, RAYS_BY_INDEX, false, glow);
+                shader.writeEmission(rows, parts, part, RAYS_BY_INDEX, glow);
             }
         }
     }

@@ -70,9 +70,7 @@ public final class MatchPane extends VBox {
     private final EditorModel model;
     private final SceneEditor editor;
     private final PictureQuery query;
-    private final MatchView view = new MatchView(() -> {
-        updateReason();
-    });
+    private final MatchView view = new MatchView(this::updateReason);
     private final Label fileName = new Label();
     private final Label result = new Label();
     private final MenuButton changes = new MenuButton();

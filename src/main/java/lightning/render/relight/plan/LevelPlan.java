@@ -1,12 +1,16 @@
 package lightning.render.relight.plan;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import lightning.render.cache.CachedLight;
 import lightning.render.cache.CachedScene;
+import lightning.render.cache.TileLevel;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.WeightedLight;
+import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.ShapeChange;
 import lightning.scene.Scene;
@@ -46,6 +50,23 @@ public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, bool
     public boolean onlyReweights() {
         return droppedLights.isEmpty() && materials.isEmpty()
                 && IntStream.range(0, layers.size()).allMatch(l -> layers.get(l).onlyReweights(l));
+    }
+
+    /**
+     * Adds the films whose lights have another layer over a level's rows, which lights any before or after.
+     *
+     * @param parts films of the target scene
+     */
+    public void addChanged(FilmParts parts, TileLevel before, TileLevel after, BitSet films) {
+        for (int part = 0; part < parts.count(); part++) {
+            for (int l = parts.get(part).from(); l < parts.get(part).to(); l++) {
+                LightLayer known = layers.get(l).layerBefore(before);
+                LightLayer now = after.layers()[l];
+                if (known != now && (LightLayer.isLit(known) || LightLayer.isLit(now))) {
+                    films.set(part);
+                }
+            }
+        }
     }
 
     /**

@@ -17,7 +17,6 @@ import lightning.render.engine.EngineWorkers;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.PointChanges;
 import lightning.render.gather.build.GatherBuilder;
-import lightning.render.relight.plan.LayerPlan;
 import lightning.render.relight.plan.PathUpdate;
 import lightning.render.shading.FilmParts;
 import lightning.render.shading.IndirectLight;
@@ -127,20 +126,9 @@ final class IndirectBuilder {
         BitSet changed = (BitSet) job.films().changed().clone();
         boolean changesAll = before == null || !requireNonNull(job.topPlan()).materials().isEmpty()
                 || !job.scene().picture().indirect().equals(requireNonNull(oldCache).scene().picture().indirect());
-        for (int part = 0; part < parts.count(); part++) {
-            int from = parts.get(part).from();
-            int to = parts.get(part).to();
-            int blocks = before == null || before.structure().bounces() == 0 ? 0 : surfels.length;
-            for (int block = 0; block < blocks && !changesAll && !changed.get(part); block++) {
-                for (int l = from; l < to; l++) {
-                    LayerPlan plan = requireNonNull(job.topPlan()).layers().get(l);
-                    LightLayer known = plan.layerBefore(requireNonNull(before).surfels()[block]);
-                    LightLayer now = surfels[block].layers()[l];
-                    if (known != now && (TileWorker.isLit(known) || TileWorker.isLit(now))) {
-                        changed.set(part);
-                    }
-                }
-            }
+        int blocks = before == null || changesAll || before.structure().bounces() == 0 ? 0 : surfels.length;
+        for (int block = 0; block < blocks; block++) {
+            requireNonNull(job.topPlan()).addChanged(parts, requireNonNull(before).surfels()[block], surfels[block], changed);
         }
         if (changesAll) {
             changed.set(0, parts.count());

@@ -186,28 +186,14 @@ final class TileWorker {
     CachedTile relight(int tile, CachedTile old) {
         SamplePositions places = SamplePositions.centers(tile % job.tilesX() * Film.TILE_SIZE, tile / job.tilesX() * Film.TILE_SIZE);
         if (job.onlyReweights()) {
-            return reweight(places, old);
+            return buildTile(places, old.levels[0], BounceLevels.TracedLevels.kept(old), new BitSet(), old, old.fog, job.detectsEdges(),
+                    false);
         }
         BitSet retraced = changedRays(places);
         if (!LevelWorker.isWorthUpdating(retraced, places.count())) {
             return firstPass(tile);
         }
         return relight(places, old, old.films, retraced, job.detectsEdges(), false);
-    }
-
-    /** Returns a tile with the same films in other weights. */
-    private CachedTile reweight(SamplePositions places, CachedTile old) {
-        if (old.films == null) {
-            return buildTile(places, old.levels[0], BounceLevels.TracedLevels.kept(old), new BitSet(), old, old.fog, job.detectsEdges(),
-                    false);
-        }
-        if (!isAnyShown(old, old.levels)) {
-            return old;
-        }
-        float[][] colors = new float[3][Film.TILE_PIXELS];
-        mixer().mix(old.films::get, colors);
-        filmBytes += 12L * Film.TILE_PIXELS;
-        return new CachedTile(old.levels, old.hitShapes, old.images, colors, old.films, old.edges, old.fog);
     }
 
     /** Returns the sample positions whose rays may have another hit than before. */
@@ -322,18 +308,8 @@ final class TileWorker {
             return allFilms();
         }
         BitSet changes = (BitSet) job.films().changed().clone();
-        FilmParts parts = job.target().parts();
         for (int i = 0; i < count; i++) {
-            for (int part = 0; part < parts.count(); part++) {
-                FilmPart its = parts.get(part);
-                for (int l = its.from(); l < its.to(); l++) {
-                    LightLayer before = plan(i).layers().get(l).layerBefore(old.levels[i]);
-                    LightLayer after = levels[i].layers()[l];
-                    if (before != after && (isLit(before) || isLit(after))) {
-                        changes.set(part);
-                    }
-                }
-            }
+            plan(i).addChanged(job.target().parts(), old.levels[i], levels[i], changes);
             (i == 0 ? job.indirectChange() : job.mirroredIndirectChange()).addChanged(levels[i].weights(), changes);
         }
         return changes;
@@ -365,12 +341,7 @@ final class TileWorker {
                 || job.target().geometry().materials().bulbsOf(light.name()) != null) {
             return true;
         }
-        return Arrays.stream(levels).anyMatch(level -> isLit(level.layers()[its.from()]));
-    }
-
-    /** Returns whether any row is lit. */
-    static boolean isLit(@Nullable LightLayer layer) {
-        return layer != null && layer.litCount() > 0;
+        return Arrays.stream(levels).anyMatch(level -> LightLayer.isLit(level.layers()[its.from()]));
     }
 
     /** Adds films that are not dark and not known. */

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Set;
 import lightning.render.shading.BounceImages;
+import lightning.render.shading.FilmEmission;
 import lightning.render.shading.FilmPart;
 import lightning.render.shading.FilmParts;
 import lightning.render.shading.IndirectRows;
@@ -36,8 +37,6 @@ final class LevelComposer {
     private float @Nullable [][] indirectSum;
     private float @Nullable [][] reflectedColumns;
     private Set<LightComponent> components = EnumSet.allOf(LightComponent.class);
-    /** Emission of the materials in the present film: red, green and blue of each. */
-    private final float[] emission;
 
     LevelComposer(MaterialTable materials, SumKernel sums, ViewEffects view) {
         this.materials = materials;
@@ -45,7 +44,6 @@ final class LevelComposer {
         factors = new RowFactors(sums);
         shadingMaterials = new ShadingMaterial[materials.count()];
         Arrays.setAll(shadingMaterials, m -> ShadingMaterial.of(materials, m));
-        emission = new float[3 * materials.count()];
         litTextures = view.litTextures();
     }
 
@@ -75,8 +73,9 @@ final class LevelComposer {
         float[][] gathered = indirect == null || !components.contains(LightComponent.GATHERED) ? null : indirect.light()[part];
         boolean isLit = (components.contains(LightComponent.DIFFUSE) || components.contains(LightComponent.SPECULAR))
                 && LightSum.isLit(parts, part, layers);
-        boolean emits = setEmission(rows, parts, part);
-        if (!isLit && gathered == null && mirrored == null && refracted == null && !emits) {
+        FilmEmission emission = components.contains(LightComponent.EMITTED) ? FilmEmission.of(materials, parts, part) : null;
+        boolean isRest = parts.get(part).kind() == FilmPart.Kind.REST;
+        if (!isLit && gathered == null && mirrored == null && refracted == null && !emits(rows, emission, isRest)) {
             blacken(rows, to.get(part));
             return;
         }
@@ -92,11 +91,13 @@ final class LevelComposer {
             ShadingMaterial material = shadingMaterials[rows.runMaterial[r]];
             float[][] run = inOrder ? target : colors;
             if (material.hasImage() && !litTextures) {
-                shadeUnlit(rows, r, material, parts.get(part).kind(), run);
+                shadeUnlit(rows, r, material, isRest, run);
             } else {
                 shade(rows, r, material, diffuse, sum, reflected, mirrored, refracted, run);
             }
-            addEmission(rows, r, material, parts.get(part).kind(), run);
+            if (emission != null) {
+                addEmission(rows, r, material, emission, run);
+            }
             if (!inOrder) {
                 scatter(rows.parent, rows.runStart(r), rows.runEnd[r], target);
             }
@@ -112,7 +113,7 @@ final class LevelComposer {
         }
     }
 
-    /** Writes what the rows of the started level show of bounced rays, and nothing else; parameters as above. */
+    /** Writes only the bounced rays that the rows of the started level show; parameters as above. */
     void composeImages(HitRows rows, BounceImages images, float[][] to) {
         for (int r = 0; r < rows.runCount; r++) {
             shade(rows, r, shadingMaterials[rows.runMaterial[r]], null, null, null, images.mirrored(), images.refracted(), colors);
@@ -120,22 +121,14 @@ final class LevelComposer {
         }
     }
 
-    /** Computes what materials emit in a film; returns whether any of the rows' materials does. */
-    private boolean setEmission(HitRows rows, FilmParts parts, int part) {
-        FilmPart its = parts.get(part);
-        boolean[] bulbs = its.kind() == FilmPart.Kind.LIGHT ? materials.bulbsOf(parts.lights()[its.index()].light().name()) : null;
+    /** Returns whether any row shows light of its own in a film. @param emission null if it is not composed */
+    private boolean emits(HitRows rows, @Nullable FilmEmission emission, boolean isRest) {
         boolean emits = false;
         for (int run = 0; run < rows.runCount; run++) {
             int m = rows.runMaterial[run];
-            for (int c = 0; c < 3; c++) {
-                float amount = !components.contains(LightComponent.EMITTED) ? 0 : switch (its.kind()) {
-                    case LIGHT -> bulbs == null || !bulbs[m] ? 0 : materials.bulbGlow(m, c) * its.inside().channel(c);
-                    case AMBIENCE -> materials.ambient(m, c) * its.inside().channel(c);
-                    case REST -> materials.ownGlow(m, c);
-                    case ENVIRONMENT_LIGHT, ENVIRONMENT_IMAGE -> 0;
-                };
-                emission[3 * m + c] = amount;
-                emits |= amount > 0 || !litTextures && its.kind() == FilmPart.Kind.REST && shadingMaterials[m].hasImage();
+            emits |= !litTextures && isRest && shadingMaterials[m].hasImage();
+            for (int c = 0; emission != null && c < 3; c++) {
+                emits |= emission.amount(m, c) > 0;
             }
         }
         return emits;
@@ -190,9 +183,9 @@ final class LevelComposer {
                 Arrays.fill(to[c], start, end, 0);
             }
             if (shines && requireNonNull(sum).hasGrazing && material.texturedF0() != null) {
-                addProducts(factors.specular[c], requireNonNull(sum.specular)[c], factors.grazing[c], sum.grazing()[c], to[c], start, end);
+                addProducts(factors.specular[c], sum.specular[c], factors.grazing[c], sum.grazing()[c], to[c], start, end);
             } else if (shines) {
-                addProduct(factors.specular[c], requireNonNull(requireNonNull(sum).specular)[c], to[c], start, end);
+                addProduct(factors.specular[c], requireNonNull(sum).specular[c], to[c], start, end);
             }
             if (mirrored != null && start < rows.reflectiveCount) {
                 addProduct(factors.mirrored[c], mirrored[c], to[c], start, end);
@@ -207,10 +200,10 @@ final class LevelComposer {
     }
 
     /** Adds the light that a run's rows emit. */
-    private void addEmission(HitRows rows, int run, ShadingMaterial material, FilmPart.Kind kind, float[][] to) {
-        boolean isMapped = kind != FilmPart.Kind.AMBIENCE && material.texels().has(ColumnGroup.GLOW_TEXEL);
+    private void addEmission(HitRows rows, int run, ShadingMaterial material, FilmEmission emission, float[][] to) {
+        boolean isMapped = emission.isMapped() && material.texels().has(ColumnGroup.GLOW_TEXEL);
         for (int c = 0; c < 3; c++) {
-            float amount = emission[3 * rows.runMaterial[run] + c];
+            float amount = emission.amount(rows.runMaterial[run], c);
             if (amount > 0) {
                 addEmitted(rows, isMapped, c, amount, factors.emitted[c], to[c], rows.runStart(run), rows.runEnd[run]);
             }
@@ -244,8 +237,8 @@ final class LevelComposer {
     }
 
     /** Shades an unlit texture, which shows its own color regardless of the lights. */
-    private void shadeUnlit(HitRows rows, int run, ShadingMaterial material, FilmPart.Kind kind, float[][] to) {
-        if (kind == FilmPart.Kind.REST) {
+    private void shadeUnlit(HitRows rows, int run, ShadingMaterial material, boolean isRest, float[][] to) {
+        if (isRest) {
             factors.writeUnlit(rows, run, material, to);
         } else {
             for (float[] channel : to) {

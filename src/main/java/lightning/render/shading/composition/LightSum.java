@@ -71,7 +71,7 @@ final class LightSum {
     /** Returns whether any light of a film lights a row. */
     static boolean isLit(FilmParts parts, int part, LightLayer[] lightLayers) {
         for (int l = parts.get(part).from(); l < parts.get(part).to(); l++) {
-            if (!parts.lights()[l].isDark() && lightLayers[l] != null && lightLayers[l].litCount() > 0) {
+            if (!parts.lights()[l].isDark() && LightLayer.isLit(lightLayers[l])) {
                 return true;
             }
         }
@@ -223,7 +223,7 @@ final class LightSum {
         }
         diffuse.addSum(known.diffuse);
         if (known.hasSpecular) {
-            specular.addSum(requireNonNull(known.specular));
+            specular.addSum(known.specular);
         }
         if (known.hasGrazing) {
             grazing.addSum(known.grazing());
@@ -250,13 +250,13 @@ final class LightSum {
     /** Computes the sum of the collected operands in the next free scratch columns. */
     private SumColumns sum() {
         if (usedScratch == scratch.size()) {
-            scratch.add(SumColumns.allocate());
+            scratch.add(new SumColumns());
         }
         SumColumns sum = scratch.get(usedScratch);
         sumKernel.sum(firstRow, rows, diffuse, sum.diffuse);
         sum.hasSpecular = !specular.isEmpty();
         if (sum.hasSpecular) {
-            sumKernel.sum(firstRow, rows, specular, requireNonNull(sum.specular));
+            sumKernel.sum(firstRow, rows, specular, sum.specular);
         }
         sum.hasGrazing = !grazing.isEmpty();
         if (sum.hasGrazing) {

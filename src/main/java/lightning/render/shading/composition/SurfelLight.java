@@ -26,8 +26,8 @@ public final class SurfelLight {
     private final float[][] albedo;
     /** Lights' diffuse sum at each surfel: red, green and blue, by film; null for films that are not computed, as the next two. */
     private final float[] @Nullable [][] direct;
-    /** Light that the surfels emit; null for films without. */
-    private final float[] @Nullable [][] glow;
+    /** Light that the surfels emit, a part of the last film; null if there is none or that film is not computed. */
+    private final float @Nullable [][] glow;
     /** Light that reflections show of the surfels, without what they gather; null without reflections. */
     private final float[] @Nullable [][] seen;
 
@@ -41,11 +41,10 @@ public final class SurfelLight {
         int surfels = structure.surfelCount();
         albedo = new float[3][surfels];
         direct = new float[parts.count()][][];
-        glow = new float[parts.count()][][];
+        glow = chosen.get(parts.count() - 1) && glows(materials) ? new float[3][surfels] : null;
         seen = new float[parts.count()][][];
         for (int part = chosen.nextSetBit(0); part >= 0; part = chosen.nextSetBit(part + 1)) {
             direct[part] = parts.get(part).from() < parts.get(part).to() ? new float[3][surfels] : null;
-            glow[part] = SurfelShader.emits(materials, parts, part, false) ? new float[3][surfels] : null;
             seen[part] = reflects ? new float[3][surfels] : null;
         }
     }
@@ -60,11 +59,11 @@ public final class SurfelLight {
             if (direct[part] != null) {
                 shader.writeDirectLight(rows, parts, part, layers, numbers, requireNonNull(direct[part]));
             }
-            if (glow[part] != null) {
-                shader.writeEmission(rows, parts, part, numbers, false, requireNonNull(glow[part]));
+            if (glow != null && isRest(part)) {
+                shader.writeEmission(rows, parts, part, numbers, glow);
             }
             if (reflects) {
-                shader.writeEmission(rows, parts, part, numbers, true, requireNonNull(seen[part]));
+                shader.writeEmission(rows, parts, part, numbers, requireNonNull(seen[part]));
                 shader.addShownLight(rows, parts, part, layers, numbers, requireNonNull(seen[part]));
             }
         }
@@ -84,13 +83,26 @@ public final class SurfelLight {
         float[][] unseen = new float[3][reflects ? structure.surfelCount() : 0];
         for (int part = chosen.nextSetBit(0); part >= 0; part = chosen.nextSetBit(part + 1)) {
             BackgroundLight background = parts.background(part);
-            boolean isRest = parts.get(part).kind() == FilmPart.Kind.REST;
-            if (!isBlack(direct[part]) || glow[part] != null || !isBlack(seen[part]) || !background.equals(BackgroundLight.NONE)) {
-                light[part] = solver.solve(direct[part] == null ? none : direct[part], albedo, glow[part] == null ? none : glow[part],
-                        isRest ? objects : noObjects, seen[part] == null ? unseen : seen[part], background);
+            float[][] emitted = isRest(part) ? glow : null;
+            if (!isBlack(direct[part]) || emitted != null || !isBlack(seen[part]) || !background.equals(BackgroundLight.NONE)) {
+                light[part] = solver.solve(direct[part] == null ? none : direct[part], albedo, emitted == null ? none : emitted,
+                        isRest(part) ? objects : noObjects, seen[part] == null ? unseen : seen[part], background);
             }
         }
         return light;
+    }
+
+    private boolean isRest(int part) {
+        return parts.get(part).kind() == FilmPart.Kind.REST;
+    }
+
+    /** Returns whether any material glows. */
+    private static boolean glows(MaterialTable materials) {
+        boolean glows = false;
+        for (int m = 0; m < materials.count(); m++) {
+            glows |= materials.ownGlow(m, 0) > 0 || materials.ownGlow(m, 1) > 0 || materials.ownGlow(m, 2) > 0;
+        }
+        return glows;
     }
 
     private static boolean isBlack(float @Nullable [][] light) {

@@ -4,7 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
 import java.util.EnumSet;
-import lightning.render.shading.FilmPart;
+import lightning.render.shading.FilmEmission;
 import lightning.render.shading.FilmParts;
 import lightning.render.shading.PrincipledMaterial;
 import lightning.render.shading.PrincipledRow;
@@ -117,50 +117,25 @@ public final class SurfelShader {
     }
 
     /**
-     * Writes the light that each surfel of a block emits itself in a film: glow, and as a picture shows it also bulbs and ambient light.
+     * Writes the light that each surfel of a block emits itself in a film, as a picture shows it: glow, bulbs or ambient light.
      *
      * @param numbers surfel of each parent
-     * @param isShown whether bulbs and ambient light count
      * @param to      receives red, green and blue of all surfels
      */
-    public void writeEmission(HitRows rows, FilmParts parts, int part, int[] numbers, boolean isShown, float[][] to) {
-        FilmPart its = parts.get(part);
-        boolean[] bulbs = its.kind() == FilmPart.Kind.LIGHT ? table.bulbsOf(parts.lights()[its.index()].light().name()) : null;
+    public void writeEmission(HitRows rows, FilmParts parts, int part, int[] numbers, float[][] to) {
+        FilmEmission emission = FilmEmission.of(table, parts, part);
         for (int run = 0; run < rows.runCount; run++) {
             int m = rows.runMaterial[run];
             ShadingMaterial material = materials[m];
+            boolean isMapped = emission.isMapped() && material.texels().has(ColumnGroup.GLOW_TEXEL);
             for (int c = 0; c < 3; c++) {
-                float amount = (1 - material.reflective()[c]) * switch (its.kind()) {
-                    case REST -> table.ownGlow(m, c);
-                    case AMBIENCE -> isShown ? table.ambient(m, c) * its.inside().channel(c) : 0;
-                    case LIGHT -> isShown && bulbs != null && bulbs[m] ? table.bulbGlow(m, c) * its.inside().channel(c) : 0;
-                    case ENVIRONMENT_LIGHT, ENVIRONMENT_IMAGE -> 0;
-                };
-                boolean isMapped = its.kind() != FilmPart.Kind.AMBIENCE && material.texels().has(ColumnGroup.GLOW_TEXEL);
+                float amount = (1 - material.reflective()[c]) * emission.amount(m, c);
                 float[] map = isMapped ? rows.texel(ColumnGroup.GLOW_TEXEL, c) : null;
                 for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
                     to[c][numbers[rows.parent[row]]] = map == null ? amount : amount * map[row];
                 }
             }
         }
-    }
-
-    /** Returns whether any material emits light in a film; parameter as above. */
-    public static boolean emits(MaterialTable table, FilmParts parts, int part, boolean isShown) {
-        FilmPart its = parts.get(part);
-        boolean[] bulbs = its.kind() == FilmPart.Kind.LIGHT ? table.bulbsOf(parts.lights()[its.index()].light().name()) : null;
-        boolean emits = false;
-        for (int m = 0; m < table.count(); m++) {
-            for (int c = 0; c < 3; c++) {
-                emits |= switch (its.kind()) {
-                    case REST -> table.ownGlow(m, c) > 0;
-                    case AMBIENCE -> isShown && table.ambient(m, c) > 0;
-                    case LIGHT -> isShown && bulbs != null && bulbs[m];
-                    case ENVIRONMENT_LIGHT, ENVIRONMENT_IMAGE -> false;
-                };
-            }
-        }
-        return emits;
     }
 
     private void writePrincipledAlbedo(HitRows rows, int run, ShadingMaterial material, int[] numbers, float[][] albedo) {

@@ -16,6 +16,7 @@ import lightning.render.fog.FogMedium;
 import lightning.render.gather.RowWeigher;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.BackgroundShader;
+import lightning.render.shading.FilmEmission;
 import lightning.render.shading.FilmPart;
 import lightning.render.shading.FilmParts;
 import lightning.render.shading.HighlightFactor;
@@ -40,7 +41,6 @@ import lightning.render.trace.SurfacePoint;
 import lightning.render.trace.tree.ShadowRayTarget;
 import lightning.scene.Scene;
 import lightning.scene.material.AlphaCutout;
-import lightning.scene.material.Material;
 import lightning.scene.value.Fog;
 import org.jspecify.annotations.Nullable;
 
@@ -182,8 +182,7 @@ public final class PixelExplainer {
         for (WeightedLight light : parts.lights()) {
             reports.add(lightReport(light, hit, normals));
         }
-        Material material = materials.material(hit.material());
-        SurfaceFactors factors = new SurfaceFactors(hit, material);
+        SurfaceFactors factors = new SurfaceFactors(hit, materials.material(hit.material()));
         float[][] films = new float[parts.count()][3];
         float[] gathered = null;
         for (int part = 0; part < films.length; part++) {
@@ -200,7 +199,7 @@ public final class PixelExplainer {
                 films[part][c] += reflected == null ? 0 : factors.mirrored(c, reflected.films()[part][c]);
                 films[part][c] += refracted == null ? 0 : factors.refracted(c, refracted.films()[part][c]);
                 films[part][c] += light == null || light.length == 3 ? 0 : factors.reflected(c, light[3 + c], light[6 + c]);
-                films[part][c] += factors.emitted(c, emitted(hit, material, its, c));
+                films[part][c] += factors.emitted(c, emitted(hit, part, c));
             }
         }
         float[] ambient = new float[3];
@@ -208,7 +207,7 @@ public final class PixelExplainer {
         for (int part = 0; part < films.length; part++) {
             FilmPart its = parts.get(part);
             for (int c = 0; c < 3; c++) {
-                float emitted = factors.emitted(c, emitted(hit, material, its, c)) * its.weight().channel(c);
+                float emitted = factors.emitted(c, emitted(hit, part, c)) * its.weight().channel(c);
                 ambient[c] += its.kind() == FilmPart.Kind.AMBIENCE ? emitted : 0;
                 glow[c] += its.kind() == FilmPart.Kind.AMBIENCE ? 0 : emitted;
             }
@@ -226,15 +225,10 @@ public final class PixelExplainer {
     }
 
     /** Returns one channel of the light that a point emits in a film. */
-    private float emitted(SurfacePoint hit, Material material, FilmPart part, int c) {
-        float amount = switch (part.kind()) {
-            case LIGHT -> material.bulb().light().equals(parts.lights()[part.index()].light().name())
-                    ? materials.bulbGlow(hit.material(), c) : 0;
-            case AMBIENCE -> materials.ambient(hit.material(), c);
-            case REST -> materials.ownGlow(hit.material(), c);
-            case ENVIRONMENT_LIGHT, ENVIRONMENT_IMAGE -> 0;
-        };
-        float[] map = part.kind() == FilmPart.Kind.AMBIENCE ? null : hit.maps().get(HitRows.ColumnGroup.GLOW_TEXEL);
+    private float emitted(SurfacePoint hit, int part, int c) {
+        FilmEmission emission = FilmEmission.of(materials, parts, part);
+        float amount = emission.amount(hit.material(), c);
+        float[] map = emission.isMapped() ? hit.maps().get(HitRows.ColumnGroup.GLOW_TEXEL) : null;
         return map == null ? amount : amount * map[c];
     }
 

@@ -16,6 +16,11 @@ public sealed interface LightLayer permits LightRows, WeightedLayer {
     /** Returns the tints of unblocked shadow rays: red, green and blue columns; null if all are 1. */
     float @Nullable [][] tint();
 
+    /** Returns whether a layer lights any row. @param layer null for a light without */
+    static boolean isLit(@Nullable LightLayer layer) {
+        return layer != null && layer.litCount() > 0;
+    }
+
     /** Returns the number of lit rows. */
     int litCount();
 
