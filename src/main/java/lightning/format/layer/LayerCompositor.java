@@ -4,7 +4,6 @@ import java.util.BitSet;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
-import lightning.render.cache.CachedScene;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.PixelCache;
 import lightning.render.cache.TileLevel;
@@ -12,13 +11,9 @@ import lightning.render.engine.Engine;
 import lightning.render.image.Film;
 import lightning.render.relight.tile.TileRecomposer;
 import lightning.render.shading.FilmParts;
-import lightning.render.shading.FilmSum;
-import lightning.render.shading.LightWeight;
 import lightning.render.shading.composition.FilmColors;
 import lightning.render.shading.composition.LightComponent;
-import lightning.render.shading.fog.BounceFog;
 import lightning.render.shading.fog.FogComposer;
-import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.Contribution;
 import lightning.scene.effects.ViewEffects;
@@ -30,7 +25,6 @@ import lightning.scene.effects.ViewEffects;
 final class LayerCompositor {
     private final PixelCache cache;
     private final FilmParts parts;
-    private final LightWeight[] weights;
     /** Films of each set of lights, and last those of no set. */
     private final List<BitSet> sets;
     /** Whether each set has a layer of its reflections. */
@@ -38,7 +32,6 @@ final class LayerCompositor {
     private final TileRecomposer recomposer;
     private final FogComposer fogComposer = new FogComposer();
     private final FilmColors films = new FilmColors();
-    private final FilmSum sum = new FilmSum();
 
     /**
      * @param sets        films of each set of lights, and last those of no set
@@ -49,16 +42,7 @@ final class LayerCompositor {
         this.parts = parts;
         this.sets = sets;
         this.mirrorsSets = mirrorsSets;
-        weights = parts.weights();
-        var shown = shown(cache.shown(), cache.geometry().materials(), parts);
-        recomposer = new TileRecomposer(shown, !cache.areMirrorsOutdated() ? shown
-                : shown(cache.mirrored(), cache.mirroredGeometry().materials(), cache.mirroredParts()), engine,
-                ViewEffects.ALL);
-        recomposer.setMirrorFog(BounceFog.of(cache.mirrored().scene(), cache.mirrored().fog()));
-    }
-
-    private static TileRecomposer.Shown shown(CachedScene scene, MaterialTable materials, FilmParts parts) {
-        return new TileRecomposer.Shown(parts, materials, scene.indirect() == null ? null : scene.indirect().light().light());
+        recomposer = TileRecomposer.of(cache, engine, ViewEffects.ALL);
     }
 
     /** Returns the colors of a layer: red, green, blue, {@code float[1024]} each; for a block of samples those of the samples. */
@@ -78,7 +62,7 @@ final class LayerCompositor {
                     case SPECULAR -> compose(LightComponent.SPECULAR, top, sets.get(some.set()));
                     case GATHERED -> compose(LightComponent.GATHERED, top, sets.get(some.set()));
                     case REFLECTIONS -> composeReflections(top, tile, places, sets.get(some.set()), false);
-                    case FOG -> films.clear(parts.count());
+                    case FOG -> films.clear(recomposer.mixer().films());
                 }
             }
             case Layer.Gathered _ -> compose(LightComponent.GATHERED, top, sets.getLast());
@@ -94,13 +78,7 @@ final class LayerCompositor {
             }
         }
         float[][] result = new float[3][Film.TILE_PIXELS];
-        sum.add(weights, films::get, Film.TILE_PIXELS, result);
-        float[][] earlier = films.get(parts.count());
-        for (int c = 0; earlier != null && c < 3; c++) {
-            for (int i = 0; i < Film.TILE_PIXELS; i++) {
-                result[c][i] += earlier[c][i];
-            }
-        }
+        recomposer.mixer().mix(films::get, result);
         return result;
     }
 

@@ -53,12 +53,12 @@ public final class PixelCache {
 
     /** Returns the films of the scene, as its layers contain them. */
     public FilmParts parts() {
-        return containsWeights ? FilmParts.weighted(shown.scene()) : FilmParts.of(shown.scene());
+        return FilmParts.of(shown.scene(), containsWeights);
     }
 
     /** Returns the films of the scene that mirrors show. */
     public FilmParts mirroredParts() {
-        return containsWeights ? FilmParts.weighted(mirrored.scene()) : FilmParts.of(mirrored.scene());
+        return FilmParts.of(mirrored.scene(), containsWeights);
     }
 
     /** Returns the same pixel centers with other finer samples; none for an empty array. */

@@ -29,7 +29,6 @@ import lightning.render.relight.tile.WorkCounts;
 import lightning.render.shading.BounceImages;
 import lightning.render.shading.FilmParts;
 import lightning.render.shading.RayCounts;
-import lightning.render.shading.SampleMean;
 import lightning.render.shading.StoredFilms;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.composition.FilmColors;
@@ -161,7 +160,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         }
 
         private TileRecomposer.Shown shown(Scene scene, Geometry geometry) {
-            return new TileRecomposer.Shown(to.method().isExact() ? FilmParts.of(scene) : FilmParts.weighted(scene), geometry.materials(),
+            return new TileRecomposer.Shown(FilmParts.of(scene, !to.method().isExact()), geometry.materials(),
                     null);
         }
 
@@ -193,14 +192,9 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         private SampleBlock convert(SampleBlock block, SamplePositions centers, SampleCells cells, LevelLights top, LevelLights mirrors) {
             CachedTile rows = convert(block.positions(centers, cells), block.rows(), false, top, mirrors);
             int count = recomposer.mixer().films();
-            float[] @Nullable [][] means = new float[count][][];
-            for (int film = 0; film < count; film++) {
-                float[][] samples = films.get(film);
-                means[film] = samples == null ? null : SampleMean.ofPixels(block.pixels().length, cells.count(), samples);
-            }
             BitSet known = (BitSet) shining.clone();
             known.set(count - FilmMixer.EARLIER_FILMS, count);
-            return new SampleBlock(block.pixels(), rows, new StoredFilms(means, known));
+            return new SampleBlock(block.pixels(), rows, new StoredFilms(films.means(count, block.pixels().length, cells.count()), known));
         }
 
         WorkCounts work() {

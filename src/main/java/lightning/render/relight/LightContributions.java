@@ -93,8 +93,9 @@ public record LightContributions(List<LightContribution> lights, List<Contributi
         Film picture = cache.film();
         PictureFilms films = new PictureFilms(cache, options);
         Progress silent = progress.cancellationOnly();
-        LightShares ofImage = LightShares.of(films, picture, Region.ofFilm(picture), silent);
-        LightShares ofRegion = LightShares.of(films, picture, region, silent);
+        Region whole = Region.ofFilm(picture);
+        LightShares ofImage = LightShares.of(films, picture, whole, silent);
+        LightShares ofRegion = region.equals(whole) ? ofImage : LightShares.of(films, picture, region, silent);
         List<Contribution> sources = Contribution.sources(scene);
         List<Contribution> shining = sources.stream().filter(source -> shines(scene, source)).toList();
         List<FilmChange> changes = changes(films, picture, shining.stream().map(List::of).toList(), options, view, progress);

@@ -9,7 +9,6 @@ import java.util.function.BiConsumer;
 import java.util.stream.IntStream;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
-import lightning.render.cache.CachedScene;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.FineSamples;
 import lightning.render.cache.FineTile;
@@ -24,10 +23,8 @@ import lightning.render.relight.tile.TileRecomposer;
 import lightning.render.shading.FilmParts;
 import lightning.render.shading.FilmSum;
 import lightning.render.shading.LightWeight;
+import lightning.render.shading.StoredFilms;
 import lightning.render.shading.composition.FilmColors;
-import lightning.render.shading.composition.FilmMeans;
-import lightning.render.shading.fog.BounceFog;
-import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
 import lightning.scene.Contribution;
 import lightning.scene.PictureSettings;
@@ -35,8 +32,8 @@ import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Films of a cached picture. Reads those that tiles keep, and composes the others from rows; casts no ray and changes nothing. What mirrors show
- * of an earlier scene is a film of its own, which belongs to no light.
+ * Films of a cached picture. Films that tiles keep are read, and the others are composed from rows; this casts no ray and changes nothing. Mirrors
+ * that show an earlier scene are a film of their own, which belongs to no light.
  */
 public final class PictureFilms {
     private final PixelCache cache;
@@ -50,11 +47,13 @@ public final class PictureFilms {
      * @throws IllegalStateException if mirror levels are stored as hit shapes
      */
     public PictureFilms(PixelCache cache, RenderOptions options) {
-        this(cache, options, cache.parts());
-    }
-
-    private PictureFilms(PixelCache cache, RenderOptions options, FilmParts parts) {
-        this(cache, options, parts, parts.shining());
+        this.cache = cache;
+        this.options = options;
+        parts = cache.parts();
+        chosen = parts.shining();
+        if (!cache.allTiles().stream().allMatch(CachedTile::storesRows)) {
+            throw new IllegalStateException("mirror levels are stored as hit shapes");
+        }
     }
 
     private PictureFilms(PixelCache cache, RenderOptions options, FilmParts parts, BitSet chosen) {
@@ -62,9 +61,6 @@ public final class PictureFilms {
         this.options = options;
         this.parts = parts;
         this.chosen = chosen;
-        if (!cache.allTiles().stream().allMatch(CachedTile::storesRows)) {
-            throw new IllegalStateException("mirror levels are stored as hit shapes");
-        }
     }
 
     /** Returns these films, of which only some are read; others count as black. */
@@ -172,18 +168,9 @@ public final class PictureFilms {
         private final TileRecomposer recomposer;
         private final FilmColors films = new FilmColors();
         private final FilmColors samples = new FilmColors();
-        private @Nullable FilmMeans means;
 
         TileReader(Engine engine) {
-            var shown = shown(cache.shown(), cache.geometry().materials(), parts);
-            recomposer = new TileRecomposer(shown, !cache.areMirrorsOutdated() ? shown
-                    : shown(cache.mirrored(), cache.mirroredGeometry().materials(), cache.mirroredParts()), engine,
-                    options.view());
-            recomposer.setMirrorFog(BounceFog.of(cache.mirrored().scene(), cache.mirrored().fog()));
-        }
-
-        private static TileRecomposer.Shown shown(CachedScene scene, MaterialTable materials, FilmParts parts) {
-            return new TileRecomposer.Shown(parts, materials, scene.indirect() == null ? null : scene.indirect().light().light());
+            recomposer = TileRecomposer.of(cache, engine, options.view());
         }
 
         FilmSum.Films read(int tile) {
@@ -225,52 +212,33 @@ public final class PictureFilms {
         }
 
         private void addSamples(FineTile fine, SamplePositions centers) {
-            short[] pixels = fine.first().pixels();
-            if (fine.films() == null) {
-                composeSamples(fine, centers);
-                for (int film = chosen.nextSetBit(0); film >= 0; film = chosen.nextSetBit(film + 1)) {
-                    float[][] mean = requireNonNull(means).films().get(film);
-                    set(pixels, film, mean, pixels);
-                }
-                return;
-            }
-            short[] order = new short[pixels.length];
-            for (short i = 0; i < order.length; i++) {
-                order[i] = i;
-            }
+            StoredFilms known = fine.films() != null ? fine.films()
+                    : FineTile.films(composed(fine.first(), centers), composed(fine.rest(), centers), parts.count());
             for (int film = chosen.nextSetBit(0); film >= 0; film = chosen.nextSetBit(film + 1)) {
-                set(pixels, film, fine.films().get(film), order);
+                set(fine.first().pixels(), film, known.get(film));
             }
         }
 
-        /** @param at place of each pixel in {@code from} */
-        private void set(short[] pixels, int film, float @Nullable [][] from, short[] at) {
+        /** @param from colors of the pixels, in their order; null if they are black */
+        private void set(short[] pixels, int film, float @Nullable [][] from) {
             if (from == null && films.get(film) == null) {
                 return;
             }
             float[][] to = films.toWrite(film);
             for (int c = 0; c < 3; c++) {
                 for (int i = 0; i < pixels.length; i++) {
-                    to[c][pixels[i]] = from == null ? 0 : from[c][at[i]];
+                    to[c][pixels[i]] = from == null ? 0 : from[c][i];
                 }
             }
         }
 
-        private void composeSamples(FineTile fine, SamplePositions centers) {
-            FilmMeans all = new FilmMeans(fine.first().cells().count(), fine.rest().cells().count());
-            means = all;
-            all.clear(parts.count());
-            for (FineSamples stage : fine.stages()) {
-                BitSet used = stage.pixelSet();
-                for (SampleBlock block : stage.blocks()) {
-                    compose(block.rows(), block.positions(centers, stage.cells()), samples);
-                    if (stage == fine.first()) {
-                        all.setFirst(block.pixels(), samples);
-                    } else {
-                        all.addRest(block.pixels(), used, samples);
-                    }
-                }
-            }
+        /** Returns samples with the means of the films that are read. */
+        private FineSamples composed(FineSamples stage, SamplePositions centers) {
+            return stage.map(block -> {
+                compose(block.rows(), block.positions(centers, stage.cells()), samples);
+                return new SampleBlock(block.pixels(), block.rows(),
+                        new StoredFilms(samples.means(parts.count(), block.pixels().length, stage.cells().count()), chosen));
+            });
         }
 
         private void compose(CachedTile tile, SamplePositions places, FilmColors to) {

@@ -42,7 +42,7 @@ public final class BackgroundShader {
     }
 
     /**
-     * What rays that hit nothing show in a film.
+     * Colors of rays that hit nothing in a film.
      *
      * @param color       linear color; unread with an environment
      * @param environment null for none

@@ -6,12 +6,12 @@ package lightning.render.shading;
  * @param kind   what it shows
  * @param index  number of its light or environment in the scene; 0 for others
  * @param weight factor with which it is added
- * @param inside weight that it contains: 1, or for {@link FilmParts#weighted} its own, which then is not added
+ * @param inside weight that it contains: 1, or in weighted {@link FilmParts} its own, which then is not added
  * @param from   first of its lights among all lights that are rendered
  * @param to     after its last light
  */
 public record FilmPart(Kind kind, int index, LightWeight weight, LightWeight inside, int from, int to) {
-    /** What a film shows. */
+    /** Kind of the light that a film shows. */
     public enum Kind {
         /** Light of a light, with its bulbs and its face. */
         LIGHT,
@@ -21,7 +21,7 @@ public record FilmPart(Kind kind, int index, LightWeight weight, LightWeight ins
         ENVIRONMENT_IMAGE,
         /** Ambient light. */
         AMBIENCE,
-        /** What no weight changes: glow without a bulb, the color of the background, and ambient light of fog. */
+        /** Light that no weight changes: glow without a bulb, the color of the background, and ambient light of fog. */
         REST
     }
 

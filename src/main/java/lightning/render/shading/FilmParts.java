@@ -32,12 +32,8 @@ public final class FilmParts {
         return of(scene, false);
     }
 
-    /** Returns the films of a scene that contain their weights, as the method of 1998 stores its layers. */
-    public static FilmParts weighted(Scene scene) {
-        return of(scene, true);
-    }
-
-    private static FilmParts of(Scene scene, boolean isWeighted) {
+    /** Returns the films of a scene. @param isWeighted whether they contain their weights, as the method of 1998 stores its layers */
+    public static FilmParts of(Scene scene, boolean isWeighted) {
         List<FilmPart> parts = new ArrayList<>();
         List<Light> effective = scene.rig().effectiveLights();
         WeightedLight[] lights = new WeightedLight[effective.size()];

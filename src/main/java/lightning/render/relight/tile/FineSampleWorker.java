@@ -191,9 +191,7 @@ final class FineSampleWorker {
         for (int film = job.films().origin().length; film < films; film++) {
             origin[film] = before == null || !job.areMirrorsOutdated() ? -1 : before.colors().length - films + film;
         }
-        return new SampleBlock(pixels, rows, StoredFilms.after(before, origin, worker.changedFilms(), worker.composedFilms(), film -> {
-            float[][] samples = worker.films().get(film);
-            return samples == null ? null : SampleMean.ofPixels(pixels.length, cells.count(), samples);
-        }));
+        return new SampleBlock(pixels, rows, StoredFilms.after(before, origin, worker.changedFilms(), worker.composedFilms(),
+                film -> worker.films().mean(film, pixels.length, cells.count())));
     }
 }

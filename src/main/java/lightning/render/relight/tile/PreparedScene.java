@@ -25,7 +25,7 @@ public record PreparedScene(Geometry geometry, FilmParts parts, FilmParts edgePa
      */
     static PreparedScene of(Geometry geometry, Scene scene, boolean isWeighted) {
         FilmParts units = FilmParts.of(scene);
-        return new PreparedScene(geometry.withMaterialsOf(scene), isWeighted ? FilmParts.weighted(scene) : units, units, null, null);
+        return new PreparedScene(geometry.withMaterialsOf(scene), isWeighted ? FilmParts.of(scene, true) : units, units, null, null);
     }
 
     Scene scene() {

@@ -74,16 +74,12 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Scene 
         boolean isWeighted = !options.method().isExact();
         PreparedScene shown = PreparedScene.of(geometry, target.scene(), isWeighted);
         PreparedScene mirrored = target.areReflectionsCurrent() ? shown : PreparedScene.of(geometry, target.mirrored(), isWeighted);
-        FilmUpdate films = FilmUpdate.between(parts(old.scene(), isWeighted), shown.parts(), plan.top());
+        FilmUpdate films = FilmUpdate.between(FilmParts.of(old.scene(), isWeighted), shown.parts(), plan.top());
         boolean areMirrorsSame = !old.areMirrorsOutdated() && mirrored == shown;
         FilmUpdate inMirrors = areMirrorsSame ? films : plan.mirrors() == null ? FilmUpdate.none(mirrored.parts())
-                : FilmUpdate.between(parts(old.mirrored().scene(), isWeighted), mirrored.parts(), plan.mirrors());
+                : FilmUpdate.between(FilmParts.of(old.mirrored().scene(), isWeighted), mirrored.parts(), plan.mirrors());
         return of(shown, mirrored, target.mirrored(), options, plan, progress, films, inMirrors)
                 .withTogglesMirrors(old.areMirrorsOutdated() == (mirrored == shown));
-    }
-
-    private static FilmParts parts(Scene scene, boolean isWeighted) {
-        return isWeighted ? FilmParts.weighted(scene) : FilmParts.of(scene);
     }
 
     /** Creates the job that traces samples for existing centers, whose mirrors may show an older scene. */

@@ -5,6 +5,9 @@ import static java.util.Objects.requireNonNull;
 import java.util.BitSet;
 import java.util.EnumSet;
 import java.util.Set;
+import lightning.render.cache.CachedScene;
+import lightning.render.cache.IndirectCache;
+import lightning.render.cache.PixelCache;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
 import lightning.render.shading.BounceImages;
@@ -21,6 +24,7 @@ import lightning.render.shading.fog.FogComposer;
 import lightning.render.shading.fog.FogTile;
 import lightning.render.shading.layer.LightLayer;
 import lightning.render.trace.BounceKind;
+import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
@@ -43,7 +47,7 @@ public final class TileRecomposer {
     private long rowsComposed;
     private long bytesRead;
 
-    /** What composes the first level, or the others. */
+    /** Composer of the first level, or of the others. */
     private static final class Side {
         private final FilmParts parts;
         private final MaterialTable materials;
@@ -69,6 +73,11 @@ public final class TileRecomposer {
      */
     public record Shown(FilmParts parts, MaterialTable materials, float @Nullable [] @Nullable [][] indirect) {
         // An array in a record: written once by its creator, never after.
+
+        private static Shown of(CachedScene cached, FilmParts parts, Geometry geometry) {
+            IndirectCache indirect = cached.indirect();
+            return new Shown(parts, geometry.materials(), indirect == null ? null : indirect.light().light());
+        }
     }
 
     /**
@@ -79,6 +88,15 @@ public final class TileRecomposer {
         eye = new Side(shown.parts, shown.materials, shown.indirect, engine, view);
         mirror = shown == mirrored ? eye : new Side(mirrored.parts, mirrored.materials, mirrored.indirect, engine, view);
         mixer = new FilmMixer(shown.parts, shown == mirrored ? null : mirrored.parts);
+    }
+
+    /** Creates what composes a cached picture. */
+    public static TileRecomposer of(PixelCache cache, Engine engine, ViewEffects view) {
+        Shown shown = Shown.of(cache.shown(), cache.parts(), cache.geometry());
+        Shown mirrored = cache.areMirrorsOutdated() ? Shown.of(cache.mirrored(), cache.mirroredParts(), cache.mirroredGeometry()) : shown;
+        TileRecomposer recomposer = new TileRecomposer(shown, mirrored, engine, view);
+        recomposer.setMirrorFog(BounceFog.of(cache.mirrored().scene(), cache.mirrored().fog()));
+        return recomposer;
     }
 
     /** Sets the fog that bounced rays pass from now on; initially the air is clear. */
@@ -92,7 +110,7 @@ public final class TileRecomposer {
      */
     public void composeComponents(Set<LightComponent> components, TileLevel top, BitSet films, FilmColors @Nullable [] images,
             FilmColors to) {
-        to.clear(eye.parts.count());
+        to.clear(mixer.films());
         compose(components, top, films, images, to);
     }
 

@@ -1,6 +1,7 @@
 package lightning.render.shading.composition;
 
 import java.util.Arrays;
+import lightning.render.shading.SampleMean;
 import lightning.render.shading.TermKernel;
 import org.jspecify.annotations.Nullable;
 
@@ -36,6 +37,23 @@ public final class FilmColors {
     public float @Nullable [][] copy(int film) {
         float[][] its = get(film);
         return its == null ? null : new float[][] {its[0].clone(), its[1].clone(), its[2].clone()};
+    }
+
+    /**
+     * Returns the means of the samples of some pixels in a film; null if it is black.
+     *
+     * @param perPixel number of samples of a pixel; those of the first pixel come first
+     */
+    public float @Nullable [][] mean(int film, int pixels, int perPixel) {
+        float[][] its = get(film);
+        return its == null ? null : SampleMean.ofPixels(pixels, perPixel, its);
+    }
+
+    /** Returns the means of samples in all films; parameters as above. */
+    public float[] @Nullable [][] means(int films, int pixels, int perPixel) {
+        float[] @Nullable [][] means = new float[films][][];
+        Arrays.setAll(means, film -> mean(film, pixels, perPixel));
+        return means;
     }
 
     /** Returns the colors of a film, to be written; 0 if it was black. */

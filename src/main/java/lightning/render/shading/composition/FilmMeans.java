@@ -38,9 +38,8 @@ public final class FilmMeans {
      */
     public void setFirst(short[] pixels, FilmColors samples) {
         for (int film = 0; film < films; film++) {
-            float[][] its = samples.get(film);
-            if (its != null) {
-                float[][] mean = SampleMean.ofPixels(pixels.length, firstCount, its);
+            float[][] mean = samples.mean(film, pixels.length, firstCount);
+            if (mean != null) {
                 float[][] to = means.toWrite(film);
                 for (int c = 0; c < 3; c++) {
                     for (int i = 0; i < pixels.length; i++) {
@@ -55,9 +54,9 @@ public final class FilmMeans {
     public void addRest(short[] pixels, BitSet used, FilmColors samples) {
         float[] black = new float[pixels.length];
         for (int film = 0; film < films; film++) {
-            float[][] its = samples.get(film);
+            float[][] its = samples.mean(film, pixels.length, restCount);
             if (its != null || means.get(film) != null) {
-                float[][] mean = its == null ? new float[][] {black, black, black} : SampleMean.ofPixels(pixels.length, restCount, its);
+                float[][] mean = its == null ? new float[][] {black, black, black} : its;
                 float[][] to = means.toWrite(film);
                 for (int c = 0; c < 3; c++) {
                     for (int i = 0; i < pixels.length; i++) {

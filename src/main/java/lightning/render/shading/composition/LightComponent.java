@@ -1,6 +1,6 @@
 package lightning.render.shading.composition;
 
-/** Component of what the rows of a level show. */
+/** Component of the light that the rows of a level show. */
 public enum LightComponent {
     /** Lights' diffuse component. */
     DIFFUSE,

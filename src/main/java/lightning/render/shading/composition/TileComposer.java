@@ -96,7 +96,7 @@ public final class TileComposer {
     }
 
     /**
-     * Composes what the level that was composed last shows of rays that bounce from its rows, and nothing else.
+     * Composes only the rays that bounce from the rows of the level that was composed last.
      *
      * @param to receives each row's linear color at its parent
      */
