@@ -184,14 +184,17 @@ public final class PixelExplainer {
         }
         SurfaceFactors factors = new SurfaceFactors(hit, materials.material(hit.material()));
         float[][] films = new float[parts.count()][3];
-        float[] gathered = null;
+        // A point that receives nothing has black indirect light.
+        float[] gathered = indirect == null ? null : new float[indirect.structure().reflections() == null ? 3 : 9];
         for (int part = 0; part < films.length; part++) {
             FilmPart its = parts.get(part);
             if (its.isDark()) {
                 continue;
             }
             float[] light = indirect == null || weigher == null ? null : indirect.at(hit, weigher, part);
-            gathered = add(gathered, light, its.weight());
+            if (gathered != null) {
+                add(light, its.weight(), gathered);
+            }
             for (int c = 0; c < 3; c++) {
                 List<LightReport> own = reports.subList(its.from(), its.to());
                 films[part][c] = factors.lit(c, sum(own, c, LightReport::diffuse) + (light == null ? 0 : light[c]),
@@ -232,15 +235,10 @@ public final class PixelExplainer {
         return map == null ? amount : amount * map[c];
     }
 
-    private static float @Nullable [] add(float @Nullable [] sum, float @Nullable [] light, LightWeight weight) {
-        if (light == null) {
-            return sum;
+    private static void add(float @Nullable [] light, LightWeight weight, float[] sum) {
+        for (int i = 0; light != null && i < sum.length; i++) {
+            sum[i] += weight.channel(i % 3) * light[i];
         }
-        float[] added = sum == null ? new float[light.length] : sum;
-        for (int i = 0; i < added.length; i++) {
-            added[i] += weight.channel(i % 3) * light[i];
-        }
-        return added;
     }
 
     /** Returns the sum of all films, times their weights. */

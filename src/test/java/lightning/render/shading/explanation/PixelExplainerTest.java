@@ -20,6 +20,7 @@ import lightning.render.shading.reference.ReferenceTracer;
 import lightning.render.trace.NormalSteps;
 import lightning.sample.IndirectScenes;
 import lightning.sample.SceneArbitraries;
+import lightning.sample.StudioScene;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
@@ -210,5 +211,15 @@ class PixelExplainerTest {
         assertThat(top.state()).isEqualTo(LightReport.State.SHADOWED);
         assertThat(explainer.geometry().shape(top.blocker()).name()).isEqualTo("low");
         assertThat(report.lights().getLast().state()).isEqualTo(LightReport.State.LIT);
+    }
+
+    @Test
+    void surfaceThatReceivesNothing_hasBlackIndirectLight() {
+        Scene drawn = StudioScene.of(LightType.POINT);
+        Scene scene = IndirectScenes.with(drawn.withLights(drawn.lights().stream().map(light -> light.withOn(false)).toList())
+                .withWorld(new World(0, Rgb.BLACK)));
+        PointReport report = withGatheredLight(new PixelExplainer(scene), scene).explainPixel(15, 12);
+        assertThat(report.isBackground()).isFalse();
+        assertThat(report.indirect()).containsOnly(0);
     }
 }
