@@ -154,7 +154,7 @@ class ContributionTest {
         }
     }
 
-    /** A bulb glows with its light's color times its intensity; the picture's center shows it, and nothing else. */
+    /** A bulb glows with its light's color times its intensity; the picture's center shows only the bulb. */
     @Test
     void bulb_isPartOfItsLight() {
         Scene scene = StudioScene.of(LightType.POINT);
@@ -172,9 +172,13 @@ class ContributionTest {
 
     @Test
     void missingLight_isBlack() {
+        assertIsBlack("no", StudioScene.of(LightType.SPOT));
+    }
+
+    private static void assertIsBlack(String light, Scene scene) {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
-            renderer.render(StudioScene.of(LightType.SPOT), Progress.NONE);
-            Film film = renderer.contribution(new Contribution.OfLight("no"), Progress.NONE);
+            renderer.render(scene, Progress.NONE);
+            Film film = renderer.contribution(new Contribution.OfLight(light), Progress.NONE);
             assertThat(film.hasSameBits(Film.black(film.width(), film.height()))).isTrue();
         }
     }
@@ -210,11 +214,7 @@ class ContributionTest {
     void switchedOffLight_isBlack() {
         Scene scene = StudioScene.of(LightType.SPOT);
         Scene dark = scene.withLight(scene.light(StudioScene.KEY).orElseThrow().withOn(false));
-        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
-            renderer.render(dark, Progress.NONE);
-            Film film = renderer.contribution(new Contribution.OfLight(StudioScene.KEY), Progress.NONE);
-            assertThat(film.hasSameBits(Film.black(film.width(), film.height()))).isTrue();
-        }
+        assertIsBlack(StudioScene.KEY, dark);
     }
 
     @Test
@@ -222,11 +222,7 @@ class ContributionTest {
         Scene scene = StudioScene.of(LightType.SPOT);
         Light key = scene.light(StudioScene.KEY).orElseThrow();
         Scene solo = scene.withLights(List.of(key, key.withName("other").withSolo(true)));
-        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
-            renderer.render(solo, Progress.NONE);
-            Film film = renderer.contribution(new Contribution.OfLight(StudioScene.KEY), Progress.NONE);
-            assertThat(film.hasSameBits(Film.black(film.width(), film.height()))).isTrue();
-        }
+        assertIsBlack(StudioScene.KEY, solo);
     }
 
     @Test

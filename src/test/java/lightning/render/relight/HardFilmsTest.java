@@ -33,7 +33,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 
-/** Tests sums of films that are hard: very many, very bright or faint ones, and those that nearly nothing shows. */
+/** Tests hard sums of films: very many, very bright or faint ones, and films that show almost nothing. */
 @Slow
 class HardFilmsTest {
     private static final RenderOptions OPTIONS = RenderOptions.DEFAULT.withThreads(1);
