@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
 final class FogSerializer {
     private FogSerializer() {}
 
-    /** Writes the fog of a scene that a picture shows; of lights that are off nothing, because they may show an older scene. */
+    /** Writes the fog of a scene that a picture shows. */
     static void write(CachedScene shown, ColumnWriter out) throws IOException {
         PictureFog fog = shown.fog();
         out.writeInt(fog == null ? 0 : 1);
@@ -30,7 +30,7 @@ final class FogSerializer {
             writeRays(fog.rays(), out);
         }
         for (int l = 0; fog != null && l < fog.lights().length; l++) {
-            FogLight light = shown.scene().isActive(shown.lights().get(l).light()) ? fog.lights()[l] : null;
+            FogLight light = fog.lights()[l];
             out.writeInt(light == null ? 0 : 1);
             if (light != null) {
                 out.writeArray(light.visible());

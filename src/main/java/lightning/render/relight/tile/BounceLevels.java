@@ -61,11 +61,6 @@ final class BounceLevels {
             return new TracedLevels(levels, ReflectionHitList.NONE, isChanged, levels);
         }
 
-        /** Returns the unchanged levels of a tile. */
-        static TracedLevels kept(CachedTile tile) {
-            return new TracedLevels(tile.levels, tile.hitShapes, false, tile.levels);
-        }
-
         /** Returns a copy of all levels as far as they are known, with a first one. */
         TileLevel[] allLevels(TileLevel top) {
             TileLevel[] copy = all.clone();
@@ -117,6 +112,15 @@ final class BounceLevels {
         update(top.rows(), order, before.levels[0].rows(), 0);
         TileLevel[] all = levels.toArray(TileLevel[]::new);
         return new TracedLevels(all, before.hitShapes, changed, all);
+    }
+
+    /** Returns the levels of a tile whose rows stay. Rows that were last composed with the light of other paths get the weights of its points. */
+    TracedLevels keep(CachedTile tile) {
+        TileLevel[] kept = tile.levels.clone();
+        for (int i = 1; i < kept.length; i++) {
+            kept[i] = worker.withWeights(kept[i]);
+        }
+        return new TracedLevels(kept, tile.hitShapes, false, kept);
     }
 
     /** Traces everything seen from a level's rows. */

@@ -123,14 +123,16 @@ final class FineSampleWorker {
         BitSet neededPixels = needed.pixelSet();
         BitSet missing = needed.pixelSet();
         int batchSize = SampleMean.pixelsPerBatch(cells.count());
-        boolean isFragmented = old.blocks().length > 2 + 2 * Math.ceilDiv(pixels.length, batchSize);
+        // Blocks are sorted out when pixels change, whether films are known or not.
+        boolean sorts = !job.onlyReweights();
+        boolean isFragmented = sorts && old.blocks().length > 2 + 2 * Math.ceilDiv(pixels.length, batchSize);
         int minSize = isFragmented ? (int) (MIN_BLOCK_SHARE * batchSize) : 1;
         List<SampleBlock> blocks = new ArrayList<>();
         for (SampleBlock block : old.blocks()) {
             if (job.progress().isCanceled()) {
                 return needed;
             }
-            if (block.pixels().length >= minSize && isWorthKeeping(block, neededPixels)) {
+            if (block.pixels().length >= minSize && (!sorts || isWorthKeeping(block, neededPixels))) {
                 addTo(blocks, relight(tile, cells, block));
                 for (short pixel : block.pixels()) {
                     missing.clear(pixel);

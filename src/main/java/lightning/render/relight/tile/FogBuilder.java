@@ -92,8 +92,9 @@ final class FogBuilder {
     private @Nullable FogLight light(int l, WeightedLight light, FogMedium medium, float[] depths, FogShadows shadows, FogSolver solver) {
         FogLight known = known(l);
         if (light.isDarkInFog()) {
-            // Updated once it shines.
-            return known != null && sameRay == null && shapeChange(l).isEmpty() ? known : null;
+            // Computed once it shines, unless it and the fog stay the same until then.
+            return known != null && sameRay == null && shapeChange(l).isEmpty()
+                    && isCurrent(known, LightDifference.between(known.light(), light.light()), medium, depths) ? known : null;
         }
         LightSource source = light.source();
         if (known == null) {
@@ -106,9 +107,14 @@ final class FogBuilder {
         if (sameRay != null || !shapeChange(l).isEmpty()) {
             return solver.solve(source, shadows.visibleAfter(l, source, visibleBefore(known), unknownRays, shapeChange(l)));
         }
+        return isCurrent(known, difference, medium, depths) ? known : solver.solve(source, known.visible());
+    }
+
+    /** Returns whether nothing but the weight of a light changes in the fog. */
+    private boolean isCurrent(FogLight known, LightDifference difference, FogMedium medium, float[] depths) {
         boolean isSame = difference.update() instanceof LightUpdate.Keep || difference.update() instanceof LightUpdate.Reweight;
         return isSame && known.hasDepths(depths) && known.medium().equals(medium)
-                && known.anisotropy() == target.scene().world().fog().anisotropy() ? known : solver.solve(source, known.visible());
+                && known.anisotropy() == target.scene().world().fog().anisotropy();
     }
 
     /** Returns the samples of each ray that saw a light before. */

@@ -186,7 +186,7 @@ final class TileWorker {
     CachedTile relight(int tile, CachedTile old) {
         SamplePositions places = SamplePositions.centers(tile % job.tilesX() * Film.TILE_SIZE, tile / job.tilesX() * Film.TILE_SIZE);
         if (job.onlyReweights()) {
-            return buildTile(places, old.levels[0], BounceLevels.TracedLevels.kept(old), new BitSet(), old, old.fog, job.detectsEdges(),
+            return buildTile(places, old.levels[0], bounceLevels().keep(old), new BitSet(), old, old.fog, job.detectsEdges(),
                     false);
         }
         BitSet retraced = changedRays(places);
@@ -281,7 +281,7 @@ final class TileWorker {
         // Films that contain mirrors, and colors for edges that were never composed, need levels, which may not be stored.
         boolean reusesBounces = job.mirrorPlan() == null && order == null
                 && (job.storesMirrorRows() || top.rows().reflectiveCount == 0 || knowsEdges && job.areMirrorsOutdated());
-        BounceLevels.TracedLevels below = reusesBounces ? BounceLevels.TracedLevels.kept(old)
+        BounceLevels.TracedLevels below = reusesBounces ? bounceLevels().keep(old)
                 : updateLower(old, top, order);
         if (job.progress().isCanceled()) {
             return null;
