@@ -20,6 +20,7 @@ import lightning.scene.Scene;
 import lightning.scene.asset.Gobo;
 import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.Texture;
+import lightning.scene.light.Contribution;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
@@ -359,6 +360,15 @@ class LightWorkTest {
             UpdateResult update = studio.lights(l -> List.of(l.getFirst().withAngle(8).withIntensity(2), moved));
             assertPlan(update, new LightUpdate.Partial(ConeChange.ANGLE_REMOVE, false, true), FULL);
             assertWork(update, inside + rows(studio), rows(studio), 0, reference.count(0, reference.isReached(moved)));
+        }
+    }
+
+    /** Its gain lifts its weight above the smallest float, but the weight of its film is 0. */
+    @Test
+    void lightWithoutWeight_castsNoRay_whateverItsGain() {
+        try (StudioRenderer studio = StudioRenderer.of(LightType.POINT)) {
+            studio.edit(l -> l.withIntensity(5e-46).withContribution(Contribution.DEFAULT.withDiffuse(2)));
+            assertThat(studio.edit(l -> l.withPosition(ELSEWHERE)).rays().shadow()).isZero();
         }
     }
 }

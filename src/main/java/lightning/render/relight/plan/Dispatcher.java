@@ -9,6 +9,7 @@ import lightning.render.cache.CachedLight;
 import lightning.render.cache.CachedScene;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
+import lightning.render.shading.FilmParts;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.ObjectGains;
 import lightning.render.shading.WeightedLight;
@@ -95,10 +96,13 @@ public final class Dispatcher {
             UpdateMethod method) {
         Scene known = before.scene();
         LightMatcher match = new LightMatcher(known.rig().effectiveLights(), target.rig().effectiveLights());
+        WeightedLight[] rendered = FilmParts.of(target).lights();
         List<LayerPlan> layers = new ArrayList<>();
         boolean dropsLayers = false;
         for (int l = 0; l < match.after().size(); l++) {
-            WeightedLight light = WeightedLight.of(match.after().get(l), target);
+            WeightedLight lit = WeightedLight.of(match.after().get(l), target);
+            // A gain may lift a weight above 0 that is 0 in its film.
+            WeightedLight light = rendered[l].isDark() ? lit.darkened() : lit;
             CachedLight origin = match.originIndex(l) < 0 ? null : before.lights().get(match.originIndex(l));
             boolean isReusable = origin != null && isReusable(origin, known, target, shapes, method);
             LayerStamp stamp = origin != null && isReusable ? origin.stamp() : null;
