@@ -17,6 +17,7 @@ import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightGroup;
 import lightning.scene.light.LightRig;
+import lightning.scene.light.LightType;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
@@ -29,6 +30,8 @@ final class LightSettings {
     private static final JsonMapper JSON = JsonMapper.builder().build();
     private static final String UNITS_KEY = "light_units";
     private static final String LIGHT_GROUP_KEY = "bank_settings";
+    /** The light that was exported in the place of an object's; it depends on the object's surface. */
+    private static final String EFFECTIVE_KEY = "effective";
     /** Tolerance for comparisons, since glTF files contain floats. */
     private static final double TOLERANCE = 1e-5;
 
@@ -52,6 +55,9 @@ final class LightSettings {
     static ObjectNode toJson(Light light, LightRig rig, LightUnits units) {
         ObjectNode out = JSON.createObjectNode().put(UNITS_KEY, units.name().toLowerCase(Locale.ROOT));
         AttributeJson.write(out, rig.inMeters(light), LightAttribute.ALL);
+        if (light.type() == LightType.OBJECT) {
+            AttributeJson.write(out.putObject(EFFECTIVE_KEY), rig.effectiveLight(light), LightAttribute.ALL);
+        }
         rig.lightGroup(light.lightGroup())
                 .ifPresent(group -> AttributeJson.write(out.putObject(LIGHT_GROUP_KEY), group, LightGroup.ATTRIBUTES));
         return out;
@@ -74,17 +80,14 @@ final class LightSettings {
         Light stored = AttributeJson.read(settings, imported.withProfile(Optional.empty()), LightAttribute.ALL, assembler::hasFile,
                 _ -> noteUnusable());
         Optional<LightGroup> group = lightGroup(stored, settings.path(LIGHT_GROUP_KEY));
-        GltfLight exported =
-                PunctualLightExport.convert(
-                        LightRig.of(List.of(stored.withLightGroup(group.isPresent() ? stored.lightGroup() : "")), group.stream().toList())
-                                .effectiveLights().getFirst(),
-                        units.get(), settings, new ConversionNotes());
+        Light effective = effective(stored, group, settings.path(EFFECTIVE_KEY));
+        GltfLight exported = PunctualLightExport.convert(effective, units.get(), settings, new ConversionNotes());
         Light light = stored;
         if (!isSameShape(exported, gltfLight)) {
             light = light.withType(imported.type()).withAngle(imported.angle()).withDropoff(imported.dropoff())
                     .withProfile(imported.profile());
         }
-        if (imported.type().hasPosition() && !isNear(imported.position(), stored.position(), Math.max(1, imported.position().maxAbs()))) {
+        if (imported.type().hasPosition() && !isNear(imported.position(), effective.position(), Math.max(1, imported.position().maxAbs()))) {
             light = light.withPosition(imported.position());
         }
         if (imported.type().hasDirection() && !isNear(imported.direction().normalized(), stored.direction().normalized(), 1)) {
@@ -96,6 +99,13 @@ final class LightSettings {
         }
         assembler.restoredLights.add(imported.name());
         return group.isEmpty() ? light.withLightGroup("") : light.withLightGroup(addLightGroup(group.get()));
+    }
+
+    private Light effective(Light stored, Optional<LightGroup> group, JsonNode effective) {
+        return effective.isObject()
+                ? AttributeJson.read(effective, stored, LightAttribute.ALL, assembler::hasFile, _ -> noteUnusable())
+                : LightRig.of(List.of(stored.withLightGroup(group.isPresent() ? stored.lightGroup() : "")), group.stream().toList())
+                        .effectiveLights().getFirst();
     }
 
     private void noteUnusable() {

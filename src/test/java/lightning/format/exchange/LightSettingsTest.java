@@ -26,6 +26,7 @@ import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.LightTexture;
 import lightning.scene.asset.Texture;
 import lightning.scene.light.Contribution;
+import lightning.scene.light.Falloff;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightGroup;
@@ -113,6 +114,16 @@ class LightSettingsTest {
             assertThat(attribute.get(actual)).as(attribute.title()).isEqualTo(attribute.get(expected));
         }
         assertThat(actual).isEqualTo(expected);
+    }
+
+    @Example
+    void lightOfAnObject_keepsItsColorInItsGroup() throws Exception {
+        Light light = Light.of("lamp", LightType.OBJECT).withColor(new Rgb(0.5, 0.4, 0.05)).withIntensity(0.7)
+                .withFalloff(Falloff.INVERSE_SQUARE);
+        LightRig rig = LightRig.of(List.of(light.withArea(light.area().withShape("floor")).withLightGroup(GROUP.name())), List.of(GROUP));
+        LightRig reimported = imported(exported(rig, LightUnits.CANDELA)).scene().rig();
+        assertSame(reimported.lights().getFirst(), rig.lights().getFirst());
+        assertThat(reimported.lightGroups()).isEqualTo(rig.lightGroups());
     }
 
     @Example
