@@ -1,5 +1,6 @@
 package lightning.editor.loop;
 
+import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.Future;
 import lightning.base.work.DedicatedThread;
@@ -22,7 +23,7 @@ import lightning.scene.Scene;
 public final class RenderLoop implements AutoCloseable {
     private static final long CLOSE_TIMEOUT_MS = 30_000;
 
-    private final RenderQueue queue = new RenderQueue();
+    private final RenderQueue queue = new RenderQueue(Duration.ofMillis(250));
     private final PictureVerifier verifier;
     private final RenderWorker worker;
     private final Thread thread;

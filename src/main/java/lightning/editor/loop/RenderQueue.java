@@ -2,6 +2,7 @@ package lightning.editor.loop;
 
 import static java.util.Objects.requireNonNull;
 
+import java.time.Duration;
 import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.Map;
@@ -120,6 +121,15 @@ final class RenderQueue {
     private @Nullable Job running;
     private @Nullable Scene rendered;
     private @Nullable CancelSignal cancelSignal;
+    /** True from an interruption of samples until samples are finished, and when the last job ended. */
+    private boolean wereSamplesInterrupted;
+    private long endedNs = System.nanoTime();
+    private final Duration pause;
+
+    /** @param pause time without an edit before samples that an edit interrupted start again, so that they do not slow down a drag */
+    RenderQueue(Duration pause) {
+        this.pause = pause;
+    }
 
     private void add(Job job) {
         if (!closed) {
@@ -204,6 +214,7 @@ final class RenderQueue {
     private void postponeSamples() {
         if (running instanceof Job.RenderSamples) {
             add(running);
+            wereSamplesInterrupted = true;
             requireNonNull(cancelSignal).preempt();
         }
     }
@@ -278,8 +289,8 @@ final class RenderQueue {
 
     /** Waits for a job. Returns null when the queue is closed and no image is to be kept. */
     synchronized @Nullable Job take(CancelSignal newSignal) throws InterruptedException {
-        while (!closed && waiting.isEmpty()) {
-            wait();
+        for (long rest = pauseMs(); !closed && rest >= 0; rest = pauseMs()) {
+            wait(rest);
         }
         if (waiting.isEmpty()) {
             return null;
@@ -287,6 +298,17 @@ final class RenderQueue {
         cancelSignal = newSignal;
         running = next();
         return running;
+    }
+
+    /** Returns how many milliseconds to wait for another job: 0 for any time, negative if one can start. */
+    private long pauseMs() {
+        if (waiting.isEmpty()) {
+            return 0;
+        }
+        boolean waits = wereSamplesInterrupted && !waiting.containsKey(Slot.VERIFICATION)
+                && waiting.keySet().iterator().next() == Slot.SAMPLES;
+        long rest = pause.minusNanos(System.nanoTime() - endedNs).toMillis();
+        return waits && rest > 0 ? rest : -1;
     }
 
     private @Nullable Job next() {
@@ -306,6 +328,8 @@ final class RenderQueue {
      * @return true if no job is left
      */
     synchronized boolean finishJob(@Nullable Scene nowRendered) {
+        wereSamplesInterrupted &= !(running instanceof Job.RenderSamples) || requireNonNull(cancelSignal).isPreempted();
+        endedNs = System.nanoTime();
         running = null;
         cancelSignal = null;
         rendered = nowRendered;

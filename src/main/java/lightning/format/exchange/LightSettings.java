@@ -87,7 +87,8 @@ final class LightSettings {
             light = light.withType(imported.type()).withAngle(imported.angle()).withDropoff(imported.dropoff())
                     .withProfile(imported.profile());
         }
-        if (imported.type().hasPosition() && !isNear(imported.position(), effective.position(), Math.max(1, imported.position().maxAbs()))) {
+        if (imported.type().hasPosition()
+                && !isNear(imported.position(), effective.position(), Math.max(1, imported.position().maxAbs()))) {
             light = light.withPosition(imported.position());
         }
         if (imported.type().hasDirection() && !isNear(imported.direction().normalized(), stored.direction().normalized(), 1)) {

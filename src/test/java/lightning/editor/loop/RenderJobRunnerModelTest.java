@@ -3,6 +3,7 @@ package lightning.editor.loop;
 import static lightning.modelcheck.ScheduleExplorer.check;
 import static lightning.modelcheck.ScheduleExplorer.explore;
 
+import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
@@ -115,7 +116,7 @@ class RenderJobRunnerModelTest {
 
     /** Model of everything between the two threads, with the window's state. */
     private static final class Stage {
-        final RenderQueue queue = new RenderQueue();
+        final RenderQueue queue = new RenderQueue(Duration.ZERO);
         final Window window = new Window();
         final List<Scene> shown = new ArrayList<>();
         final List<Throwable> problems = new ArrayList<>();

@@ -3,6 +3,7 @@ package lightning.editor.loop;
 import static lightning.modelcheck.ScheduleExplorer.check;
 import static lightning.modelcheck.ScheduleExplorer.explore;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
@@ -90,7 +91,7 @@ class RenderQueueModelTest {
     @Test
     void lastRequestedEdit_isRenderedLast() {
         explore(() -> {
-            var queue = new RenderQueue();
+            var queue = new RenderQueue(Duration.ZERO);
             var taker = new QueueConsumer(queue);
             ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
             queue.render(FIRST);
@@ -112,7 +113,7 @@ class RenderQueueModelTest {
     @Test
     void jobsOfTwoThreads_areAllDone() {
         explore(() -> {
-            var queue = new RenderQueue();
+            var queue = new RenderQueue(Duration.ZERO);
             var taker = new QueueConsumer(queue);
             ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
             ScheduleExplorer.ConcurrentRun other = ScheduleExplorer.startConcurrently(() -> {
@@ -137,7 +138,7 @@ class RenderQueueModelTest {
     @Test
     void mirrorUpdateStoppedByEdit_runsAfterIt() {
         explore(() -> {
-            var queue = new RenderQueue();
+            var queue = new RenderQueue(Duration.ZERO);
             var taker = new QueueConsumer(queue);
             ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
             queue.requestReflections();
@@ -154,7 +155,7 @@ class RenderQueueModelTest {
     @Test
     void samplesPreemptedByEdit_areRenderedAfterItWithoutCancelEvent() {
         explore(() -> {
-            var queue = new RenderQueue();
+            var queue = new RenderQueue(Duration.ZERO);
             var asked = new CountDownLatch(1);
             queue.requestSamples();
             var samples = new RenderQueue.CancelSignal((_, _) -> {});
@@ -178,7 +179,7 @@ class RenderQueueModelTest {
     @Test
     void preemptedSamplesThenCanceled_areReportedAsCanceled() {
         explore(() -> {
-            var queue = new RenderQueue();
+            var queue = new RenderQueue(Duration.ZERO);
             queue.requestSamples();
             var samples = new RenderQueue.CancelSignal((_, _) -> {});
             queue.take(samples);
@@ -195,7 +196,7 @@ class RenderQueueModelTest {
     @Test
     void pendingSamples_runAfterEditAndBeforeVerification() {
         explore(() -> {
-            var queue = new RenderQueue();
+            var queue = new RenderQueue(Duration.ZERO);
             queue.requestVerification();
             queue.requestSamples();
             queue.render(FIRST);
@@ -212,7 +213,7 @@ class RenderQueueModelTest {
     @Test
     void samplesCanceledWhileRunning_areNotRepeated() {
         explore(() -> {
-            var queue = new RenderQueue();
+            var queue = new RenderQueue(Duration.ZERO);
             var taker = new QueueConsumer(queue);
             ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
             queue.requestSamples();
@@ -228,7 +229,7 @@ class RenderQueueModelTest {
     @Test
     void updateWhoseSceneIsShown_isReplacedByNewerSceneWithoutCancelEvent() {
         explore(() -> {
-            var queue = new RenderQueue();
+            var queue = new RenderQueue(Duration.ZERO);
             queue.render(FIRST);
             var update = new RenderQueue.CancelSignal((_, _) -> {});
             queue.take(update);
@@ -245,7 +246,7 @@ class RenderQueueModelTest {
     @Test
     void updateThatIsNotShown_isFinishedBeforeNewerScene() {
         explore(() -> {
-            var queue = new RenderQueue();
+            var queue = new RenderQueue(Duration.ZERO);
             queue.render(FIRST);
             var update = new RenderQueue.CancelSignal((_, _) -> {});
             queue.take(update);
@@ -260,7 +261,7 @@ class RenderQueueModelTest {
     @Test
     void newPicture_replacesTracedOne() {
         explore(() -> {
-            var queue = new RenderQueue();
+            var queue = new RenderQueue(Duration.ZERO);
             var stops = new ArrayList<RenderQueue.CancelSignal>();
             ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(() -> {
                 var stop = new RenderQueue.CancelSignal((_, _) -> {});
@@ -285,7 +286,7 @@ class RenderQueueModelTest {
     @Test
     void canceledJob_isNeitherStartedNorLeftRunning() {
         explore(() -> {
-            var queue = new RenderQueue();
+            var queue = new RenderQueue(Duration.ZERO);
             var taker = new QueueConsumer(queue);
             ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
             queue.render(FIRST);
@@ -300,7 +301,7 @@ class RenderQueueModelTest {
     @Test
     void requestedJob_makesQueueBusyUntilDone() {
         explore(() -> {
-            var queue = new RenderQueue();
+            var queue = new RenderQueue(Duration.ZERO);
             var taker = new QueueConsumer(queue);
             ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
             queue.render(FIRST);
@@ -317,7 +318,7 @@ class RenderQueueModelTest {
     @Test
     void close_endsConsumer() {
         explore(() -> {
-            var queue = new RenderQueue();
+            var queue = new RenderQueue(Duration.ZERO);
             var taker = new QueueConsumer(queue);
             ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
             ScheduleExplorer.ConcurrentRun other = ScheduleExplorer.startConcurrently(() -> queue.render(FIRST));
