@@ -4,7 +4,6 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.function.Consumer;
 import lightning.base.work.Progress;
 import lightning.render.engine.Engine;
 import lightning.render.gather.RowWeigher;
@@ -18,7 +17,6 @@ import lightning.render.shading.RayCounts;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.shading.SampleMean;
 import lightning.render.shading.WeightedLight;
-import lightning.render.shading.composition.EdgeDetector;
 import lightning.render.shading.composition.FilmColors;
 import lightning.render.shading.composition.FilmMeans;
 import lightning.render.shading.composition.FilmMixer;
@@ -66,7 +64,6 @@ final class TileTracer {
     private final FilmColors films = new FilmColors();
     private final FilmMeans means;
     private final FilmMixer mixer;
-    private final float[][] colors = new float[3][Film.TILE_PIXELS];
     private final SampleCells firstCells;
     private final SampleCells restCells;
     private long eyeRays;
@@ -170,7 +167,7 @@ final class TileTracer {
     /** Traces the centers of a tile's pixels; returns the colors by which edges are detected. */
     EdgeColors traceCentersWithEdges(Film film, int tile, Progress progress) {
         traceCenters(film, tile, progress);
-        return new EdgeColors(mixer.edgeColors(films::get), null);
+        return new EdgeColors(mixer.edgeColors(films::get, Film.TILE_PIXELS), null);
     }
 
     private static float[][] tileColors(Film film, int tile) {
@@ -180,27 +177,41 @@ final class TileTracer {
     /** Traces the samples of some pixels of a tile; {@code pixels} are ascending indices in the tile. */
     void traceSamples(Film film, int tile, short[] pixels, Progress progress) {
         boolean refines = restCells.count() > 0;
-        BitSet refined = new BitSet();
-        means.clear(mixer.films());
-        forEachBatch(tile, pixels, firstCells, batch -> {
-            means.setFirst(batch, films);
-            int[] packed = refines ? mixer.edgeColors(films::get) : null;
+        means.clear(mixer.films(), pixels.length);
+        short[] refined = new short[pixels.length];
+        int[] places = new int[pixels.length];
+        var count = new int[1];
+        forEachBatch(tile, pixels, firstCells, (from, batch) -> {
+            means.setFirst(from, batch.length, films);
+            int[] packed = refines ? mixer.edgeColors(films::get, batch.length * firstCells.count()) : null;
             for (int i = 0; packed != null && i < batch.length; i++) {
-                refined.set(batch[i], EdgeColors.needMore(packed, i * firstCells.count(), firstCells.count()));
+                if (EdgeColors.needMore(packed, i * firstCells.count(), firstCells.count())) {
+                    places[count[0]] = from + i;
+                    refined[count[0]++] = batch[i];
+                }
             }
         }, progress);
-        forEachBatch(tile, EdgeDetector.toPixels(refined), restCells, batch -> means.addRest(batch, refined, films), progress);
+        forEachBatch(tile, Arrays.copyOf(refined, count[0]), restCells,
+                (from, batch) -> means.addRest(Arrays.copyOfRange(places, from, from + batch.length), films), progress);
+        float[][] colors = new float[3][pixels.length];
         mixer.mix(means.films()::get, colors);
         float[][] pixel = tileColors(film, tile);
-        for (short i : pixels) {
-            for (int c = 0; c < 3; c++) {
-                pixel[c][i] = colors[c][i];
+        for (int c = 0; c < 3; c++) {
+            for (int i = 0; i < pixels.length; i++) {
+                pixel[c][pixels[i]] = colors[c][i];
             }
         }
     }
 
-    /** Traces samples of pixels in batches; the consumer receives the pixels of each batch, whose samples are then in the films. */
-    private void forEachBatch(int tile, short[] pixels, SampleCells cells, Consumer<short[]> consumer, Progress progress) {
+    /** Receives pixels whose samples are in the films. */
+    @FunctionalInterface
+    private interface BatchConsumer {
+        /** @param from number of pixels in earlier batches */
+        void accept(int from, short[] batch);
+    }
+
+    /** Traces samples of pixels in batches. */
+    private void forEachBatch(int tile, short[] pixels, SampleCells cells, BatchConsumer consumer, Progress progress) {
         int batchSize = pixels.length == 0 ? 0 : SampleMean.pixelsPerBatch(cells.count());
         levels = sampleLevels;
         int tilesX = Film.tilesAlong(eyeLevel.scene.picture().width());
@@ -210,7 +221,7 @@ final class TileTracer {
             eyeLevel.visibility.traceSamples(places, (count, textured, clear) -> levelRows(0));
             eyeRays += places.count();
             composeTile(places, progress);
-            consumer.accept(batch);
+            consumer.accept(from, batch);
         }
     }
 

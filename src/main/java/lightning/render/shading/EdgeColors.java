@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
  * Colors of a tile's pixel centers, or of the first samples of some pixels, by which anti-aliasing decides where it needs more
  * samples. They are the sum of the picture's films with rounded weights ({@link FilmParts#edgeWeights}).
  *
- * @param colors packed colors, {@code int[1024]} ({@link #pack})
+ * @param colors packed colors, one for each position ({@link #pack})
  * @param images colors of the rays that bounce from the first level's rows; null if there are none
  */
 public record EdgeColors(int[] colors, @Nullable BounceImages images) {
@@ -24,9 +24,9 @@ public record EdgeColors(int[] colors, @Nullable BounceImages images) {
     /** Largest step between samples of a pixel that their mean hides. */
     private static final int MAX_SAMPLE_STEP = 48;
 
-    /** Packs the linear colors of a tile's positions. */
-    public static int[] pack(float[][] linear) {
-        int[] packed = new int[linear[0].length];
+    /** Packs the linear colors of the first positions of a tile. */
+    public static int[] pack(float[][] linear, int positions) {
+        int[] packed = new int[positions];
         for (int i = 0; i < packed.length; i++) {
             packed[i] = pack(linear[0][i], linear[1][i], linear[2][i]);
         }

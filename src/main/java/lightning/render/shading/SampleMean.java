@@ -24,11 +24,17 @@ public final class SampleMean {
         return switch (count) {
             case 1 -> v[from];
             case 2 -> v[from] + v[from + 1];
-            case 3 -> v[from] + (v[from + 1] + v[from + 2]);
+            case 3 -> sumThree(v, from);
             case 4 -> sumFour(v, from);
+            case 5 -> v[from] + v[from + 1] + sumThree(v, from + 2);
+            case 12 -> sumThree(v, from) + sumThree(v, from + 3) + (sumThree(v, from + 6) + sumThree(v, from + 9));
             case 16 -> sumFour(v, from) + sumFour(v, from + 4) + (sumFour(v, from + 8) + sumFour(v, from + 12));
             default -> sum(v, from, count >>> 1) + sum(v, from + (count >>> 1), count - (count >>> 1));
         };
+    }
+
+    private static float sumThree(float[] v, int from) {
+        return v[from] + (v[from + 1] + v[from + 2]);
     }
 
     private static float sumFour(float[] v, int from) {

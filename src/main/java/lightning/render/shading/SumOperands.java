@@ -81,4 +81,19 @@ public final class SumOperands {
         sumGreen[sumCount] = known[1];
         sumBlue[sumCount++] = known[2];
     }
+
+    /** Returns whether they are one light that has no color. */
+    public boolean isGray() {
+        return lightCount == 1 && sumCount == 0 && !tinted && red[0] == green[0] && red[0] == blue[0];
+    }
+
+    /** Writes the sum of rows {@code from … to − 1} of a light that has no color. */
+    public void writeGray(int from, int to, float[] sum) {
+        float[] lightTerm = term[0];
+        float[] lightFalloff = falloff[0];
+        float weight = red[0];
+        for (int i = from; i < to; i++) {
+            sum[i] = 0 + lightTerm[i] * lightFalloff[i] * weight;
+        }
+    }
 }

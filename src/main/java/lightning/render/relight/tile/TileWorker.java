@@ -407,7 +407,7 @@ final class TileWorker {
                 }
             }
             if (composed.isEmpty() && !showsEarlier) {
-                films.clear(job.target().parts().count());
+                films.clear(job.target().parts().count(), places.count());
             } else {
                 recomposer.composeFilms(top, places, composed, showsEarlier ? null : bounced, showsEarlier ? images : null,
                         showsEarlier ? edgeImages : null, fog, films);
@@ -430,7 +430,7 @@ final class TileWorker {
         }
         EdgeColors edges = !detectEdges ? null : old == null ? null : old.edges;
         if (changesEdges) {
-            EdgeColors now = isExact ? new EdgeColors(recomposer.mixer().edgeColors(all), edgeImages)
+            EdgeColors now = isExact ? new EdgeColors(recomposer.mixer().edgeColors(all, places.count()), edgeImages)
                     : weightedEdges(places, below.allLevels(top), below.isChanged() ? null : edgeImages, fog);
             edges = now.reuseIfEqual(edges);
         }
@@ -461,7 +461,7 @@ final class TileWorker {
         }
         edgeRecomposer.composeFilms(terms[0], places, parts.shining(), showsEarlier ? null : bounced, showsEarlier ? images : null,
                 showsEarlier ? images : null, fog, edgeFilms);
-        return new EdgeColors(edgeRecomposer.mixer().edgeColors(edgeFilms::get), images);
+        return new EdgeColors(edgeRecomposer.mixer().edgeColors(edgeFilms::get, places.count()), images);
     }
 
     /** Adds the films whose fog before the first level changes. */

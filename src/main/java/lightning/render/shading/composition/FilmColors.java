@@ -12,14 +12,21 @@ import org.jspecify.annotations.Nullable;
 public final class FilmColors {
     private float[] @Nullable [][] columns = new float[0][][];
     private boolean[] isShown = {};
+    private int positions = TermKernel.MAX_ROWS;
 
-    /** Returns the number of positions. */
+    /** Returns the number of positions that are used. */
     int positions() {
-        return TermKernel.MAX_ROWS;
+        return positions;
     }
 
     /** Makes all films black. */
     public void clear(int films) {
+        clear(films, TermKernel.MAX_ROWS);
+    }
+
+    /** Makes all films black. @param used number of positions, at most 1024; the values of others are undefined */
+    public void clear(int films, int used) {
+        positions = used;
         if (columns.length < films) {
             columns = Arrays.copyOf(columns, films);
             isShown = new boolean[films];
@@ -67,7 +74,7 @@ public final class FilmColors {
             columns[film] = its;
         } else {
             for (float[] channel : its) {
-                Arrays.fill(channel, 0);
+                Arrays.fill(channel, 0, positions, 0);
             }
         }
         isShown[film] = true;

@@ -1,6 +1,5 @@
 package lightning.render.shading.composition;
 
-import java.util.BitSet;
 import lightning.render.shading.SampleMean;
 
 /** Means of the samples of pixels in all films. Scratch memory for one thread. */
@@ -19,13 +18,13 @@ public final class FilmMeans {
         this.restCount = restCount;
     }
 
-    /** Makes all pixels black in all films. */
-    public void clear(int count) {
+    /** Makes all pixels black in all films. @param pixels their number, at most 1024 */
+    public void clear(int count, int pixels) {
         films = count;
-        means.clear(count);
+        means.clear(count, pixels);
     }
 
-    /** Returns the colors of a tile's pixels. */
+    /** Returns the colors of the pixels. */
     public FilmColors films() {
         return means;
     }
@@ -33,25 +32,24 @@ public final class FilmMeans {
     /**
      * Sets pixels to the means of their first samples.
      *
-     * @param pixels  indices of the pixels in the tile
+     * @param from    first of the pixels
+     * @param count   number of them
      * @param samples the samples of the first pixel, then of the next
      */
-    public void setFirst(short[] pixels, FilmColors samples) {
+    public void setFirst(int from, int count, FilmColors samples) {
         for (int film = 0; film < films; film++) {
-            float[][] mean = samples.mean(film, pixels.length, firstCount);
+            float[][] mean = samples.mean(film, count, firstCount);
             if (mean != null) {
                 float[][] to = means.toWrite(film);
                 for (int c = 0; c < 3; c++) {
-                    for (int i = 0; i < pixels.length; i++) {
-                        to[c][pixels[i]] = mean[c][i];
-                    }
+                    System.arraycopy(mean[c], 0, to[c], from, count);
                 }
             }
         }
     }
 
-    /** Combines pixels with the means of their further samples; parameters as above. @param used pixels that are combined */
-    public void addRest(short[] pixels, BitSet used, FilmColors samples) {
+    /** Combines pixels with the means of their further samples. @param pixels the pixels, whose samples are in this order */
+    public void addRest(int[] pixels, FilmColors samples) {
         float[] black = new float[pixels.length];
         for (int film = 0; film < films; film++) {
             float[][] its = samples.mean(film, pixels.length, restCount);
@@ -60,9 +58,6 @@ public final class FilmMeans {
                 float[][] to = means.toWrite(film);
                 for (int c = 0; c < 3; c++) {
                     for (int i = 0; i < pixels.length; i++) {
-                        if (!used.get(pixels[i])) {
-                            continue;
-                        }
                         to[c][pixels[i]] = SampleMean.combine(to[c][pixels[i]], firstCount, mean[c][i], restCount);
                     }
                 }

@@ -44,21 +44,21 @@ public final class FilmMixer {
 
     /** Writes the colors. */
     public void mix(FilmSum.Films films, float[][] to) {
-        mix(films, weights, weights.length, to);
+        mix(films, weights, weights.length, to[0].length, to);
     }
 
-    /** Returns packed colors by which edges are detected, {@code int[1024]}. */
-    public int[] edgeColors(FilmSum.Films films) {
-        mix(films, edgeWeights, weights.length + 1, edges);
-        return EdgeColors.pack(edges);
+    /** Returns packed colors by which edges are detected. @param positions their number */
+    public int[] edgeColors(FilmSum.Films films, int positions) {
+        mix(films, edgeWeights, weights.length + 1, positions, edges);
+        return EdgeColors.pack(edges, positions);
     }
 
     /** @param earlier film of earlier mirrors */
-    private void mix(FilmSum.Films films, LightWeight[] of, int earlier, float[][] to) {
-        sum.add(of, films, to[0].length, to);
+    private void mix(FilmSum.Films films, LightWeight[] of, int earlier, int positions, float[][] to) {
+        sum.add(of, films, positions, to);
         float[][] mirrors = films.get(earlier);
         for (int c = 0; mirrors != null && c < 3; c++) {
-            for (int i = 0; i < to[c].length; i++) {
+            for (int i = 0; i < positions; i++) {
                 to[c][i] += mirrors[c][i];
             }
         }

@@ -30,6 +30,8 @@ final class LevelComposer {
     private final boolean litTextures;
     private final LightSum lightSum;
     private final RowFactors factors;
+    private final ProductSum products = new ProductSum();
+    private final ParentRuns parents = new ParentRuns();
     private final MaterialTable materials;
     private final ShadingMaterial[] shadingMaterials;
     private final float[][] colors = new float[3][ROWS];
@@ -57,6 +59,7 @@ final class LevelComposer {
         for (int run = 0; run < rows.runCount; run++) {
             factors.set(rows, run, shadingMaterials[rows.runMaterial[run]]);
         }
+        parents.set(rows);
     }
 
     /**
@@ -81,11 +84,11 @@ final class LevelComposer {
         }
         int from = firstLitRow(rows);
         SumColumns sum = isLit ? lightSum.total(from, rows.count, rows.owner, parts, part, layers) : null;
-        float[][] diffuse = gathered == null ? sum == null || !components.contains(LightComponent.DIFFUSE) ? null : sum.diffuse
+        float[][] diffuse = gathered == null ? sum == null || !components.contains(LightComponent.DIFFUSE) ? null : sum.diffuse()
                 : withIndirect(requireNonNull(indirect), gathered, sum, from, rows.count);
         float[][] reflected = gathered == null ? null : reflected(requireNonNull(indirect), gathered);
         // Rows of one material keep the order of their parents. If every position has a row, row i goes to position i.
-        boolean inOrder = rows.runCount == 1 && rows.count == ROWS;
+        boolean inOrder = rows.runCount == 1 && rows.count == to.positions();
         float[][] target = to.toWrite(part);
         for (int r = 0; r < rows.runCount; r++) {
             ShadingMaterial material = shadingMaterials[rows.runMaterial[r]];
@@ -99,7 +102,7 @@ final class LevelComposer {
                 addEmission(rows, r, material, emission, run);
             }
             if (!inOrder) {
-                scatter(rows.parent, rows.runStart(r), rows.runEnd[r], target);
+                parents.scatter(rows.runStart(r), rows.runEnd[r], colors, target);
             }
         }
     }
@@ -117,7 +120,7 @@ final class LevelComposer {
     void composeImages(HitRows rows, BounceImages images, float[][] to) {
         for (int r = 0; r < rows.runCount; r++) {
             shade(rows, r, shadingMaterials[rows.runMaterial[r]], null, null, null, images.mirrored(), images.refracted(), colors);
-            scatter(rows.parent, rows.runStart(r), rows.runEnd[r], to);
+            parents.scatter(rows.runStart(r), rows.runEnd[r], colors, to);
         }
     }
 
@@ -140,7 +143,7 @@ final class LevelComposer {
         indirectSum = sum;
         indirect.weights().interpolate(gathered, sum);
         for (int c = 0; direct != null && components.contains(LightComponent.DIFFUSE) && c < 3; c++) {
-            add(direct.diffuse[c], sum[c], from, to);
+            add(direct.diffuse()[c], sum[c], from, to);
         }
         return sum;
     }
@@ -176,26 +179,27 @@ final class LevelComposer {
         int start = rows.runStart(run);
         int end = rows.runEnd[run];
         boolean shines = sum != null && sum.hasSpecular && material.hasSpecular() && components.contains(LightComponent.SPECULAR);
+        boolean isGrazing = shines && requireNonNull(sum).hasGrazing && material.texturedF0() != null;
         for (int c = 0; c < 3; c++) {
+            products.start(to[c], start, end);
             if (diffuse != null && material.takesLight()) {
-                multiply(factors.diffuse[c], diffuse[c], to[c], start, end);
-            } else {
-                Arrays.fill(to[c], start, end, 0);
+                products.add(factors.diffuse[c], diffuse[c]);
             }
-            if (shines && requireNonNull(sum).hasGrazing && material.texturedF0() != null) {
-                addProducts(factors.specular[c], sum.specular[c], factors.grazing[c], sum.grazing()[c], to[c], start, end);
+            if (isGrazing) {
+                products.addTwo(factors.specular[c], requireNonNull(sum).specular()[c], factors.grazing[c], sum.grazing()[c]);
             } else if (shines) {
-                addProduct(factors.specular[c], requireNonNull(sum).specular[c], to[c], start, end);
+                products.add(factors.specular[c], requireNonNull(sum).specular()[c]);
             }
             if (mirrored != null && start < rows.reflectiveCount) {
-                addProduct(factors.mirrored[c], mirrored[c], to[c], start, end);
+                products.add(factors.mirrored[c], mirrored[c]);
             }
             if (refracted != null && material.clarity() != null) {
-                addProduct(factors.refracted()[c], refracted[c], to[c], start, end);
+                products.add(factors.refracted()[c], refracted[c]);
             }
             if (reflected != null && material.principled() != null && material.clarity() == null) {
-                addProducts(factors.first()[c], reflected[c], factors.second()[c], reflected[3 + c], to[c], start, end);
+                products.addTwo(factors.first()[c], reflected[c], factors.second()[c], reflected[3 + c]);
             }
+            products.write();
         }
     }
 
@@ -207,24 +211,6 @@ final class LevelComposer {
             if (amount > 0) {
                 addEmitted(rows, isMapped, c, amount, factors.emitted[c], to[c], rows.runStart(run), rows.runEnd[run]);
             }
-        }
-    }
-
-    private static void multiply(float[] a, float[] b, float[] to, int start, int end) {
-        for (int i = start; i < end; i++) {
-            to[i] = a[i] * b[i];
-        }
-    }
-
-    private static void addProduct(float[] a, float[] b, float[] to, int start, int end) {
-        for (int i = start; i < end; i++) {
-            to[i] += a[i] * b[i];
-        }
-    }
-
-    private static void addProducts(float[] a, float[] b, float[] c, float[] d, float[] to, int start, int end) {
-        for (int i = start; i < end; i++) {
-            to[i] += a[i] * b[i] + c[i] * d[i];
         }
     }
 
@@ -244,21 +230,6 @@ final class LevelComposer {
             for (float[] channel : to) {
                 Arrays.fill(channel, rows.runStart(run), rows.runEnd[run], 0);
             }
-        }
-    }
-
-    /** Writes the colors of a run's rows to their parents, in blocks of consecutive parents. */
-    private void scatter(short[] parent, int start, int end, float[][] to) {
-        for (int i = start; i < end;) {
-            int first = parent[i];
-            int next = i + 1;
-            while (next < end && parent[next] - first == next - i) {
-                next++;
-            }
-            for (int c = 0; c < 3; c++) {
-                System.arraycopy(colors[c], i, to[c], first, next - i);
-            }
-            i = next;
         }
     }
 }

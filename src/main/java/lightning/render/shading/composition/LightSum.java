@@ -221,9 +221,9 @@ final class LightSum {
         if (known == null) {
             return;
         }
-        diffuse.addSum(known.diffuse);
+        diffuse.addSum(known.diffuse());
         if (known.hasSpecular) {
-            specular.addSum(known.specular);
+            specular.addSum(known.specular());
         }
         if (known.hasGrazing) {
             grazing.addSum(known.grazing());
@@ -253,15 +253,26 @@ final class LightSum {
             scratch.add(new SumColumns());
         }
         SumColumns sum = scratch.get(usedScratch);
-        sumKernel.sum(firstRow, rows, diffuse, sum.diffuse);
+        sum.isDiffuseGray = diffuse.isGray();
+        sum(diffuse, sum.isDiffuseGray, sum.diffuse());
         sum.hasSpecular = !specular.isEmpty();
+        sum.isSpecularGray = specular.isGray();
         if (sum.hasSpecular) {
-            sumKernel.sum(firstRow, rows, specular, sum.specular);
+            sum(specular, sum.isSpecularGray, sum.specular());
         }
         sum.hasGrazing = !grazing.isEmpty();
         if (sum.hasGrazing) {
             sumKernel.sum(firstRow, rows, grazing, sum.grazing());
         }
         return sum;
+    }
+
+    /** Computes a sum. @param isGray whether it is the same in all channels */
+    private void sum(SumOperands operands, boolean isGray, float[][] to) {
+        if (isGray) {
+            operands.writeGray(firstRow, rows, to[0]);
+        } else {
+            sumKernel.sum(firstRow, rows, operands, to);
+        }
     }
 }

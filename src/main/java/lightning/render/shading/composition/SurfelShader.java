@@ -52,7 +52,7 @@ public final class SurfelShader {
         if (!LightSum.isLit(parts, part, layers)) {
             return false;
         }
-        float[][] sum = lightSum.total(0, rows.count, rows.owner, parts, part, layers).diffuse;
+        float[][] sum = lightSum.total(0, rows.count, rows.owner, parts, part, layers).diffuse();
         for (int c = 0; c < 3; c++) {
             for (int row = 0; row < rows.count; row++) {
                 to[c][numbers[rows.parent[row]]] = sum[c][row];

@@ -43,7 +43,7 @@ public final class TileComposer {
         FilmColors[] images = images(depth);
         for (BounceKind bounce : BounceKind.values()) {
             FilmColors colors = images[bounce.ordinal()];
-            colors.clear(parts.count());
+            colors.clear(parts.count(), bounce.rowCount(rows));
             if (bounce.rowCount(rows) > 0) {
                 for (int part = films.nextSetBit(0); part >= 0; part = films.nextSetBit(part + 1)) {
                     if (backgroundShader.showsBackground(parts, part)) {
@@ -69,7 +69,7 @@ public final class TileComposer {
 
     /** Makes all films black and fills the background of a tile in some, before its first level is composed. */
     public void fillBackground(HitRows rows, FilmParts parts, BitSet films, SamplePositions places, FilmColors to) {
-        to.clear(parts.count() + FilmMixer.EARLIER_FILMS);
+        to.clear(parts.count() + FilmMixer.EARLIER_FILMS, places.count());
         for (int part = films.nextSetBit(0); part >= 0; part = films.nextSetBit(part + 1)) {
             if (rows.count < to.positions() && backgroundShader.showsBackground(parts, part)) {
                 backgroundShader.shadeEyeRays(rows, parts, part, places, to.toWrite(part));

@@ -166,8 +166,8 @@ class LightSumTest {
     private void assertTree(SumColumns sum) {
         for (int i = firstRow; i < rows; i++) {
             for (int channel = 0; channel < 3; channel++) {
-                assertSameBits(sum.diffuse[channel][i], treeSum(i, channel, false), "diffuse");
-                assertSameBits(sum.hasSpecular ? sum.specular[channel][i] : 0, treeSum(i, channel, true), "specular");
+                assertSameBits(sum.diffuse()[channel][i], treeSum(i, channel, false), "diffuse");
+                assertSameBits(sum.hasSpecular ? sum.specular()[channel][i] : 0, treeSum(i, channel, true), "specular");
             }
         }
     }
