@@ -135,9 +135,4 @@ public sealed interface MixerChannel {
                     scene.lights().stream().filter(light -> light.lightGroup().equals(name)).map(Contribution::of).toList();
         };
     }
-
-    /** Returns the number among the scene's environments of an environment; −1 for other channels, and for a dome without an image. */
-    default int environmentIndex(Scene scene) {
-        return this instanceof OfContribution(Contribution contribution) ? contribution.environmentIndex(scene) : -1;
-    }
 }

@@ -180,7 +180,12 @@ public final class PixelCache {
         return Arrays.stream(tiles).mapToLong(tile -> tile.films == null ? 0 : tile.films.bytes()).sum();
     }
 
-    /** Returns the bytes of all rows, without colors. */
+    /** Returns whether any tile keeps the films of its centers. */
+    public boolean keepsFilms() {
+        return Arrays.stream(tiles).anyMatch(tile -> tile.films != null);
+    }
+
+    /** Returns the bytes of all rows, without colors. Visits all layers, so it takes as long as a small update. */
     public long bytes() {
         return allTiles().stream().mapToLong(CachedTile::bytes).sum() + indirectBytes();
     }

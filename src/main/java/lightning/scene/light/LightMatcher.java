@@ -90,13 +90,4 @@ public final class LightMatcher {
         }
         return removed;
     }
-
-    /** Returns whether every light kept its index and none was added or deleted. */
-    public boolean keepsOrder() {
-        boolean unchanged = origins.length == used.length;
-        for (int i = 0; unchanged && i < origins.length; i++) {
-            unchanged = origins[i] == i;
-        }
-        return unchanged;
-    }
 }

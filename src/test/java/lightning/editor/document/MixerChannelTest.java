@@ -71,7 +71,6 @@ class MixerChannelTest {
         Scene scene = own.withWorld(own.world().withDomes(List.of(dome)));
         MixerChannel channel = new MixerChannel.OfContribution(new Contribution.OfDome("studio"));
         assertThat(MixerChannel.channelsOf(scene)).endsWith(ENVIRONMENT, channel);
-        assertThat(channel.environmentIndex(scene)).isEqualTo(1);
         assertThat(channel.with(scene, v -> v.withIntensity(3)).world().domes()).containsExactly(dome.withIntensity(3));
         Scene muted = channel.with(scene, v -> v.withOn(false));
         assertThat(muted.world().domes()).containsExactly(dome.withOn(false));

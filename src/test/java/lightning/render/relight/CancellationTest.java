@@ -111,7 +111,7 @@ class CancellationTest {
 
     private static Object parts(LevelPlan level) {
         return level == null ? "none" : List.of(level.layers().stream().map(CancellationTest::parts).toList(), level.droppedLights(),
-                level.recomposeAll(), level.materials());
+                level.materials());
     }
 
     private static Object parts(LayerPlan layer) {

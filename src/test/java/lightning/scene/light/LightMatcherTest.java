@@ -54,13 +54,13 @@ class LightMatcherTest {
     }
 
     @Test
-    void editedLights_keepOrder() {
-        assertThat(new LightMatcher(List.of(KEY, FILL), List.of(KEY.withOn(false), FILL.withName("sun"))).keepsOrder()).isTrue();
+    void renamedLight_isMatched() {
+        assertThat(new LightMatcher(List.of(KEY, FILL), List.of(KEY.withOn(false), FILL.withName("sun"))).originIndex(1)).isEqualTo(1);
     }
 
     @Test
-    void swappedLights_changeOrder() {
-        assertThat(new LightMatcher(List.of(KEY, FILL), List.of(FILL, KEY)).keepsOrder()).isFalse();
+    void swappedLights_areMatchedByName() {
+        assertThat(new LightMatcher(List.of(KEY, FILL), List.of(FILL, KEY)).originIndex(0)).isEqualTo(1);
     }
 
     @Property

@@ -98,7 +98,6 @@ public final class Dispatcher {
         LightMatcher match = new LightMatcher(known.rig().effectiveLights(), target.rig().effectiveLights());
         WeightedLight[] rendered = FilmParts.of(target).lights();
         List<LayerPlan> layers = new ArrayList<>();
-        boolean dropsLayers = false;
         for (int l = 0; l < match.after().size(); l++) {
             WeightedLight lit = WeightedLight.of(match.after().get(l), target);
             // A gain may lift a weight above 0 that is 0 in its film.
@@ -113,14 +112,9 @@ public final class Dispatcher {
             ShapeChange shadows = stamp != null ? shapes.shadowChange(shown, stamp.light().shadowCasters(),
                     LayerPlan.shadowing(light.light(), stamp, update).shadowCasters()) : ShapeChange.NONE;
             layers.add(LayerPlan.of(light, isDropped ? null : origin, update, shadows, known, target.stage(), shapes));
-            dropsLayers |= isDropped;
         }
         List<String> dropped = match.removedIndices().stream().map(i -> match.before().get(i).name()).toList();
-        // A change of the order or number of lights changes how their sum is grouped.
-        boolean compose = dropsLayers || !match.keepsOrder() || !known.world().equals(target.world())
-                || !known.picture().indirect().equals(target.picture().indirect());
-        return new LevelPlan(layers, dropped, compose,
-                MaterialDifference.between(shown.materials(), materials));
+        return new LevelPlan(layers, dropped, MaterialDifference.between(shown.materials(), materials));
     }
 
     /**

@@ -20,10 +20,9 @@ import lightning.scene.Scene;
  *
  * @param layers        one plan for each light of the target scene, in its order
  * @param droppedLights names of lights whose layers are dropped (§4.6)
- * @param recomposeAll  true if the equation must be evaluated everywhere: the ambience, background or set of lights changed
  * @param materials     update of the rows of changed materials
  */
-public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, boolean recomposeAll, MaterialUpdate materials) {
+public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, MaterialUpdate materials) {
     public LevelPlan {
         layers = List.copyOf(layers);
         droppedLights = List.copyOf(droppedLights);
@@ -43,7 +42,7 @@ public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, bool
                     refreshed.test(light) ? new LightUpdate.Refresh() : new LightUpdate.Keep(), ShapeChange.NONE, scene,
                     scene.stage(), ShapeChange.NONE));
         }
-        return new LevelPlan(layers, List.of(), true, MaterialUpdate.none(materials));
+        return new LevelPlan(layers, List.of(), MaterialUpdate.none(materials));
     }
 
     /** Returns whether nothing but weights of lights that shone or stay dark changes. */

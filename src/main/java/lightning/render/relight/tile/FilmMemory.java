@@ -15,16 +15,16 @@ public final class FilmMemory {
 
     private FilmMemory() {}
 
-    /** Returns whether keeping the films of pixel centers pays: composing them gathers light, crosses fog, or reads the rows of many lights. */
+    /** Returns whether keeping the films of pixel centers pays from the start: composing them gathers light, crosses fog, or reads the rows of many lights. */
     static boolean pays(Scene scene) {
         boolean hasManyRows = scene.picture().sampling().isSupersampled() || SceneEffects.of(scene).spawnsSecondaryRays();
         return scene.world().fog().isPresent() || GatherSettings.of(scene).isPresent()
                 || hasManyRows && FilmParts.of(scene).shining().cardinality() >= MANY_FILMS;
     }
 
-    /** Returns the maximum bytes of the films of pixel centers, if tiles keep them. */
-    static long maxCenterBytes(Scene scene) {
-        return pays(scene) ? bytes(scene, 1) : 0;
+    /** Returns the maximum bytes of the films of pixel centers. */
+    static long centerBytes(Scene scene) {
+        return bytes(scene, 1);
     }
 
     /** Returns the maximum bytes of the films of finer samples: means of two groups of samples, and their mean. */
@@ -32,9 +32,9 @@ public final class FilmMemory {
         return scene.picture().sampling().isSupersampled() ? bytes(scene, 3) : 0;
     }
 
-    /** Returns the maximum bytes of all films that are kept. */
+    /** Returns the maximum bytes of all films that are kept, before weights are edited. */
     public static long maxBytes(Scene scene, boolean centersOnly) {
-        return maxCenterBytes(scene) + (centersOnly ? 0 : maxSampleBytes(scene));
+        return (pays(scene) ? centerBytes(scene) : 0) + (centersOnly ? 0 : maxSampleBytes(scene));
     }
 
     private static long bytes(Scene scene, int copies) {

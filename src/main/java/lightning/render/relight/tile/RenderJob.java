@@ -39,6 +39,7 @@ import org.jspecify.annotations.Nullable;
  * @param bounceFog fog along bounced rays of the target scene of mirrors; null if no light is seen there, or before it is computed
  * @param changesBounceFog whether it shows other light than in the last picture
  * @param onlyReweights whether nothing but weights of known films changes, and edges do not
+ * @param keepsFilms    whether tiles store their films
  */
 @RecordBuilder
 public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Scene mirroredScene, RenderOptions options,
@@ -46,13 +47,13 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Scene 
         Progress progress, FilmUpdate films, FilmUpdate mirroredFilms, boolean togglesMirrors,
         IndirectChange indirectChange, IndirectChange mirroredIndirectChange, @Nullable PictureFog fog,
         @Nullable PictureFog bounceFog,
-        boolean changesBounceFog, boolean onlyReweights) implements RenderJobBuilder.With {
+        boolean changesBounceFog, boolean onlyReweights, boolean keepsFilms) implements RenderJobBuilder.With {
 
     private static RenderJob of(PreparedScene target, PreparedScene mirrorTarget, Scene mirroredScene, RenderOptions options,
             UpdatePlan.@Nullable Relight plan, Progress progress, FilmUpdate films, FilmUpdate mirroredFilms) {
         return new RenderJob(target, mirrorTarget, mirroredScene, options, plan, progress, films, mirroredFilms, false, IndirectChange.NONE,
                 IndirectChange.NONE,
-                null, null, false, false);
+                null, null, false, false, false);
     }
 
     /** Creates the job of a first pass. */
@@ -115,15 +116,31 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Scene 
 
     /** Returns whether finer samples and all films stay, if indirect light and fog do. */
     public boolean keepsSamples() {
-        return plan != null && plan.top().onlyReweights() && plan.mirrors() != null && plan.mirrors().onlyReweights()
-                && plan.shapes().isEmpty() && !plan.resampled() && plan.oldDepth() == plan.newDepth() && !areMirrorsOutdated()
-                && !togglesMirrors && options.method().isExact() && !storesImages() && films.isSame() && !films.changesEdges();
+        return reweights() && films.isSame() && !films.changesEdges();
     }
 
-    /** Returns this job, whose indirect light and fog are known, with {@link #onlyReweights}. @param old cache of the last picture */
+    /** Returns whether nothing changes but weights, maybe between dark and lit. */
+    private boolean reweights() {
+        return plan != null && plan.top().onlyReweights() && plan.mirrors() != null && plan.mirrors().onlyReweights()
+                && plan.shapes().isEmpty() && !plan.resampled() && plan.oldDepth() == plan.newDepth() && !togglesMirrors && canKeepFilms();
+    }
+
+    /**
+     * Returns this job, whose indirect light and fog are known, with {@link #onlyReweights} and {@link #keepsFilms}.
+     *
+     * @param old cache of the last picture
+     */
     RenderJob compare(@Nullable PixelCache old) {
-        return withOnlyReweights(keepsSamples() && indirectChange.isNone() && !changesBounceFog
-                && !FogUpdate.showsOtherLight(requireNonNull(old).shown().fog(), fog));
+        boolean only = keepsSamples() && indirectChange.isNone() && !changesBounceFog
+                && !FogUpdate.showsOtherLight(requireNonNull(old).shown().fog(), fog);
+        return with(job -> job.onlyReweights(only).keepsFilms(doFilmsPay(old)));
+    }
+
+    /** Returns whether films are worth their memory: composing them takes much longer than adding them, or weights are being edited. */
+    private boolean doFilmsPay(@Nullable PixelCache old) {
+        long bytes = FilmMemory.centerBytes(scene());
+        return canKeepFilms() && FilmMemory.pays(scene()) && bytes <= options.memory() / 4
+                || reweights() && old != null && (old.keepsFilms() || old.bytes() + bytes <= options.memory());
     }
 
     private static @Nullable IndirectLight light(@Nullable IndirectCache indirect) {
@@ -140,10 +157,9 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Scene 
         return !options.keepsReflectionsCurrent() || !storesMirrorRows();
     }
 
-    /** Returns whether tiles store their films: where composing them again takes much longer than adding them. */
-    boolean keepsFilms() {
-        return options.method().isExact() && !storesImages() && !areMirrorsOutdated()
-                && FilmMemory.pays(scene()) && FilmMemory.maxCenterBytes(scene()) <= options.memory() / 4;
+    /** Returns whether stored films can add up to the picture. */
+    private boolean canKeepFilms() {
+        return options.method().isExact() && !storesImages() && !areMirrorsOutdated();
     }
 
     /** Returns whether the scene has finer samples only at edges. */

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Test;
 class RenderStateTest {
     private static final Scene SCENE = StudioScene.of(LightType.POINT);
     private static final Film FILM = Film.black(2, 2);
-    private static final UpdatePlan SAMPLES = new UpdatePlan.Relight(new LevelPlan(List.of(), List.of(), true,
+    private static final UpdatePlan SAMPLES = new UpdatePlan.Relight(new LevelPlan(List.of(), List.of(),
             new MaterialUpdate(Geometry.of(SCENE).materials(), MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE)),
             null, 2, 2, true, ShapeChange.NONE, PathUpdate.NONE);
 
