@@ -6,6 +6,7 @@ import lightning.render.engine.KernelAgreement;
 import lightning.render.relight.paper.RatioRows;
 import lightning.render.shading.composition.RowKernels;
 import lightning.render.shading.layer.LightRows;
+import lightning.render.trace.BruteForce;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
@@ -58,7 +59,7 @@ public final class KernelReferenceRows {
                 Vec3 point = new Vec3(rows.px[i], rows.py[i], rows.pz[i]);
                 int state = !(cosine > 0) ? LightRows.FACING_AWAY
                         : !equation.insideCone() ? LightRows.OUTSIDE_CONE
-                        : geometry.isBlockedBruteForce(point, end) ? LightRows.SHADOWED
+                        : BruteForce.isBlocked(geometry, point, end) ? LightRows.SHADOWED
                         : LightRows.LIT;
                 KernelAgreement.requireEqual(layer.state(i) == state, "state of row", i);
                 KernelAgreement.requireEqual(layer.cosine[i], state == LightRows.LIT ? cosine : 0, "cosine of row", i);

@@ -1,21 +1,32 @@
 package lightning.scene;
 
 import io.soabase.recordbuilder.core.RecordBuilder;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
 import lightning.scene.asset.Environment;
+import lightning.scene.asset.EnvironmentLight;
+import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.light.AreaShape;
+import lightning.scene.light.EnvironmentLights;
+import lightning.scene.light.Light;
+import lightning.scene.light.LightType;
 import lightning.scene.value.DomeRotation;
 import lightning.scene.value.SceneLimits;
 
 /**
- * Further environment of a scene, whose radiance is added to that of the world's own environment.
+ * Environment of a scene, whose radiance is added to that of the others: a dome, or the world's own.
  *
- * @param name       unique among domes, lights, light groups, shapes and groups
+ * @param name       of a dome: unique among domes, lights, light groups, shapes and groups; of its lights, before a number
  * @param image      environment map; a dome without one has no effect
  * @param rotation   rotation of the image
  * @param intensity  factor of its image and light
@@ -50,6 +61,12 @@ public record Dome(String name, Optional<Environment> image, DomeRotation rotati
     public static final List<SceneAttribute<Dome, ?>> ATTRIBUTES =
             List.of(ENVIRONMENT, ROTATION, TILT, ROLL, INTENSITY, GAIN, LIGHT_COUNT, SOFTNESS, ON, SOLO);
 
+    /** Samples of a light that is hardly larger than the sun, and of a larger one. */
+    private static final int SUN_SAMPLES = SceneLimits.MIN_LIGHT_SAMPLES;
+    private static final int SAMPLES = AreaShape.DEFAULT.samples();
+    /** Half-angle of a light with few samples, degrees. */
+    private static final double SUN = 1;
+
     public Dome {
         SceneLimits.checkName(name);
         ROTATION.check(rotation.rotation());
@@ -79,13 +96,68 @@ public record Dome(String name, Optional<Environment> image, DomeRotation rotati
                 : !on && attribute != ON ? Optional.of(Messages.tr("the dome is off")) : Optional.empty();
     }
 
-    /** Returns its environment; empty without an image. */
-    Optional<EnvironmentLayer> layer() {
-        return image.map(e -> new EnvironmentLayer(name, e.map(), rotation, intensity, gain, lightCount, softness, on, solo));
+    /**
+     * Returns the decoded image.
+     *
+     * @throws java.util.NoSuchElementException if it has none
+     */
+    public EnvironmentMap map() {
+        return image.orElseThrow().map();
     }
 
     /** Returns the factor of its light, ≥ 0; 0 if it is off or without an image. */
     public double lightIntensity() {
         return on && image.isPresent() ? intensity * gain : 0;
+    }
+
+    /**
+     * Returns the directional lights of its small bright parts. At least one stands for it, even if it is dark.
+     *
+     * @param isUsed test for names of other lights
+     */
+    EnvironmentLights brightLights(Predicate<String> isUsed) {
+        return new EnvironmentLights(lights(map().brightLights(lightCount), lightCount, isUsed), intensity * gain);
+    }
+
+    /**
+     * Returns directional lights that stand for all of its light, where nothing gathers its smooth light.
+     *
+     * @param count  maximum number
+     * @param isUsed test for names of other lights
+     */
+    public List<Light> approximateLights(int count, Predicate<String> isUsed) {
+        return new EnvironmentLights(lights(map().lights(count), count, isUsed), intensity * gain).lights();
+    }
+
+    private List<Light> lights(List<EnvironmentLight> sources, int count, Predicate<String> isUsed) {
+        List<Light> lights = new ArrayList<>();
+        String prefix = name;
+        while (isAnyUsed(prefix, count, isUsed)) {
+            prefix += "'";
+        }
+        for (EnvironmentLight source : sources) {
+            Vec3 direction = rotation.toWorld().transformVector(source.direction());
+            double spread = spread(source, direction);
+            double maxChannel = Math.max(source.red(), Math.max(source.green(), source.blue()));
+            lights.add(Light.of(prefix + " " + (lights.size() + 1), LightType.DIRECTIONAL)
+                    .withDirection(direction.negated())
+                    .withColor(maxChannel > 0 ? new Rgb(source.red() / maxChannel, source.green() / maxChannel, source.blue() / maxChannel)
+                            : Rgb.BLACK)
+                    .withOn(on)
+                    .withSolo(solo && lightIntensity() > 0)
+                    .withIntensity(Math.min(maxChannel * source.meanLength(), SceneLimits.MAX_ENVIRONMENT_LIGHT_INTENSITY))
+                    .withArea(AreaShape.DEFAULT.withSpread(spread).withSamples(spread > SUN ? SAMPLES : SUN_SAMPLES)));
+        }
+        return lights;
+    }
+
+    /** Returns the half-angle of a light in degrees, at most its angle to the horizon: light from below would be lost to a floor. */
+    private double spread(EnvironmentLight source, Vec3 direction) {
+        double elevation = Math.toDegrees(StrictMath.asin(Math.min(Math.abs(direction.y()), 1)));
+        return Math.min(source.spread() * softness, elevation);
+    }
+
+    private static boolean isAnyUsed(String name, int count, Predicate<String> isUsed) {
+        return IntStream.rangeClosed(1, count).anyMatch(number -> isUsed.test(name + " " + number));
     }
 }

@@ -169,11 +169,10 @@ public record World(double ambience, Rgb background, Optional<Environment> image
      * Returns all environments, in the order in which their radiances are summed: its own, then the domes with an image. Looks up the sky, so
      * callers do this once for many rays.
      */
-    public List<EnvironmentLayer> environments() {
-        return Stream.concat(
-                environment().map(e -> new EnvironmentLayer(NAME, e.map(), dome, intensity, gain, lightCount, softness, true, solo))
-                        .stream(),
-                domes.stream().flatMap(d -> d.layer().stream())).toList();
+    public List<Dome> environments() {
+        Stream<Dome> own = environment().stream()
+                .map(e -> new Dome(NAME, Optional.of(e), dome, intensity, gain, lightCount, softness, true, solo));
+        return Stream.concat(own, domes.stream().filter(d -> d.image().isPresent())).toList();
     }
 
     /** Returns the images of its environments, each once; not those of skies. */
@@ -204,7 +203,7 @@ public record World(double ambience, Rgb background, Optional<Environment> image
      * @param isUsed test for names of other lights
      */
     List<EnvironmentLights> environmentLights(Predicate<String> isUsed) {
-        return lights(isUsed, EnvironmentLayer::brightLights, EnvironmentLights::units);
+        return lights(isUsed, Dome::brightLights, EnvironmentLights::units);
     }
 
     /**
@@ -213,16 +212,16 @@ public record World(double ambience, Rgb background, Optional<Environment> image
      * @param isUsed test for names of other lights
      */
     List<Light> approximateLights(Predicate<String> isUsed) {
-        BiFunction<EnvironmentLayer, Predicate<String>, List<Light>> approximate =
+        BiFunction<Dome, Predicate<String>, List<Light>> approximate =
                 (layer, used) -> layer.on() ? layer.approximateLights(layer.lightCount(), used) : List.of();
         return lights(isUsed, approximate, added -> added).stream().flatMap(List::stream).toList();
     }
 
-    private <T> List<T> lights(Predicate<String> isUsed, BiFunction<EnvironmentLayer, Predicate<String>, T> lightsOf,
+    private <T> List<T> lights(Predicate<String> isUsed, BiFunction<Dome, Predicate<String>, T> lightsOf,
             Function<T, List<Light>> list) {
         List<T> lights = new ArrayList<>();
         Set<String> names = new HashSet<>();
-        for (EnvironmentLayer layer : environments()) {
+        for (Dome layer : environments()) {
             T added = lightsOf.apply(layer, name -> isUsed.test(name) || names.contains(name));
             list.apply(added).forEach(light -> names.add(light.name()));
             lights.add(added);

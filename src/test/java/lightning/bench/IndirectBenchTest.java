@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.base.work.Progress;
 import lightning.bench.accuracy.ModernCases;
+import lightning.bench.report.IndirectTables;
 import lightning.bench.result.BenchResults;
 import lightning.bench.result.EffectResult;
 import lightning.bench.result.IndirectAccuracy;
@@ -101,10 +102,10 @@ class IndirectBenchTest {
 
     @Test
     void slope_isTheExponent() {
-        IndirectGrowth growth = new IndirectGrowth("lights", "room", List.of(point(1, 3), point(4, 6), point(16, 12)));
-        assertThat(growth.slope(IndirectGrowth.Point::extraMs)).isEqualTo(0.5, within(1e-12));
-        assertThat(growth.slope(p -> p.intensity().median())).isEqualTo(0, within(1e-12));
-        assertThat(new IndirectGrowth("lights", "room", List.of(point(1, 3))).slope(IndirectGrowth.Point::extraMs)).isNaN();
+        List<IndirectGrowth.Point> points = List.of(point(1, 3), point(4, 6), point(16, 12));
+        assertThat(IndirectTables.exponent(points, IndirectGrowth.Point::extraMs)).isEqualTo(0.5, within(1e-12));
+        assertThat(IndirectTables.exponent(points, p -> p.intensity().median())).isEqualTo(0, within(1e-12));
+        assertThat(IndirectTables.exponent(points.subList(0, 1), IndirectGrowth.Point::extraMs)).isNaN();
     }
 
     private static IndirectGrowth.Point point(long at, double extraMs) {

@@ -3,6 +3,7 @@ package lightning.sample;
 import java.util.List;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
+import lightning.render.trace.BruteForce;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.PixelRays;
 import lightning.render.trace.SurfacePoint;
@@ -40,7 +41,7 @@ sealed interface RelativePosition {
         public Vec3 in(Scene scene) {
             Geometry geometry = Geometry.of(scene);
             Ray ray = new PixelRays(scene).ray(x % scene.picture().width(), y % scene.picture().height());
-            int shape = geometry.nearestBruteForce(ray);
+            int shape = BruteForce.nearest(geometry, ray);
             if (shape < 0) {
                 return scene.camera().to();
             }

@@ -9,6 +9,7 @@ import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.format.jen.JenReader;
 import lightning.render.engine.KernelAgreement;
+import lightning.render.trace.BruteForce;
 import lightning.render.trace.CameraRays;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.SurfacePoint;
@@ -70,14 +71,14 @@ public class RayKernels {
         light = geometry.toRenderSpace(read.lights().stream().filter(l -> l.type().hasPosition()).findFirst().orElseThrow().position());
         primary();
         for (int i = 0; i < EYE_RAYS; i++) {
-            KernelAgreement.requireEqual(nearest[i] == geometry.nearestBruteForce(camera.pixelRay(i % SIZE, i / SIZE)), "primary ray", i);
+            KernelAgreement.requireEqual(nearest[i] == BruteForce.nearest(geometry, camera.pixelRay(i % SIZE, i / SIZE)), "primary ray", i);
         }
         collectShadowRays();
         shadow();
         int at = 0;
         for (ShadowTile tile : shadows) {
             for (Ray ray : tile.rays) {
-                KernelAgreement.requireEqual(blocked[at] == geometry.isBlockedBruteForce(ray, 1), "shadow ray", at++);
+                KernelAgreement.requireEqual(blocked[at] == BruteForce.isBlocked(geometry, ray, 1), "shadow ray", at++);
             }
         }
     }

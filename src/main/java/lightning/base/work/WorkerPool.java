@@ -55,32 +55,23 @@ public final class WorkerPool implements AutoCloseable {
      * @throws CancellationException if {@code progress} canceled the run; some tiles were then not run
      */
     public void run(int tiles, TileTask task, Progress progress) {
-        run(tiles, 1, task, progress);
-    }
-
-    /**
-     * Like {@link #run(int, TileTask, Progress)}, but each free thread takes the next {@code batchSize} tiles in order, fewer at the end.
-     *
-     * @throws CancellationException if {@code progress} canceled the run; some tiles were then not run
-     */
-    public void run(int tiles, int batchSize, TileTask task, Progress progress) {
         AtomicInteger next = new AtomicInteger();
         AtomicInteger done = new AtomicInteger();
         AtomicReference<Throwable> failure = new AtomicReference<>();
         Progress shared = shareCancellation(progress);
         // Parties: the caller and every thread that started before the caller ran out of tiles. Terminates when all have arrived.
         Phaser phaser = new Phaser(1);
-        int helpers = Math.min(count, Math.ceilDiv(tiles, batchSize)) - 1;
+        int helpers = Math.min(count, tiles) - 1;
         for (int worker = 1; worker <= helpers; worker++) {
             int workerIndex = worker;
             threads.execute(() -> {
                 if (phaser.register() == RUNNING_PHASE) {
-                    work(workerIndex, tiles, batchSize, next, done, task, shared, failure);
+                    work(workerIndex, tiles, next, done, task, shared, failure);
                 }
                 phaser.arriveAndDeregister();
             });
         }
-        work(0, tiles, batchSize, next, done, task, shared, failure);
+        work(0, tiles, next, done, task, shared, failure);
         phaser.arriveAndAwaitAdvance();
         switch (failure.get()) {
             case null -> {
@@ -113,21 +104,18 @@ public final class WorkerPool implements AutoCloseable {
         };
     }
 
-    private static void work(int worker, int tiles, int batchSize, AtomicInteger next, AtomicInteger done, TileTask task,
+    private static void work(int worker, int tiles, AtomicInteger next, AtomicInteger done, TileTask task,
             Progress progress, AtomicReference<Throwable> failure) {
         try {
-            for (int first = next.getAndAdd(batchSize); first < tiles; first = next.getAndAdd(batchSize)) {
-                int end = first + Math.min(batchSize, tiles - first);
-                for (int tile = first; tile < end; tile++) {
-                    if (failure.get() != null || progress.isCanceled()) {
-                        return;
-                    }
-                    task.run(worker, tile);
-                    if (progress.isCanceled()) {
-                        return;
-                    }
-                    progress.report(done.incrementAndGet(), tiles);
+            for (int tile = next.getAndIncrement(); tile < tiles && failure.get() == null; tile = next.getAndIncrement()) {
+                if (progress.isCanceled()) {
+                    return;
                 }
+                task.run(worker, tile);
+                if (progress.isCanceled()) {
+                    return;
+                }
+                progress.report(done.incrementAndGet(), tiles);
             }
         } catch (Throwable e) {
             failure.compareAndSet(null, e);

@@ -2,7 +2,6 @@ package lightning.bench.report;
 
 import java.util.List;
 import lightning.render.measure.AccuracySetting;
-import lightning.render.measure.ParetoFront;
 
 /** Chart of error against time with a point per accuracy setting. */
 final class AccuracyChart {
@@ -19,10 +18,5 @@ final class AccuracyChart {
     static String svg(String label, List<Point> measured, int width, int height) {
         return ParetoChart.svg(label, measured.stream().map(Point::toChart).toList(), width, height,
                 at -> NumberText.power((int) Math.round(Math.log10(at))));
-    }
-
-    /** Returns the Pareto-optimal settings, fastest first. */
-    static List<Point> paretoFront(List<Point> points) {
-        return ParetoFront.of(points, Point::median, Point::error);
     }
 }

@@ -21,10 +21,4 @@ public record ErrorCurve(String program, int referenceSamples, int width, int he
     public Optional<ErrorPoint> find(String setting) {
         return points.stream().filter(point -> point.setting().equals(setting)).findFirst();
     }
-
-    /** Returns the fastest point whose error is at most that; empty if there is none. */
-    public Optional<ErrorPoint> fastestWithin(double error) {
-        return points.stream().filter(point -> point.error() <= error)
-                .min((a, b) -> Double.compare(a.time().median(), b.time().median()));
-    }
 }

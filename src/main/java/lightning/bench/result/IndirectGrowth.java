@@ -1,7 +1,6 @@
 package lightning.bench.result;
 
 import java.util.List;
-import java.util.function.ToDoubleFunction;
 
 /**
  * Costs of indirect light as a function of one dimension.
@@ -33,19 +32,5 @@ public record IndirectGrowth(String along, String scene, List<Point> points) {
         public double extraMs() {
             return Math.max(0, first.median() - without.median());
         }
-    }
-
-    /**
-     * Returns the exponent of the power law that fits a value best, by least squares of the logarithms: 1 if it grows in proportion. NaN if
-     * there are fewer than two points with positive values.
-     */
-    public double slope(ToDoubleFunction<Point> value) {
-        List<double[]> logs = points.stream().filter(p -> p.at() > 0 && value.applyAsDouble(p) > 0)
-                .map(p -> new double[] {Math.log(p.at()), Math.log(value.applyAsDouble(p))}).toList();
-        double x = logs.stream().mapToDouble(p -> p[0]).average().orElse(Double.NaN);
-        double y = logs.stream().mapToDouble(p -> p[1]).average().orElse(Double.NaN);
-        double covariance = logs.stream().mapToDouble(p -> (p[0] - x) * (p[1] - y)).sum();
-        double variance = logs.stream().mapToDouble(p -> (p[0] - x) * (p[0] - x)).sum();
-        return variance > 0 ? covariance / variance : Double.NaN;
     }
 }

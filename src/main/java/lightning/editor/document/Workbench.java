@@ -436,11 +436,6 @@ public final class Workbench implements AutoCloseable {
         loop.setView(view);
     }
 
-    /** Returns whether every edit is rendered immediately; initially off (paper §3.3). */
-    public boolean isLive() {
-        return isLive;
-    }
-
     /** Switches live mode; switching it on renders pending edits. */
     public void setLive(boolean v) {
         isLive = v;

@@ -5,7 +5,7 @@ import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.render.gather.cell.DirectionCells;
 import lightning.render.gather.cell.SkyCells;
-import lightning.scene.EnvironmentLayer;
+import lightning.scene.Dome;
 import lightning.scene.GatherSettings;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
@@ -36,11 +36,11 @@ public record BackgroundLight(Rgb color, List<Layer> layers, Rgb seen) {
     /** Returns the light of a scene's background. */
     public static BackgroundLight of(Scene scene) {
         World world = scene.world();
-        List<EnvironmentLayer> environments = world.environments();
-        if (environments.stream().anyMatch(EnvironmentLayer::on)) {
+        List<Dome> environments = world.environments();
+        if (environments.stream().anyMatch(Dome::on)) {
             List<Layer> layers = new ArrayList<>();
             for (int i = 0; i < environments.size(); i++) {
-                EnvironmentLayer environment = environments.get(i);
+                Dome environment = environments.get(i);
                 if (scene.rig().isEnvironmentActive(i)) {
                     layers.add(new Layer(environment.map(), environment.rotation(), environment.lightIntensity()));
                 }
@@ -54,11 +54,11 @@ public record BackgroundLight(Rgb color, List<Layer> layers, Rgb seen) {
 
     /** Returns the light of a scene's background color; {@link #NONE} with an environment. */
     static BackgroundLight ofColor(Scene scene) {
-        return scene.world().environments().stream().anyMatch(EnvironmentLayer::on) ? NONE : of(scene);
+        return scene.world().environments().stream().anyMatch(Dome::on) ? NONE : of(scene);
     }
 
     /** Returns the light of an environment. @param intensity factor of its light */
-    static BackgroundLight of(EnvironmentLayer environment, double intensity) {
+    static BackgroundLight of(Dome environment, double intensity) {
         return new BackgroundLight(Rgb.BLACK, List.of(new Layer(environment.map(), environment.rotation(), intensity)), Rgb.BLACK);
     }
 

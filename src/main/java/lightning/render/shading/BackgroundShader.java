@@ -10,7 +10,7 @@ import lightning.render.trace.CameraRays;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePositions;
-import lightning.scene.EnvironmentLayer;
+import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.asset.EnvironmentMap;
@@ -48,7 +48,7 @@ public final class BackgroundShader {
      * @param environment null for none
      * @param intensity   factor of the environment
      */
-    private record Background(Rgb color, @Nullable EnvironmentLayer environment, double intensity) {}
+    private record Background(Rgb color, @Nullable Dome environment, double intensity) {}
 
     /** Returns whether rays that hit nothing show anything in a film. */
     public boolean showsBackground(FilmParts parts, int part) {
@@ -69,7 +69,7 @@ public final class BackgroundShader {
     }
 
     private void shade(Background shown, double x, double y, double z, float[][] to, int i) {
-        EnvironmentLayer environment = shown.environment;
+        Dome environment = shown.environment;
         if (environment == null) {
             to[0][i] = (float) shown.color.r();
             to[1][i] = (float) shown.color.g();

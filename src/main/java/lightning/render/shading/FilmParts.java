@@ -6,7 +6,7 @@ import java.util.BitSet;
 import java.util.Collection;
 import java.util.List;
 import lightning.scene.Contribution;
-import lightning.scene.EnvironmentLayer;
+import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 
@@ -18,9 +18,9 @@ public final class FilmParts {
     private final Scene scene;
     private final FilmPart[] parts;
     private final WeightedLight[] lights;
-    private final List<EnvironmentLayer> environments;
+    private final List<Dome> environments;
 
-    private FilmParts(Scene scene, List<EnvironmentLayer> environments, FilmPart[] parts, WeightedLight[] lights) {
+    private FilmParts(Scene scene, List<Dome> environments, FilmPart[] parts, WeightedLight[] lights) {
         this.scene = scene;
         this.environments = environments;
         this.parts = parts;
@@ -44,11 +44,11 @@ public final class FilmParts {
             lights[l] = isWeighted ? WeightedLight.of(scene.lights().get(l), scene) : WeightedLight.ofUnit(light, light, scene);
             lights[l] = weight.isZero() ? lights[l].darkened() : lights[l];
         }
-        List<EnvironmentLayer> environments = scene.rig().environmentCount() == 0 ? List.of() : scene.world().environments();
+        List<Dome> environments = scene.rig().environmentCount() == 0 ? List.of() : scene.world().environments();
         for (int e = 0; e < environments.size(); e++) {
             int from = scene.rig().environmentStart(e);
             int to = scene.rig().environmentStart(e + 1);
-            EnvironmentLayer layer = environments.get(e);
+            Dome layer = environments.get(e);
             LightWeight weight =
                     scene.rig().isEnvironmentActive(e) ? LightWeight.gray((float) layer.lightIntensity()) : LightWeight.ZERO;
             parts.add(part(FilmPart.Kind.ENVIRONMENT_LIGHT, e, weight, isWeighted, from, to));
@@ -76,13 +76,13 @@ public final class FilmParts {
     }
 
     /** Returns an environment. */
-    public EnvironmentLayer environment(int index) {
+    public Dome environment(int index) {
         return environments.get(index);
     }
 
     /** Returns whether rays that hit nothing show an environment, even a dark one, and not the color of the background. */
     public boolean showsEnvironment() {
-        return environments.stream().anyMatch(EnvironmentLayer::on);
+        return environments.stream().anyMatch(Dome::on);
     }
 
     /** Returns the number of films. */

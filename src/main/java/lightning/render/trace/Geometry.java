@@ -18,7 +18,6 @@ import lightning.render.trace.mesh.MeshRayQuery;
 import lightning.render.trace.primitive.LightBuffers;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.ShadowRayHits;
-import lightning.render.trace.solid.SolidGeometry;
 import lightning.render.trace.solid.SurfaceContact;
 import lightning.render.trace.tree.BoxSet;
 import lightning.render.trace.tree.Bvh;
@@ -49,7 +48,7 @@ public final class Geometry {
     /** BVH over the primitives that rays of this geometry meet. */
     private final Bvh bvh;
     /** BVH over all primitives. */
-    private final Bvh all;
+    final Bvh all;
     /** Primitives that rays other than shadow rays meet; null if all are. */
     private final boolean @Nullable [] seen;
     private final boolean castsShadows;
@@ -247,7 +246,7 @@ public final class Geometry {
         return castsShadows;
     }
 
-    private boolean isShadowCaster(int primitive) {
+    boolean isShadowCaster(int primitive) {
         return blockers.shadowCasters() == null || blockers.shadowCasters()[primitive];
     }
 
@@ -440,24 +439,6 @@ public final class Geometry {
     }
 
     /**
-     * Returns the primitive that a ray hits first. Tests every primitive and every triangle of a mesh.
-     *
-     * @return the primitive's index, or −1
-     */
-    public int nearestBruteForce(Ray ray) {
-        int nearest = -1;
-        double minDistance = SolidGeometry.MISS;
-        for (int s = 0; s < primitives.count; s++) {
-            double t = isSeen(s) ? distance(s, ray) : SolidGeometry.MISS;
-            if (t < minDistance) {
-                minDistance = t;
-                nearest = s;
-            }
-        }
-        return nearest;
-    }
-
-    /**
      * Returns the primitive that a ray hits first. Tests every primitive, but meshes by their BVHs, which accept any origin.
      * (The BVH over the primitives does not.)
      */
@@ -477,40 +458,9 @@ public final class Geometry {
         return bvh.isBlocked(ray, limit);
     }
 
-    /** Returns whether the ray hits any shadow-casting primitive at a distance below {@code limit}. Tests every primitive. */
-    public boolean isBlockedBruteForce(Ray ray, double limit) {
-        for (int s = 0; s < primitives.count; s++) {
-            if (isShadowCaster(s) && distance(s, ray) < limit) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /**
-     * Returns the target for shadow rays to a light at a point in render space, on any primitive, also of those that its rays do not meet. Tests
-     * every primitive.
-     */
-    public ShadowRayTarget shadowRayTargetBruteForce(Vec3 point) {
-        return ShadowRayTarget.findBruteForce(point, all);
-    }
-
-    /** Returns the target for shadow rays to a light at a point in render space, as {@link #shadowRayTargetBruteForce}, by the BVH. */
+    /** Returns the target for shadow rays to a light at a point in render space, on any primitive, also of those that its rays do not meet. */
     public ShadowRayTarget shadowRayTarget(Vec3 point) {
         return ShadowRayTarget.find(point, all);
-    }
-
-    /**
-     * Returns whether any shadow-casting primitive is between a point and a light, both in render space. Tests every primitive.
-     */
-    public boolean isBlockedBruteForce(Vec3 point, ShadowRayTarget target) {
-        Ray shadowRay = new Ray(point, target.point().minus(point));
-        for (int s = 0; s < primitives.count; s++) {
-            if (isShadowCaster(s) && distance(s, shadowRay, target) < 1) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /**

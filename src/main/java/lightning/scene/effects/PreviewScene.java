@@ -8,7 +8,7 @@ import java.util.Set;
 import java.util.WeakHashMap;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.scene.EnvironmentLayer;
+import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 import lightning.scene.World;
@@ -79,19 +79,19 @@ public final class PreviewScene {
     }
 
     Scene of(Scene scene) {
-        List<EnvironmentLayer> environments = scene.world().environments();
+        List<Dome> environments = scene.world().environments();
         Scene dimmed = environments.isEmpty() ? scene : withLights(scene, environments);
         Scene shown = showsReflections(scene) ? dimmed.withPicture(scene.picture().withDepth(depth(scene))) : dimmed;
         return shown.withStage(withoutHiddenReflections(scene));
     }
 
     /** Replaces the light of environments, but not their images, by lights: a preview gathers no light. */
-    private Scene withLights(Scene scene, List<EnvironmentLayer> environments) {
+    private Scene withLights(Scene scene, List<Dome> environments) {
         double dimming = dimming(environments);
         int count = Math.min(ENVIRONMENT_LIGHTS, SceneLimits.MAX_LIGHTS - scene.lights().size()) / environments.size();
         List<Light> lights = new ArrayList<>(scene.lights());
         Set<String> names = new HashSet<>();
-        for (EnvironmentLayer environment : count > 0 ? environments : List.<EnvironmentLayer>of()) {
+        for (Dome environment : count > 0 ? environments : List.<Dome>of()) {
             List<Light> added = environment.withGain(dimming * environment.gain())
                     .approximateLights(count, name -> scene.isNameUsed(name) || names.contains(name));
             added.forEach(light -> names.add(light.name()));
@@ -142,9 +142,9 @@ public final class PreviewScene {
      * Returns the factor of the environments' light, not of their images, by which white diffuse surfaces stay below 1. Without shadows, an
      * interior that a window lights sparsely would receive light from the whole environment.
      */
-    private double dimming(List<EnvironmentLayer> environments) {
+    private double dimming(List<Dome> environments) {
         double total = 0;
-        for (EnvironmentLayer environment : environments) {
+        for (Dome environment : environments) {
             total += maxBrightness.computeIfAbsent(environment.map(), PreviewScene::maxBrightness) * environment.lightIntensity()
                     / MAX_WHITE;
         }

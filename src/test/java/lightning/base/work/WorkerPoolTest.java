@@ -62,27 +62,6 @@ class WorkerPoolTest {
         assertThat(runs).allMatch(count -> count.get() == 1);
     }
 
-    @Test
-    void batch_runsInOrderOnOneWorker() {
-        int together = 7;
-        int[] by = new int[TILES];
-        AtomicInteger[] runs = new AtomicInteger[TILES];
-        Arrays.setAll(runs, _ -> new AtomicInteger());
-        int[] last = new int[TILES];
-        try (WorkerPool workers = new WorkerPool(3)) {
-            workers.run(TILES, together, (worker, tile) -> {
-                runs[tile].incrementAndGet();
-                by[tile] = worker;
-                last[tile] = tile % together == 0 ? 0 : runs[tile - 1].get();
-            }, Progress.NONE);
-        }
-        for (int tile = 0; tile < TILES; tile++) {
-            assertThat(runs[tile].get()).isEqualTo(1);
-            assertThat(by[tile]).isEqualTo(by[tile - tile % together]);
-            assertThat(last[tile]).isEqualTo(tile % together == 0 ? 0 : 1);
-        }
-    }
-
     /** Simulates a busy machine, on which a small update would wait for a thread without work. */
     @Test
     @Timeout(value = Await.TIMEOUT_SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import lightning.bench.report.AccuracyChart.Point;
 import lightning.render.measure.AccuracySetting;
+import lightning.render.measure.ParetoFront;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -22,12 +23,12 @@ class AccuracyChartTest {
         Point exact = new Point(AccuracySetting.EXACT_CURRENT, 3, 3, 3, 0);
         Point full = new Point(AccuracySetting.FULL_TRACE, 9, 9, 9, 0);
 
-        assertThat(AccuracyChart.paretoFront(List.of(full, half, exact, fast))).containsExactly(fast, exact);
+        assertThat(ParetoFront.of(List.of(full, half, exact, fast), Point::median, Point::error)).containsExactly(fast, exact);
     }
 
     @Property
     void paretoFront_hasUndominatedPoints(@ForAll("points") List<Point> points) {
-        List<Point> front = AccuracyChart.paretoFront(points);
+        List<Point> front = ParetoFront.of(points, Point::median, Point::error);
 
         for (Point p : points) {
             boolean beaten = points.stream().anyMatch(q -> q.median() <= p.median() && q.error() <= p.error()

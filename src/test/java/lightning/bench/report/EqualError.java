@@ -31,7 +31,13 @@ record EqualError(String scene, String program, ErrorPoint target, Optional<Erro
 
     private static Optional<EqualError> compare(ModernScene scene, ErrorCurve curve, String setting, ErrorCurve other, boolean isOurs) {
         return curve.find(setting)
-                .map(target -> new EqualError(scene.scene(), curve.program(), target, other.fastestWithin(target.error()), isOurs));
+                .map(target -> new EqualError(scene.scene(), curve.program(), target, fastestWithin(other, target.error()), isOurs));
+    }
+
+    /** Returns the fastest point whose error is at most that; empty if there is none. */
+    private static Optional<ErrorPoint> fastestWithin(ErrorCurve curve, double error) {
+        return curve.points().stream().filter(point -> point.error() <= error)
+                .min((a, b) -> Double.compare(a.time().median(), b.time().median()));
     }
 
     /** Returns POV-Ray's time divided by ours; NaN without another setting. */

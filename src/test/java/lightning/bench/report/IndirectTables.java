@@ -158,7 +158,7 @@ public final class IndirectTables {
     }
 
     private static String slope(IndirectGrowth growth, ToDoubleFunction<IndirectGrowth.Point> value) {
-        double slope = growth.slope(value);
+        double slope = exponent(growth.points(), value);
         return Double.isFinite(slope) ? String.format(Locale.ROOT, "%.2f", slope) : "–";
     }
 
@@ -173,5 +173,19 @@ public final class IndirectTables {
     /** Formats a share as percent. */
     static String percent(double share) {
         return Double.isFinite(share) ? String.format(Locale.ROOT, "%.1f %%", 100 * share) : "–";
+    }
+
+    /**
+     * Returns the exponent of the power law that fits a value best, by least squares of the logarithms: 1 if it grows in proportion. NaN if
+     * there are fewer than two points with positive values.
+     */
+    public static double exponent(List<IndirectGrowth.Point> points, ToDoubleFunction<IndirectGrowth.Point> value) {
+        List<double[]> logs = points.stream().filter(p -> p.at() > 0 && value.applyAsDouble(p) > 0)
+                .map(p -> new double[] {Math.log(p.at()), Math.log(value.applyAsDouble(p))}).toList();
+        double x = logs.stream().mapToDouble(p -> p[0]).average().orElse(Double.NaN);
+        double y = logs.stream().mapToDouble(p -> p[1]).average().orElse(Double.NaN);
+        double covariance = logs.stream().mapToDouble(p -> (p[0] - x) * (p[1] - y)).sum();
+        double variance = logs.stream().mapToDouble(p -> (p[0] - x) * (p[0] - x)).sum();
+        return variance > 0 ? covariance / variance : Double.NaN;
     }
 }

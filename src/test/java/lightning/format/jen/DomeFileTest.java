@@ -14,7 +14,6 @@ import lightning.format.image.ImageFile;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Dome;
-import lightning.scene.EnvironmentLayer;
 import lightning.scene.Scene;
 import lightning.scene.value.DomeRotation;
 import lightning.scene.value.SceneLimits;
@@ -69,7 +68,7 @@ class DomeFileTest {
     @Test
     void defaults_areThoseOfTheWorldsEnvironment() throws JenException {
         Scene scene = read("world { environment \"west.hdr\" }\ndome sky { environment \"west.hdr\" }").scene();
-        assertThat(scene.world().environments()).extracting(EnvironmentLayer::rotation).containsOnly(DomeRotation.NONE);
+        assertThat(scene.world().environments()).extracting(Dome::rotation).containsOnly(DomeRotation.NONE);
         assertThat(scene.world().environments().getFirst()).usingRecursiveComparison().ignoringFields("name")
                 .isEqualTo(scene.world().environments().getLast());
     }

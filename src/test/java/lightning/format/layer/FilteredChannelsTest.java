@@ -82,7 +82,7 @@ class FilteredChannelsTest {
             int hits = 0;
             for (int sample = 0; sample < GRID * GRID; sample++) {
                 Ray ray = rays.ray(i % file.width, i / file.width, sample, GRID);
-                int primitive = geometry.nearestBruteForce(ray);
+                int primitive = BruteForce.nearest(geometry, ray);
                 if (primitive >= 0) {
                     hits++;
                     add(geometry, primitive, ray, view, sums);
@@ -116,7 +116,7 @@ class FilteredChannelsTest {
             double[] sums = new double[NAMES.size()];
             for (int sample = 0; sample < 4; sample++) {
                 Ray ray = rays.ray(i % file.width, i / file.width, sample, 2);
-                int primitive = geometry.nearestBruteForce(ray);
+                int primitive = BruteForce.nearest(geometry, ray);
                 if (primitive >= 0) {
                     add(geometry, primitive, ray, Vec3.ZERO, sums);
                 }

@@ -259,7 +259,7 @@ class LayeredExrWriterTest {
             Vec3 viewDirection = scene.camera().to().minus(scene.camera().from()).normalized();
             for (int i = 0; i < file.width * file.height; i++) {
                 Ray ray = new PixelRays(scene).ray(i % file.width, i / file.width);
-                int primitive = geometry.nearestBruteForce(ray);
+                int primitive = BruteForce.nearest(geometry, ray);
                 float shape = file.channel("shape.id")[i];
                 if (primitive < 0) {
                     assertThat(shape).isZero();

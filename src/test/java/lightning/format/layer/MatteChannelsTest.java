@@ -23,6 +23,7 @@ import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.render.trace.BruteForce;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.PixelRays;
 import lightning.sample.EditSession;
@@ -108,12 +109,12 @@ class MatteChannelsTest {
                 for (FineSamples samples : stages) {
                     if (samples.pixelSet().get(Film.pixelInTile(x, y))) {
                         for (int cell : samples.cells().cells()) {
-                            pixel.add(name(geometry, geometry.nearestBruteForce(rays.ray(x, y, cell, samples.cells().grid())), name));
+                            pixel.add(name(geometry, BruteForce.nearest(geometry, rays.ray(x, y, cell, samples.cells().grid())), name));
                         }
                     }
                 }
                 if (pixel.isEmpty()) {
-                    pixel.add(name(geometry, geometry.nearestBruteForce(rays.ray(x, y)), name));
+                    pixel.add(name(geometry, BruteForce.nearest(geometry, rays.ray(x, y)), name));
                 }
                 hits.add(pixel);
             }

@@ -21,7 +21,7 @@ import lightning.format.jen.JenReader;
 import lightning.sample.SampleMeshes;
 import lightning.sample.SceneArbitraries;
 import lightning.scene.Camera;
-import lightning.scene.EnvironmentLayer;
+import lightning.scene.Dome;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
@@ -63,7 +63,7 @@ class PovSceneTest {
         String text = PovScene.of(scene, "x").text();
         assertThat(text.chars().filter(c -> c == '{').count()).isEqualTo(text.chars().filter(c -> c == '}').count());
         assertThat(text).doesNotContain("NaN", "Infinity");
-        List<EnvironmentLayer> environments = scene.world().environments();
+        List<Dome> environments = scene.world().environments();
         int ofEnvironments = IntStream.range(0, environments.size()).filter(scene.rig()::isEnvironmentActive)
                 .map(e -> environments.get(e).map().lights(environments.get(e).lightCount()).size()).sum();
         assertThat(text.lines().filter(line -> line.startsWith("light_source"))).hasSize(

@@ -16,6 +16,7 @@ import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
+import lightning.render.trace.BruteForce;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.PixelRays;
 import lightning.render.trace.SurfacePoint;
@@ -37,7 +38,7 @@ class ExtremeLightTest {
     private static SurfacePoint row() {
         Geometry geometry = Geometry.of(STUDIO);
         Ray ray = new PixelRays(STUDIO).ray(15, 10);
-        return geometry.surface(geometry.nearestBruteForce(ray), ray);
+        return geometry.surface(BruteForce.nearest(geometry, ray), ray);
     }
 
     private static Vec3 rowPoint() {

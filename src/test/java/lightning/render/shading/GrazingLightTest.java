@@ -8,6 +8,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.render.image.Film;
 import lightning.render.shading.reference.ReferenceTracer;
+import lightning.render.trace.BruteForce;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.PixelRays;
 import lightning.scene.Camera;
@@ -98,7 +99,7 @@ class GrazingLightTest {
         for (int y = 0; y < film.height(); y++) {
             for (int x = 0; x < film.width(); x++) {
                 Ray ray = new PixelRays(scene).ray(x, y);
-                if (geometry.nearestBruteForce(ray) == 0) {
+                if (BruteForce.nearest(geometry, ray) == 0) {
                     Vec3 normal = ray.direction().times(geometry.distance(0, ray)).minus(at).normalized();
                     double expected = Math.max(normal.dot(toSun), 0);
                     assertThat((double) film.red(x, y)).as("%s, %s", x, y).isBetween(expected - 1e-6, expected + 1e-6);

@@ -14,6 +14,7 @@ import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
 import lightning.render.shading.reference.ReferenceTracer;
+import lightning.render.trace.BruteForce;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.PixelRays;
 import lightning.scene.Camera;
@@ -69,7 +70,7 @@ class LightOnSurfaceTest {
         for (int y = 0; y < film.height(); y++) {
             for (int x = 0; x < film.width(); x++) {
                 Ray ray = new PixelRays(scene).ray(x, y);
-                if (geometry.nearestBruteForce(ray) == 0) {
+                if (BruteForce.nearest(geometry, ray) == 0) {
                     Vec3 point = geometry.toScene(ray.direction().times(geometry.distance(0, ray)));
                     Vec3 to = at.minus(point);
                     double above = front.map(n -> -to.dot(n) / to.length()).orElse(1.0);
@@ -102,7 +103,7 @@ class LightOnSurfaceTest {
         for (int y = 0; y < 48; y++) {
             for (int x = 0; x < 48; x++) {
                 Ray ray = new PixelRays(scene).ray(x, y);
-                assertThat(geometry.nearestBruteForce(ray)).as("%s, %s", x, y).isNotEqualTo(1);
+                assertThat(BruteForce.nearest(geometry, ray)).as("%s, %s", x, y).isNotEqualTo(1);
             }
         }
     }

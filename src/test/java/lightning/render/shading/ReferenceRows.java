@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Predicate;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
+import lightning.render.trace.BruteForce;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.PixelRays;
 import lightning.render.trace.SurfacePoint;
@@ -36,7 +37,7 @@ public final class ReferenceRows {
     private List<SurfacePoint> hits(List<Ray> rays) {
         List<SurfacePoint> hits = new ArrayList<>();
         for (Ray ray : rays) {
-            int shape = geometry.nearestBruteForce(ray);
+            int shape = BruteForce.nearest(geometry, ray);
             if (shape >= 0) {
                 hits.add(geometry.surface(shape, ray));
             }
@@ -47,7 +48,7 @@ public final class ReferenceRows {
     /** Returns whether a refracted ray from the first level hits anything. */
     public boolean hasRefractedHits() {
         return rowsOfLevel(0).stream().filter(row -> row.backSide() != null).map(SurfacePoint::refractedRay)
-                .anyMatch(ray -> ray != null && geometry.nearestBruteForce(ray) >= 0);
+                .anyMatch(ray -> ray != null && BruteForce.nearest(geometry, ray) >= 0);
     }
 
     /** Returns whether a row casts a mirrored ray. */
@@ -97,8 +98,8 @@ public final class ReferenceRows {
         return p -> {
             Vec3 point = new Vec3(p.px(), p.py(), p.pz());
             return light.type().hasPosition()
-                    ? !geometry.isBlockedBruteForce(point, geometry.shadowRayTarget(source.position()))
-                    : !geometry.isBlockedBruteForce(new Ray(point, source.position()), Double.POSITIVE_INFINITY);
+                    ? !BruteForce.isBlocked(geometry, point, geometry.shadowRayTarget(source.position()))
+                    : !BruteForce.isBlocked(geometry, new Ray(point, source.position()), Double.POSITIVE_INFINITY);
         };
     }
 

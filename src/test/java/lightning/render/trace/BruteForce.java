@@ -1,17 +1,51 @@
 package lightning.render.trace;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.primitive.TextureFootprint;
 import lightning.render.trace.solid.SolidGeometry;
+import lightning.render.trace.tree.ShadowRayTarget;
 import lightning.scene.asset.TextureMap;
 
-/** Surfaces where rays hit primitives, found with tests of every triangle of a mesh. */
+/** What rays hit, found with tests of every primitive and every triangle of a mesh. */
 public final class BruteForce {
     private BruteForce() {}
+
+    /** Returns the index of the primitive that a ray hits first, or −1. */
+    public static int nearest(Geometry geometry, Ray ray) {
+        int nearest = -1;
+        double minDistance = SolidGeometry.MISS;
+        for (int s = 0; s < geometry.primitives().count; s++) {
+            double t = geometry.isSeen(s) ? geometry.distance(s, ray) : SolidGeometry.MISS;
+            if (t < minDistance) {
+                minDistance = t;
+                nearest = s;
+            }
+        }
+        return nearest;
+    }
+
+    /** Returns whether a ray hits any shadow-casting primitive at a distance below {@code limit}. */
+    public static boolean isBlocked(Geometry geometry, Ray ray, double limit) {
+        return IntStream.range(0, geometry.primitives().count)
+                .anyMatch(s -> geometry.isShadowCaster(s) && geometry.distance(s, ray) < limit);
+    }
+
+    /** Returns whether any shadow-casting primitive is between a point and a light, both in render space. */
+    public static boolean isBlocked(Geometry geometry, Vec3 point, ShadowRayTarget target) {
+        Ray shadowRay = new Ray(point, target.point().minus(point));
+        return IntStream.range(0, geometry.primitives().count)
+                .anyMatch(s -> geometry.isShadowCaster(s) && geometry.distance(s, shadowRay, target) < 1);
+    }
+
+    /** Returns the target of shadow rays to a light at a point in render space. */
+    public static ShadowRayTarget shadowRayTarget(Geometry geometry, Vec3 point) {
+        return ShadowRayTarget.findBruteForce(point, geometry.all);
+    }
 
     /** Part of a primitive that a ray hits, and the distance. */
     private record Hit(int primitive, int part, Ray ray, double distance) {

@@ -229,7 +229,7 @@ class BumpMappingTest {
         int seen = 0;
         for (int i = 0; i < 24 * 24; i++) {
             Ray ray = new PixelRays(scene).ray(i % 24, i / 24);
-            if (smooth.nearestBruteForce(ray) >= 0) {
+            if (BruteForce.nearest(smooth, ray) >= 0) {
                 SurfacePoint at = BruteForce.surface(smooth, 0, ray);
                 Vec3 way = light.minus(smooth.toScene(new Vec3(at.px(), at.py(), at.pz())));
                 if (way.normalized().dot(new Vec3(at.nx(), at.ny(), at.nz())) < -1e-3) {

@@ -85,7 +85,7 @@ class CutoutPrecisionTest {
         Vec3 eye = new Vec3(0.3, 2, 0.1);
         Geometry geometry = geometry(grayImage(1, 1, 0), 0.5, eye, shape(Solid.PLANE, "leaf", Vec3.ZERO, Vec3.ONE),
                 shape(Solid.PLANE, "default", new Vec3(0, -gap, 0), new Vec3(9, 1, 9)));
-        assertThat(geometry.nearestBruteForce(new Ray(Vec3.ZERO, new Vec3(x, 0, -x).minus(eye)))).isEqualTo(1);
+        assertThat(BruteForce.nearest(geometry, new Ray(Vec3.ZERO, new Vec3(x, 0, -x).minus(eye)))).isEqualTo(1);
     }
 
     /** A light on a ball shines through it only where the far side has a hole; holes at the light itself are irrelevant. */
@@ -104,7 +104,7 @@ class CutoutPrecisionTest {
 
     private static boolean blocked(Geometry geometry, Vec3 light) {
         Vec3 from = new Vec3(0.01, 0, 0.02);
-        boolean all = geometry.isBlockedBruteForce(from, geometry.shadowRayTargetBruteForce(light));
+        boolean all = BruteForce.isBlocked(geometry, from, BruteForce.shadowRayTarget(geometry, light));
         assertThat(geometry.blocker(from, geometry.shadowRayTarget(light)) >= 0).isEqualTo(all);
         return all;
     }

@@ -116,7 +116,7 @@ class LightOnSurfaceTest {
 
     /** @param expected 1 blocked, −1 free, 0 either */
     private void check(ExactPlacedSolid placedSolid, ShadowRayTarget target, Vec3 row, int expected) {
-        boolean answer = placedSolid.geometry().isBlockedBruteForce(row, target);
+        boolean answer = BruteForce.isBlocked(placedSolid.geometry(), row, target);
         if (expected == 0) {
             undecidedCount++;
         } else {

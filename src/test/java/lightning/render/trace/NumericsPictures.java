@@ -124,7 +124,7 @@ final class NumericsPictures {
         Vec3 up = right.cross(forward);
         Vec3 target = at.plus(right.times(1.6 * scale * x[0])).plus(up.times(1.6 * scale * x[1]));
         Ray ray = new Ray(Vec3.ZERO, target.normalized());
-        int shape = geometry.nearestBruteForce(ray);
+        int shape = BruteForce.nearest(geometry, ray);
         if (shape < 0) {
             return 0.02;
         }
@@ -146,12 +146,12 @@ final class NumericsPictures {
     private static double bumpy(double[] x, boolean usesLift) {
         Geometry geometry = Geometry.of(bumpyBall());
         Ray ray = new Ray(Vec3.ZERO, new Vec3(x[0], x[1], -9).normalized());
-        if (geometry.nearestBruteForce(ray) < 0) {
+        if (BruteForce.nearest(geometry, ray) < 0) {
             return 0.02;
         }
         SurfacePoint p = geometry.surface(0, ray);
         Vec3 toLight = new Vec3(-0.95, 0.3, 0.1).normalized();
-        boolean dark = usesLift && geometry.isBlockedBruteForce(new Ray(new Vec3(p.px(), p.py(), p.pz()), toLight), SolidGeometry.MISS);
+        boolean dark = usesLift && BruteForce.isBlocked(geometry, new Ray(new Vec3(p.px(), p.py(), p.pz()), toLight), SolidGeometry.MISS);
         return 0.05 + (dark ? 0 : Math.max(0, toLight.dot(new Vec3(p.nx(), p.ny(), p.nz()))));
     }
 
@@ -188,10 +188,10 @@ final class NumericsPictures {
         Geometry geometry = Geometry.of(scene);
         Geometry whole = Geometry.of(scene.withMaterials(List.of(Material.of("cut"))));
         Ray ray = new Ray(Vec3.ZERO, new Vec3(x[0], x[1], -4).normalized());
-        int hit = geometry.nearestBruteForce(ray);
-        if (restarts && whole.nearestBruteForce(ray) == 0 && hit != 0) {
+        int hit = BruteForce.nearest(geometry, ray);
+        if (restarts && BruteForce.nearest(whole, ray) == 0 && hit != 0) {
             Vec3 behind = ray.direction().times(whole.distance(0, ray) + 1e-4);
-            hit = whole.nearestBruteForce(new Ray(behind, ray.direction()));
+            hit = BruteForce.nearest(whole, new Ray(behind, ray.direction()));
         }
         return hit == 0 ? 0.8 : hit == 1 ? 0.25 : 0.02;
     }
@@ -220,15 +220,15 @@ final class NumericsPictures {
         Geometry geometry = Geometry.of(TraceScenes.shapeOverFloor(Solid.PLANE, square, eye));
         Vec3 light = geometry.toRenderSpace(square.transform().transformPoint(new Vec3(0.1, 0, 0.2)));
         Ray ray = new Ray(Vec3.ZERO, new Vec3(3 * x[0], 0.5 + 2.5 * x[1], -2 * x[1]).minus(eye).normalized());
-        int shape = geometry.nearestBruteForce(ray);
+        int shape = BruteForce.nearest(geometry, ray);
         if (shape < 0) {
             return 0.02;
         }
         SurfacePoint p = geometry.surface(shape, ray);
         Vec3 from = new Vec3(p.px(), p.py(), p.pz());
         Vec3 to = light.minus(from);
-        boolean dark = liesOnSurface ? geometry.isBlockedBruteForce(from, geometry.shadowRayTarget(light))
-                : geometry.isBlockedBruteForce(new Ray(from, to), 1);
+        boolean dark = liesOnSurface ? BruteForce.isBlocked(geometry, from, geometry.shadowRayTarget(light))
+                : BruteForce.isBlocked(geometry, new Ray(from, to), 1);
         return 0.1 + (dark ? 0 : Math.max(0, to.normalized().dot(new Vec3(p.nx(), p.ny(), p.nz()))));
     }
 

@@ -156,15 +156,15 @@ class RefractionTest {
         for (double b : new double[] {0, 0.1, 0.5, 0.9, 0.99}) {
             double angle = Math.asin(b / 4);
             Ray ray = new Ray(Vec3.ZERO, new Vec3(Math.sin(angle), 0, -Math.cos(angle)));
-            SurfacePoint entered = geometry.surface(geometry.nearestBruteForce(ray), ray);
+            SurfacePoint entered = geometry.surface(BruteForce.nearest(geometry, ray), ray);
             assertThat(entered.backSide().isInside()).isFalse();
             Ray inside = entered.refractedRay();
-            SurfacePoint left = geometry.surface(geometry.nearestBruteForce(inside), inside);
+            SurfacePoint left = geometry.surface(BruteForce.nearest(geometry, inside), inside);
             assertThat(left.backSide().isInside()).isTrue();
             assertThat((double) left.backSide().insideDistance()).isCloseTo(2 * Math.cos(Math.asin(b / 1.5)) * distance / 4,
                     within(off * distance));
             Ray out = left.refractedRay();
-            assertThat(geometry.nearestBruteForce(out)).isNegative();
+            assertThat(BruteForce.nearest(geometry, out)).isNegative();
             double turned = Math.acos(Math.min(1, out.direction().dot(ray.direction())));
             assertThat(turned).as("at " + b).isCloseTo(2 * (Math.asin(b) - Math.asin(b / 1.5)), within(1e-3));
         }

@@ -9,7 +9,7 @@ import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;
-import lightning.scene.EnvironmentLayer;
+import lightning.scene.Dome;
 import lightning.scene.light.Light;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
@@ -31,7 +31,7 @@ public final class ListTabs extends TabPane {
         var solo = new FontIcon(MaterialDesignA.ALPHA_S_CIRCLE);
         solo.getStyleClass().add("world-solo");
         var soloTip = new Tooltip(Messages.tr("An environment is solo and mutes all lights that are not"));
-        editor.sceneProperty().map(scene -> scene.world().environments().stream().anyMatch(EnvironmentLayer::solo)).subscribe(isSolo -> {
+        editor.sceneProperty().map(scene -> scene.world().environments().stream().anyMatch(Dome::solo)).subscribe(isSolo -> {
             world.setGraphic(isSolo ? solo : null);
             world.setTooltip(isSolo ? soloTip : null);
         });

@@ -25,7 +25,7 @@ import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.render.image.DisplayCurve;
-import lightning.scene.EnvironmentLayer;
+import lightning.scene.Dome;
 import lightning.scene.World;
 import org.jspecify.annotations.Nullable;
 
@@ -141,7 +141,7 @@ final class WorldPane extends VBox {
         }
         boolean hasEnvironment = state.scene().world().environment().isPresent();
         setShown(environmentRows, hasEnvironment);
-        setShown(backgroundRows, state.scene().world().environments().stream().noneMatch(EnvironmentLayer::on));
+        setShown(backgroundRows, state.scene().world().environments().stream().noneMatch(Dome::on));
         background.show(state.scene().world().background());
         fog.show(state.scene().world().fog());
         sky.show(state.scene().world().sky());

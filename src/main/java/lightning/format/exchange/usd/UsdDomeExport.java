@@ -11,7 +11,6 @@ import lightning.format.jen.asset.FileKind;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.usd.UsdLayer;
 import lightning.scene.Dome;
-import lightning.scene.EnvironmentLayer;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.asset.Environment;
@@ -89,7 +88,7 @@ public record UsdDomeExport(UsdLayer layer, UsdPrimWriter writer, ConversionNote
     }
 
     private void noteSolos(Scene scene) {
-        List<EnvironmentLayer> environments = scene.world().environments();
+        List<Dome> environments = scene.world().environments();
         for (int i = 0; i < environments.size(); i++) {
             notes.add("environments that a solo mutes, written as lit",
                     environments.get(i).on() && !scene.rig().isEnvironmentActive(i) ? 1 : 0);

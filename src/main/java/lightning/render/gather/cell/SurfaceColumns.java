@@ -35,13 +35,17 @@ public final class SurfaceColumns {
     /** Keeps the first points only, and no room for others. */
     public void trim(int points) {
         count = points;
-        px = Arrays.copyOf(px, points);
-        py = Arrays.copyOf(py, points);
-        pz = Arrays.copyOf(pz, points);
-        nx = Arrays.copyOf(nx, points);
-        ny = Arrays.copyOf(ny, points);
-        nz = Arrays.copyOf(nz, points);
-        primitive = Arrays.copyOf(primitive, points);
+        resize(points);
+    }
+
+    private void resize(int length) {
+        px = Arrays.copyOf(px, length);
+        py = Arrays.copyOf(py, length);
+        pz = Arrays.copyOf(pz, length);
+        nx = Arrays.copyOf(nx, length);
+        ny = Arrays.copyOf(ny, length);
+        nz = Arrays.copyOf(nz, length);
+        primitive = Arrays.copyOf(primitive, length);
     }
 
     public void writeTo(ColumnWriter out) throws IOException {
@@ -73,14 +77,7 @@ public final class SurfaceColumns {
     /** Makes room for {@code total} points. */
     public void reserve(int total) {
         if (total > px.length) {
-            int length = Math.max(total, px.length + px.length / 2);
-            px = Arrays.copyOf(px, length);
-            py = Arrays.copyOf(py, length);
-            pz = Arrays.copyOf(pz, length);
-            nx = Arrays.copyOf(nx, length);
-            ny = Arrays.copyOf(ny, length);
-            nz = Arrays.copyOf(nz, length);
-            primitive = Arrays.copyOf(primitive, length);
+            resize(Math.max(total, px.length + px.length / 2));
         }
     }
 

@@ -6,7 +6,7 @@ import java.util.Objects;
 import java.util.stream.IntStream;
 import lightning.render.shading.FilmPart;
 import lightning.render.shading.FilmParts;
-import lightning.scene.EnvironmentLayer;
+import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import org.jspecify.annotations.Nullable;
@@ -107,7 +107,7 @@ public record FilmUpdate(int[] origin, BitSet changed, BitSet reweighted, boolea
                 || a.relativeGain(a.contribution().fog()) != b.relativeGain(b.contribution().fog());
     }
 
-    private static boolean changesImage(@Nullable EnvironmentLayer a, EnvironmentLayer b) {
+    private static boolean changesImage(@Nullable Dome a, Dome b) {
         return a == null || !Objects.equals(a.map(), b.map()) || !a.rotation().equals(b.rotation());
     }
 }

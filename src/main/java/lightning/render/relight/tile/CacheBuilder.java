@@ -26,9 +26,6 @@ import org.jspecify.annotations.Nullable;
  * Builds the pixel cache of a picture on all threads: the whole cache, only pixel centers, or the finer samples of existing centers.
  */
 public final class CacheBuilder {
-    /** Minimum number of batches per thread in a small picture, so that all threads finish at about the same time. */
-    private static final int MIN_BATCHES_PER_THREAD = 8;
-
     /** With its indirect light, which is computed first. */
     private final RenderJob job;
     private final WorkerPool workers;
@@ -145,14 +142,8 @@ public final class CacheBuilder {
     }
 
     private void relightTiles(CachedTile[] tiles, Progress progress) {
-        int batchSize = Math.clamp(tiles.length / (MIN_BATCHES_PER_THREAD * workers.count()), 1, TilePrefetcher.MAX_TILES);
         CachedTile[] known = requireNonNull(oldCache).tiles();
-        TilePrefetcher[] approach = new TilePrefetcher[workers.count()];
-        Arrays.setAll(approach, worker -> new TilePrefetcher());
-        workers.run(tiles.length, batchSize, (worker, tile) -> {
-            if (tile % batchSize == 0) {
-                approach[worker].prefetch(known, tile, Math.min(tiles.length, tile + batchSize));
-            }
+        workers.run(tiles.length, (worker, tile) -> {
             tiles[tile] = tileWorkers.get(worker).forTile(tile).relight(tile, known[tile]);
             reportTile(worker, tile, tiles[tile] == null ? null : tiles[tile].film);
         }, progress);

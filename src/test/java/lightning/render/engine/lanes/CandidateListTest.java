@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Random;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
+import lightning.render.trace.BruteForce;
 import lightning.render.trace.CameraRays;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.TraceScenes;
@@ -41,7 +42,7 @@ class CandidateListTest {
                 tracer.findNearest(packet, RayPacket.WIDTH, candidates);
                 for (int i = 0; i < RayPacket.WIDTH; i++) {
                     Ray ray = RandomRays.ray(packet, i);
-                    int expected = geometry.nearestBruteForce(ray);
+                    int expected = BruteForce.nearest(geometry, ray);
                     assertThat(packet.primitive[i]).isEqualTo(expected);
                     assertThat(PacketTracerTest.bits(packet.t[i]))
                             .isEqualTo(PacketTracerTest.bits(expected < 0 ? SolidGeometry.MISS : geometry.distance(expected, ray)));
@@ -130,7 +131,7 @@ class CandidateListTest {
     private void assertBlocked(Geometry geometry, PacketTracer tracer) {
         int expected = 0;
         for (int i = 0; i < RayPacket.WIDTH; i++) {
-            expected |= geometry.isBlockedBruteForce(RandomRays.ray(packet, i), packet.limit[i]) ? 1 << i : 0;
+            expected |= BruteForce.isBlocked(geometry, RandomRays.ray(packet, i), packet.limit[i]) ? 1 << i : 0;
         }
         assertThat(tracer.findBlocked(packet, RayPacket.WIDTH, candidates)).isEqualTo(expected);
         assertThat(!candidates.isEmpty() || expected == 0).isTrue();

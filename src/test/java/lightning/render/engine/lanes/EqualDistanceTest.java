@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Random;
 import java.util.stream.Stream;
 import lightning.base.math.Ray;
+import lightning.render.trace.BruteForce;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.TraceScenes;
 import lightning.render.trace.solid.SolidGeometry;
@@ -49,7 +50,7 @@ class EqualDistanceTest {
             for (int i = 0; i < RayPacket.WIDTH; i++) {
                 Ray ray = RandomRays.ray(rayPacket, i);
                 ties += lowest(geometry, ray, i, first, least) > 1 ? 1 : 0;
-                assertThat(geometry.nearestBruteForce(ray)).as("%s", ray).isEqualTo(first[i]);
+                assertThat(BruteForce.nearest(geometry, ray)).as("%s", ray).isEqualTo(first[i]);
                 assertThat(geometry.nearest(ray)).as("%s", ray).isEqualTo(first[i]);
             }
             for (PacketTracer tracer : new PacketTracer[] {byTree, inTurn}) {
@@ -91,11 +92,11 @@ class EqualDistanceTest {
             int expected = 0;
             for (int i = 0; i < RayPacket.WIDTH; i++) {
                 Ray ray = RandomRays.ray(rayPacket, i);
-                int first = geometry.nearestBruteForce(ray);
+                int first = BruteForce.nearest(geometry, ray);
                 double t = first < 0 ? SolidGeometry.MISS : geometry.distance(first, ray);
                 boolean beyondLimit = t < SolidGeometry.MISS && random.nextBoolean();
                 rayPacket.limit[i] = beyondLimit ? Math.nextUp(t) : t;
-                assertThat(geometry.isBlockedBruteForce(ray, rayPacket.limit[i])).as("%s", ray).isEqualTo(beyondLimit);
+                assertThat(BruteForce.isBlocked(geometry, ray, rayPacket.limit[i])).as("%s", ray).isEqualTo(beyondLimit);
                 assertThat(geometry.isBlocked(ray, rayPacket.limit[i])).as("%s", ray).isEqualTo(beyondLimit);
                 expected |= beyondLimit ? 1 << i : 0;
                 blocked[beyondLimit ? 1 : 0]++;

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Random;
 import lightning.base.math.Ray;
+import lightning.render.trace.BruteForce;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.TraceScenes;
 import lightning.render.trace.solid.SolidGeometry;
@@ -40,7 +41,7 @@ class PacketGroupTracerTest {
             tracer.findNearest(set, overflowingCandidates());
             checkRays(tracer, set, (p, i, _) -> {
                 Ray ray = RandomRays.ray(p, i);
-                int expected = geometry.nearestBruteForce(ray);
+                int expected = BruteForce.nearest(geometry, ray);
                 assertThat(p.primitive[i]).as("%s", ray).isEqualTo(expected);
                 assertThat(PacketTracerTest.bits(p.t[i]))
                         .isEqualTo(PacketTracerTest.bits(expected < 0 ? SolidGeometry.MISS : geometry.distance(expected, ray)));
@@ -54,7 +55,7 @@ class PacketGroupTracerTest {
         checkGroups(geometry, seed, (tracer, set) -> {
             long blocked = tracer.findBlocked(set, overflowingCandidates());
             checkRays(tracer, set, (p, i, bit) -> assertThat((blocked & bit) != 0)
-                    .isEqualTo(geometry.isBlockedBruteForce(RandomRays.ray(p, i), p.limit[i])));
+                    .isEqualTo(BruteForce.isBlocked(geometry, RandomRays.ray(p, i), p.limit[i])));
             assertThat(blocked & ~set).isZero();
         });
     }

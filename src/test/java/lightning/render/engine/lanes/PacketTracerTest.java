@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Random;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
+import lightning.render.trace.BruteForce;
 import lightning.render.trace.CameraRays;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.TraceScenes;
@@ -48,7 +49,7 @@ class PacketTracerTest {
             tracer.findNearest(packet, live);
             for (int i = 0; i < live; i++) {
                 Ray ray = RandomRays.ray(packet, i);
-                int expected = geometry.nearestBruteForce(ray);
+                int expected = BruteForce.nearest(geometry, ray);
                 assertThat(packet.primitive[i]).as("%s", ray).isEqualTo(expected);
                 assertThat(bits(packet.t[i])).isEqualTo(bits(expected < 0 ? SolidGeometry.MISS : geometry.distance(expected, ray)));
             }
@@ -70,7 +71,7 @@ class PacketTracerTest {
             int live = 1 + random.nextInt(RayPacket.WIDTH);
             int expected = 0;
             for (int i = 0; i < live; i++) {
-                expected |= geometry.isBlockedBruteForce(RandomRays.ray(packet, i), packet.limit[i]) ? 1 << i : 0;
+                expected |= BruteForce.isBlocked(geometry, RandomRays.ray(packet, i), packet.limit[i]) ? 1 << i : 0;
             }
             assertThat(tracer.findBlocked(packet, live)).isEqualTo(expected);
         }
@@ -133,7 +134,7 @@ class PacketTracerTest {
                     tracer.findNearest(packet, RayPacket.WIDTH);
                     for (int i = y % 13; i < RayPacket.WIDTH; i += 13) {
                         Ray ray = camera.pixelRay(x + i, y);
-                        int expected = geometry.nearestBruteForce(ray);
+                        int expected = BruteForce.nearest(geometry, ray);
                         assertThat(packet.primitive[i]).isEqualTo(expected);
                         assertThat(bits(packet.t[i])).isEqualTo(bits(expected < 0 ? SolidGeometry.MISS : geometry.distance(expected, ray)));
                     }

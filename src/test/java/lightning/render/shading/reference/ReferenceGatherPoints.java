@@ -99,7 +99,7 @@ final class ReferenceGatherPoints {
         List<Ray> reflected = new ArrayList<>();
         List<Ray> refracted = new ArrayList<>();
         for (Ray ray : from) {
-            int primitive = geometry.nearestBruteForce(ray);
+            int primitive = BruteForce.nearest(geometry, ray);
             if (primitive >= 0) {
                 SurfacePoint hit = BruteForce.surface(geometry, primitive, ray);
                 candidates.add(hit);

@@ -91,7 +91,7 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
             Vec3 at = new Vec3(from.px(), from.py(), from.pz());
             Ray down = new Ray(at, new Vec3(-from.nx(), -from.ny(), -from.nz()));
             for (int passed = 0; passed <= 3; passed++) {
-                int primitive = geometry.nearestBruteForce(down);
+                int primitive = BruteForce.nearest(geometry, down);
                 if (primitive == from.primitive()) {
                     NormalSteps steps = geometry.normalSteps(primitive, down);
                     return steps == null ? new Facet(null, at)
@@ -128,7 +128,7 @@ record ReferenceGatherRay(SurfacePoint hit, Vec3 direction, double length, long 
         double passed = 0;
         Ray ray = first;
         for (int surfaces = 0;; surfaces++) {
-            int primitive = geometry.nearestBruteForce(ray);
+            int primitive = BruteForce.nearest(geometry, ray);
             if (primitive < 0) {
                 return miss(ray, rank, tint);
             }

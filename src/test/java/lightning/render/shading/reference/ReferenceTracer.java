@@ -103,7 +103,7 @@ public final class ReferenceTracer {
         firstCells = SampleCells.first(scene.picture().sampling());
         restCells = SampleCells.rest(scene.picture().sampling());
         targets = Arrays.stream(lights).map(WeightedLight::source)
-                .map(source -> source.type().hasPosition() ? geometry.shadowRayTargetBruteForce(source.position()) : null)
+                .map(source -> source.type().hasPosition() ? BruteForce.shadowRayTarget(geometry, source.position()) : null)
                 .toArray(ShadowRayTarget[]::new);
     }
 
@@ -239,7 +239,7 @@ public final class ReferenceTracer {
             return color;
         }
         fog = fog == null ? new ReferenceFog(parts, new AirVisibility()) : fog;
-        int primitive = geometry.nearestBruteForce(ray);
+        int primitive = BruteForce.nearest(geometry, ray);
         if (primitive < 0) {
             return fog.color(color, x, y, Double.POSITIVE_INFINITY);
         }
@@ -269,7 +269,7 @@ public final class ReferenceTracer {
         if (isInside || !scene.world().fog().isPresent()) {
             return color;
         }
-        int primitive = geometry.nearestBruteForce(ray);
+        int primitive = BruteForce.nearest(geometry, ray);
         double distance = Double.POSITIVE_INFINITY;
         if (primitive >= 0) {
             SurfacePoint hit = BruteForce.surface(geometry, primitive, ray);
@@ -288,13 +288,13 @@ public final class ReferenceTracer {
         public boolean isVisible(LightSource source, Vec3 point) {
             ShadowRayTarget target = sampleTarget(source);
             Geometry casting = geometry.shadowGeometry(source.light().shadowCasters());
-            return source.type().hasPosition() ? !casting.isBlockedBruteForce(point, target)
-                    : !casting.isBlockedBruteForce(new Ray(point, source.position()), Double.POSITIVE_INFINITY);
+            return source.type().hasPosition() ? !BruteForce.isBlocked(casting, point, target)
+                    : !BruteForce.isBlocked(casting, new Ray(point, source.position()), Double.POSITIVE_INFINITY);
         }
 
         @Override
         public SurfacePoint surface(Ray ray) {
-            int primitive = geometry.nearestBruteForce(ray);
+            int primitive = BruteForce.nearest(geometry, ray);
             return primitive < 0 ? null : BruteForce.surface(geometry, primitive, ray);
         }
 
@@ -311,7 +311,7 @@ public final class ReferenceTracer {
      * @param place   place of the surface in the image; null if rays that bounce from it show no light in fog
      */
     private float[] color(Ray ray, int depth, int pattern, BouncePlace place) {
-        int primitive = geometry.nearestBruteForce(ray);
+        int primitive = BruteForce.nearest(geometry, ray);
         if (primitive < 0) {
             float[] background = new float[channels()];
             for (int part = 0; part < parts.count(); part++) {
@@ -553,7 +553,8 @@ public final class ReferenceTracer {
     }
 
     private ShadowRayTarget sampleTarget(LightSource sample) {
-        return sample.type().hasPosition() ? sampleTargets.computeIfAbsent(sample.position(), geometry::shadowRayTargetBruteForce) : null;
+        return sample.type().hasPosition()
+                ? sampleTargets.computeIfAbsent(sample.position(), at -> BruteForce.shadowRayTarget(geometry, at)) : null;
     }
 
     private static LightingEquation equation(LightSource source, SurfacePoint hit) {
@@ -626,8 +627,8 @@ public final class ReferenceTracer {
         Vec3 point = new Vec3(hit.px(), hit.py(), hit.pz());
         Geometry casting = casters.computeIfAbsent(source.light(), light -> geometry.shadowGeometry(light.shadowCasters()));
         return source.type().hasPosition()
-                ? !casting.isBlockedBruteForce(point, target)
-                : !casting.isBlockedBruteForce(new Ray(point, source.position()), Double.POSITIVE_INFINITY);
+                ? !BruteForce.isBlocked(casting, point, target)
+                : !BruteForce.isBlocked(casting, new Ray(point, source.position()), Double.POSITIVE_INFINITY);
     }
 
     /** Returns the pixels that have several samples: {@code boolean[width * height]}, line by line. */

@@ -12,6 +12,7 @@ import lightning.base.math.Vec3;
 import lightning.render.engine.lanes.PacketTracer;
 import lightning.render.engine.lanes.RandomRays;
 import lightning.render.engine.lanes.RayPacket;
+import lightning.render.trace.BruteForce;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.TraceScenes;
@@ -35,8 +36,8 @@ class BvhTest {
             rays.fill(packet);
             for (int i = 0; i < RayPacket.WIDTH; i++) {
                 Ray ray = RandomRays.ray(packet, i);
-                assertThat(geometry.nearest(ray)).isEqualTo(geometry.nearestBruteForce(ray));
-                assertThat(geometry.isBlocked(ray, packet.limit[i])).isEqualTo(geometry.isBlockedBruteForce(ray, packet.limit[i]));
+                assertThat(geometry.nearest(ray)).isEqualTo(BruteForce.nearest(geometry, ray));
+                assertThat(geometry.isBlocked(ray, packet.limit[i])).isEqualTo(BruteForce.isBlocked(geometry, ray, packet.limit[i]));
             }
         }
     }
@@ -50,11 +51,11 @@ class BvhTest {
         rays.fill(packet);
         for (int i = 0; i < RayPacket.WIDTH; i++) {
             Ray ray = RandomRays.ray(packet, i);
-            int hit = geometry.nearestBruteForce(ray);
+            int hit = BruteForce.nearest(geometry, ray);
             double t = hit < 0 ? 1 : geometry.distance(hit, ray);
             Vec3 light = ray.origin().plus(ray.direction().times(t * (1 - Math.scalb(1, -up))));
             ShadowRayTarget end = geometry.shadowRayTarget(light);
-            assertThat(end).usingRecursiveComparison().isEqualTo(geometry.shadowRayTargetBruteForce(light));
+            assertThat(end).usingRecursiveComparison().isEqualTo(BruteForce.shadowRayTarget(geometry, light));
             assertThat(geometry.blocker(ray.origin(), end)).isEqualTo(blockerBruteForce(geometry, ray.origin(), end));
         }
     }
@@ -92,8 +93,8 @@ class BvhTest {
         rays.fill(packet);
         for (int i = 0; i < RayPacket.WIDTH; i++) {
             Ray ray = RandomRays.ray(packet, i);
-            assertThat(there.nearest(ray)).isEqualTo(there.nearestBruteForce(ray));
-            assertThat(there.isBlocked(ray, packet.limit[i])).isEqualTo(there.isBlockedBruteForce(ray, packet.limit[i]));
+            assertThat(there.nearest(ray)).isEqualTo(BruteForce.nearest(there, ray));
+            assertThat(there.isBlocked(ray, packet.limit[i])).isEqualTo(BruteForce.isBlocked(there, ray, packet.limit[i]));
         }
     }
 
@@ -215,8 +216,8 @@ class BvhTest {
             tracer.findNearest(packet, RayPacket.WIDTH);
             for (int i = 0; i < RayPacket.WIDTH; i++) {
                 Ray ray = RandomRays.ray(packet, i);
-                assertThat(packet.primitive[i]).isEqualTo(geometry.nearestBruteForce(ray));
-                assertThat(geometry.nearest(ray)).isEqualTo(geometry.nearestBruteForce(ray));
+                assertThat(packet.primitive[i]).isEqualTo(BruteForce.nearest(geometry, ray));
+                assertThat(geometry.nearest(ray)).isEqualTo(BruteForce.nearest(geometry, ray));
             }
         }
     }
