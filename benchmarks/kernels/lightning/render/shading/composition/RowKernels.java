@@ -83,7 +83,7 @@ public class RowKernels {
         light = new LightKernel(geometry, tracer, Engines.LANES.terms(), ViewEffects.ALL);
         ratio = new RatioKernel(light);
         parts = FilmParts.of(loadedScene);
-        mixer = new FilmMixer(parts, null);
+        mixer = new FilmMixer(parts, null, -1);
         WeightedLight[] lights = parts.lights();
         Light first = loadedScene.lights().stream().filter(l -> l.type() == LightType.SPOT).findFirst().orElseThrow();
         spot = WeightedLight.of(first, loadedScene);

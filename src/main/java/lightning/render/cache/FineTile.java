@@ -37,13 +37,13 @@ public record FineTile(FineSamples first, FineSamples rest, @Nullable StoredFilm
                 : new float[][] {center[0].clone(), center[1].clone(), center[2].clone()};
         short[] pixels = first.pixels();
         float[][] colors = new float[3][pixels.length];
-        mixer.mix(films::get, colors);
+        StoredFilms kept = mixer.mix(films, colors);
         for (int c = 0; c < 3; c++) {
             for (int i = 0; i < pixels.length; i++) {
                 film[c][pixels[i]] = colors[c][i];
             }
         }
-        return new FineTile(first, rest, films, film);
+        return new FineTile(first, rest, kept, film);
     }
 
     /** Returns the films of the pixels of some samples, in their order. @param films number of all films */

@@ -136,7 +136,7 @@ final class TileTracer {
         eyeLevel = new LevelContext(geometry, lights.direct(), lights.indirect(), engine, tracer);
         mirrorLevels = !lights.areMirrorsOutdated() ? eyeLevel
                 : new LevelContext(mirroredGeometry, lights.mirrored(), lights.mirroredIndirect(), engine, tracer);
-        mixer = new FilmMixer(lights.direct(), lights.areMirrorsOutdated() ? lights.mirrored() : null);
+        mixer = new FilmMixer(lights.direct(), lights.areMirrorsOutdated() ? lights.mirrored() : null, -1);
         fogLookup = lights.fog() == null ? null : new FogLookup(lights.fog(), lights.direct().lights());
         bounceFog = BounceFog.of(mirrorLevels.scene, lights.bounceFog());
         centerLevels = new HitRows[depth + 1];

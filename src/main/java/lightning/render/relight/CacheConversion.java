@@ -154,7 +154,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
             mirror = new LayerConverter(cache.mirroredGeometry(), to, engine);
             var shown = shown(cache.scene(), cache.geometry());
             recomposer = new TileRecomposer(shown,
-                    !cache.areMirrorsOutdated() ? shown : shown(cache.mirrored().scene(), cache.mirroredGeometry()), engine, to.view());
+                    !cache.areMirrorsOutdated() ? shown : shown(cache.mirrored().scene(), cache.mirroredGeometry()), engine, to.view(), -1);
             recomposer.setMirrorFog(BounceFog.of(cache.mirrored().scene(), cache.mirrored().fog()));
             shining = shown.parts().shining();
         }

@@ -1,6 +1,8 @@
 package lightning.render.shading;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,12 +31,66 @@ public final class FilmSum {
      * @param to      receives red, green and blue
      */
     public void add(LightWeight[] weights, Films films, int length, float[][] to) {
-        if (dark.length < length) {
-            dark = new float[length];
-        }
+        reserve(length);
         for (int c = 0; c < 3; c++) {
             if (!add(weights, films, 0, weights.length, c, length, dark, to[c], 0)) {
                 Arrays.fill(to[c], 0, length, 0);
+            }
+        }
+    }
+
+    private void reserve(int length) {
+        if (dark.length < length) {
+            dark = new float[length];
+        }
+    }
+
+    /** Returns the sums beside a film; parameters as above. */
+    private FilmBranches branches(int film, LightWeight[] weights, Films films, int length) {
+        reserve(length);
+        List<float[][]> sums = new ArrayList<>();
+        for (int from = 0, end = weights.length; end - from > FEW;) {
+            int middle = (from + end) >>> 1;
+            boolean isLeft = film < middle;
+            float[][] sum = new float[3][];
+            for (int c = 0; c < 3; c++) {
+                float[] to = new float[length];
+                boolean shows = add(weights, films, isLeft ? middle : from, isLeft ? end : middle, c, length, dark, to, 0);
+                sum[c] = shows ? to : null;
+            }
+            sums.add(sum);
+            from = isLeft ? from : middle;
+            end = isLeft ? middle : end;
+        }
+        return new FilmBranches(film, weights, sums.toArray(float[][][]::new));
+    }
+
+    /** Writes the same sum of stored films; returns these with the sums beside a film. */
+    public StoredFilms add(LightWeight[] weights, StoredFilms films, int film, float[][] to) {
+        int length = to[0].length;
+        FilmBranches known = films.branches();
+        FilmBranches branches = known != null && known.fits(film, weights) ? known : branches(film, weights, films::get, length);
+        add(branches, weights, films::get, length, to);
+        return branches == known ? films : new StoredFilms(films.colors(), films.known(), branches);
+    }
+
+    private void add(FilmBranches branches, LightWeight[] weights, Films films, int length, float[][] to) {
+        reserve(length);
+        int from = 0;
+        int end = weights.length;
+        while (end - from > FEW) {
+            int middle = (from + end) >>> 1;
+            from = branches.film() < middle ? from : middle;
+            end = branches.film() < middle ? middle : end;
+        }
+        for (int c = 0; c < 3; c++) {
+            if (!addFew(weights, films, from, end, c, length, dark, to[c])) {
+                Arrays.fill(to[c], 0, length, 0);
+            }
+            for (int k = branches.sums().length - 1; k >= 0; k--) {
+                if (branches.sums()[k][c] != null) {
+                    add(to[c], 1, branches.sums()[k][c], to[c], length);
+                }
             }
         }
     }

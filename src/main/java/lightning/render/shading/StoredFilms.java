@@ -8,9 +8,14 @@ import org.jspecify.annotations.Nullable;
  *
  * @param colors columns of each film; null for films that are black, and for unknown ones
  * @param known  films whose colors are known
+ * @param branches sums beside the film whose weight was edited last; null if there are none
  */
-public record StoredFilms(float[] @Nullable [][] colors, BitSet known) {
+public record StoredFilms(float[] @Nullable [][] colors, BitSet known, @Nullable FilmBranches branches) {
     // Arrays in a record: written once by their creator, never after.
+
+    public StoredFilms(float[] @Nullable [][] colors, BitSet known) {
+        this(colors, known, null);
+    }
 
     /** Returns the columns of a known film; null if it is black, and for numbers after the last. */
     public float @Nullable [][] get(int film) {
@@ -46,9 +51,9 @@ public record StoredFilms(float[] @Nullable [][] colors, BitSet known) {
         return new StoredFilms(colors, known);
     }
 
-    /** Returns the bytes of all colors. */
+    /** Returns the bytes of all colors and sums. */
     public long bytes() {
-        long bytes = 0;
+        long bytes = branches == null ? 0 : branches.bytes();
         for (float[][] film : colors) {
             for (float[] column : film == null ? new float[0][] : film) {
                 bytes += (long) Float.BYTES * column.length;

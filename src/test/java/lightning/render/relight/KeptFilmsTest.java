@@ -2,10 +2,16 @@ package lightning.render.relight;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
+import java.util.List;
+import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
+import lightning.scene.AntialiasMode;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
@@ -53,5 +59,27 @@ class KeptFilmsTest {
         keepsFilmsOf(SCENE);
         renderer.setOptions(renderer.options().withMemory(renderer.cache().bytes()));
         assertThat(keepsFilmsOf(SCENE.withLight(LIGHT.withIntensity(1.01 * LIGHT.intensity())))).isFalse();
+    }
+
+    /** While one weight changes, the films beside it are read as sums. Others in between must not use them. */
+    @Test
+    void fadersOfManyLights_equalFullTrace() {
+        List<Light> lights = new ArrayList<>();
+        for (int i = 0; i < 13; i++) {
+            lights.add(LIGHT.withName("light " + i).withPosition(LIGHT.position().plus(new Vec3(0.1 * i, 0, 0.05 * i)))
+                    .withColor(new Rgb(1, 0.1 * (i % 7), 0.3)).withIntensity(0.1 + 0.03 * i));
+        }
+        Scene scene = SCENE.withLights(lights)
+                .withPicture(SCENE.picture().withSampling(new SamplingSettings(AntialiasMode.EDGES, 3)));
+        renderer.render(scene, Progress.NONE);
+        int[] faded = {4, 4, 4, 12, 12, 0, 4, 0, 0};
+        for (int edit = 0; edit < faded.length; edit++) {
+            Light light = scene.lights().get(faded[edit]);
+            Rgb color = light.color();
+            scene = scene.withLight(edit % 3 == 2 ? light.withColor(new Rgb(0.99 * color.r(), color.g(), color.b()))
+                    : light.withIntensity(1.01 * light.intensity()));
+            renderer.render(scene, Progress.NONE);
+            assertThat(renderer.film().hasSameBits(new ReferenceTracer(scene).trace())).as("edit %d", edit).isTrue();
+        }
     }
 }

@@ -3,6 +3,7 @@ package lightning.render.shading;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -33,6 +34,30 @@ class FilmSumTest {
                 }
                 assertThat(sum[c][i]).isEqualTo(LightingEquation.sum(terms, 0, count));
             }
+        }
+    }
+
+    /** The weight of one film changes, then that of another one. */
+    @Property
+    void sumsBesideAFilm_addUpToTheSame(@ForAll @IntRange(min = 1, max = 40) int count, @ForAll long seed) {
+        Random random = new Random(seed);
+        float[][][] films = new float[count][][];
+        LightWeight[] weights = new LightWeight[count];
+        Arrays.setAll(films, _ -> random.nextBoolean() ? film(random) : null);
+        Arrays.setAll(weights, _ -> new LightWeight(value(random), 0, value(random)));
+        StoredFilms stored = new StoredFilms(films, new BitSet());
+        FilmSum sum = new FilmSum();
+        for (int edit = 0; edit < 6; edit++) {
+            int film = edit < 3 ? 0 : count - 1;
+            weights = weights.clone();
+            weights[film] = random.nextInt(4) == 0 ? LightWeight.ZERO : new LightWeight(value(random), value(random), value(random));
+            float[][] faded = film(random);
+            float[][] all = film(random);
+            FilmBranches before = stored.branches();
+            stored = sum.add(weights, stored, film, faded);
+            assertThat(stored.branches() == before).isEqualTo(edit != 0 && (edit != 3 || count == 1));
+            sum.add(weights, stored::get, LENGTH, all);
+            assertThat(faded).isDeepEqualTo(all);
         }
     }
 

@@ -37,6 +37,13 @@ public final class FilmMemory {
         return (pays(scene) ? centerBytes(scene) : 0) + (centersOnly ? 0 : maxSampleBytes(scene));
     }
 
+    /** Returns whether there are many films, and memory for the sums of branches beside one of them: one for each level of the tree. */
+    static boolean canKeepBranches(Scene scene, long memory) {
+        int films = FilmParts.of(scene).count();
+        long columns = 2L * scene.picture().width() * scene.picture().height() * (Integer.SIZE - Integer.numberOfLeadingZeros(films));
+        return films > MANY_FILMS && 3L * Float.BYTES * columns <= memory / 8;
+    }
+
     private static long bytes(Scene scene, int copies) {
         PictureSettings picture = scene.picture();
         long tiles = (long) Film.tilesAlong(picture.width()) * Film.tilesAlong(picture.height());

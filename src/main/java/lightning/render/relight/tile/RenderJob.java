@@ -157,6 +157,12 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Scene 
         return !options.keepsReflectionsCurrent() || !storesMirrorRows();
     }
 
+    /** Returns the film whose weight alone changes, if keeping the sums beside it is faster than adding all films; otherwise −1. */
+    int faded() {
+        boolean pays = onlyReweights && films.reweighted().cardinality() == 1 && FilmMemory.canKeepBranches(scene(), options.memory());
+        return pays ? films.reweighted().nextSetBit(0) : -1;
+    }
+
     /** Returns whether stored films can add up to the picture. */
     private boolean canKeepFilms() {
         return options.method().isExact() && !storesImages() && !areMirrorsOutdated();

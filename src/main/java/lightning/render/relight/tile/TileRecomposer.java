@@ -83,18 +83,19 @@ public final class TileRecomposer {
     /**
      * @param shown    scene of the first level
      * @param mirrored scene of the other levels: the same object if mirrors are current
+     * @param faded    film whose weight alone is being edited; −1 if there is none
      */
-    public TileRecomposer(Shown shown, Shown mirrored, Engine engine, ViewEffects view) {
+    public TileRecomposer(Shown shown, Shown mirrored, Engine engine, ViewEffects view, int faded) {
         eye = new Side(shown.parts, shown.materials, shown.indirect, engine, view);
         mirror = shown == mirrored ? eye : new Side(mirrored.parts, mirrored.materials, mirrored.indirect, engine, view);
-        mixer = new FilmMixer(shown.parts, shown == mirrored ? null : mirrored.parts);
+        mixer = new FilmMixer(shown.parts, shown == mirrored ? null : mirrored.parts, faded);
     }
 
     /** Creates what composes a cached picture. */
     public static TileRecomposer of(PixelCache cache, Engine engine, ViewEffects view) {
         Shown shown = Shown.of(cache.shown(), cache.parts(), cache.geometry());
         Shown mirrored = cache.areMirrorsOutdated() ? Shown.of(cache.mirrored(), cache.mirroredParts(), cache.mirroredGeometry()) : shown;
-        TileRecomposer recomposer = new TileRecomposer(shown, mirrored, engine, view);
+        TileRecomposer recomposer = new TileRecomposer(shown, mirrored, engine, view, -1);
         recomposer.setMirrorFog(BounceFog.of(cache.mirrored().scene(), cache.mirrored().fog()));
         return recomposer;
     }

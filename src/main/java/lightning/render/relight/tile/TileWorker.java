@@ -83,7 +83,7 @@ final class TileWorker {
         TileRecomposer created = new TileRecomposer(shown, parts == mirrored ? shown
                 : new TileRecomposer.Shown(mirrored, job.mirrorTarget().geometry().materials(),
                         light(job.mirrorTarget().indirect(), isForEdges)),
-                engine, job.options().view());
+                engine, job.options().view(), job.faded());
         created.setMirrorFog(BounceFog.of(job.mirrorTarget().scene(), job.bounceFog()));
         return created;
     }
@@ -421,15 +421,19 @@ final class TileWorker {
                 : changed.isEmpty() && old != null && job.films().isSame() ? old.films
                 : StoredFilms.after(old == null ? null : old.films, job.films().origin(), changed, composed,
                         film -> films.copy(film));
-        FilmSum.Films all = kept == null ? films::get : kept::get;
         float[][] colors = old == null ? null : old.film;
         if (changesColors && (!fine || !isExact)) {
             colors = new float[3][Film.TILE_PIXELS];
-            recomposer.mixer().mix(all, colors);
+            if (kept == null) {
+                recomposer.mixer().mix(films::get, colors);
+            } else {
+                kept = recomposer.mixer().mix(kept, colors);
+            }
             filmBytes += 12L * Film.TILE_PIXELS;
         }
         EdgeColors edges = !detectEdges ? null : old == null ? null : old.edges;
         if (changesEdges) {
+            FilmSum.Films all = kept == null ? films::get : kept::get;
             EdgeColors now = isExact ? new EdgeColors(recomposer.mixer().edgeColors(all, places.count()), edgeImages)
                     : weightedEdges(places, below.allLevels(top), below.isChanged() ? null : edgeImages, fog);
             edges = now.reuseIfEqual(edges);

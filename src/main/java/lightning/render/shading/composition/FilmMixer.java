@@ -7,6 +7,7 @@ import lightning.render.shading.EdgeColors;
 import lightning.render.shading.FilmParts;
 import lightning.render.shading.FilmSum;
 import lightning.render.shading.LightWeight;
+import lightning.render.shading.StoredFilms;
 import lightning.render.shading.TermKernel;
 import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
@@ -23,6 +24,8 @@ public final class FilmMixer {
     private final LightWeight[] weights;
     private final LightWeight[] edgeWeights;
     private final @Nullable FilmParts mirrored;
+    /** Film whose weight alone changes; −1 if there is none. */
+    private final int faded;
     private final FilmSum sum = new FilmSum();
     private final float[][] edges = new float[3][TermKernel.MAX_ROWS];
     private final BounceImages images = new BounceImages(new float[3][TermKernel.MAX_ROWS], new float[3][TermKernel.MAX_ROWS]);
@@ -30,8 +33,10 @@ public final class FilmMixer {
     /**
      * @param parts    films of the scene
      * @param mirrored those of the earlier scene in mirrors; null if mirrors are current
+     * @param faded    film whose weight alone is being edited; −1 if there is none
      */
-    public FilmMixer(FilmParts parts, @Nullable FilmParts mirrored) {
+    public FilmMixer(FilmParts parts, @Nullable FilmParts mirrored, int faded) {
+        this.faded = faded;
         weights = parts.weights();
         edgeWeights = parts.edgeWeights();
         this.mirrored = mirrored;
@@ -45,6 +50,15 @@ public final class FilmMixer {
     /** Writes the colors. */
     public void mix(FilmSum.Films films, float[][] to) {
         mix(films, weights, weights.length, to[0].length, to);
+    }
+
+    /** Writes the colors of stored films; returns these with the sums that the next edit of the same weight needs. */
+    public StoredFilms mix(StoredFilms films, float[][] to) {
+        if (faded >= 0) {
+            return sum.add(weights, films, faded, to);
+        }
+        mix(films::get, to);
+        return films.branches() == null ? films : new StoredFilms(films.colors(), films.known());
     }
 
     /** Returns packed colors by which edges are detected. @param positions their number */

@@ -1,0 +1,30 @@
+package lightning.render.shading;
+
+import java.util.Arrays;
+
+/**
+ * Sums of the branches that stand beside one film in the tree of {@link FilmSum}. While the weight of that film alone changes, they stay, so that
+ * as many columns are read as the tree has levels, and not all films.
+ *
+ * @param film    the film
+ * @param weights weight of each film; that of {@code film} is unread
+ * @param sums    red, green and blue of each branch, the largest first; null for channels that are black
+ */
+public record FilmBranches(int film, LightWeight[] weights, float[][][] sums) {
+    // Arrays in a record: written once by their creator, never after.
+
+    /** Returns whether these are the sums beside a film with other weights. */
+    boolean fits(int other, LightWeight[] now) {
+        boolean fits = film == other && weights.length == now.length;
+        for (int i = 0; fits && i < now.length; i++) {
+            fits = i == film || weights[i].red() == now[i].red() && weights[i].green() == now[i].green()
+                    && weights[i].blue() == now[i].blue();
+        }
+        return fits;
+    }
+
+    long bytes() {
+        return Arrays.stream(sums).flatMap(Arrays::stream).mapToLong(column -> column == null ? 0 : (long) Float.BYTES * column.length)
+                .sum();
+    }
+}
