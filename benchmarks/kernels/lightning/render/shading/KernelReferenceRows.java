@@ -106,9 +106,9 @@ public final class KernelReferenceRows {
             LightRows layer = (LightRows) kernels.layers()[l];
             if (layer.litCount > 0) {
                 float falloff = layer.falloff == null ? 1 : layer.falloff[i];
-                diffuse[l] = LightingEquation.contribution(lights[l].diffuse().channel(c), layer.cosine[i], falloff);
+                diffuse[l] = LightingEquation.contribution(lights[l].diffuse().channel(c), layer.cosine[i], falloff, 1);
                 specular[l] = layer.specular == null ? 0
-                        : LightingEquation.contribution(lights[l].specular().channel(c), layer.specular[i], falloff);
+                        : LightingEquation.contribution(lights[l].specular().channel(c), layer.specular[i], falloff, 1);
             }
         }
         MaterialTable m = geometry.materials();

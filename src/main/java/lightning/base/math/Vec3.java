@@ -56,8 +56,4 @@ public record Vec3(double x, double y, double z) {
         double length = Math.sqrt(sx * sx + sy * sy + sz * sz);
         return new Vec3(sx / length, sy / length, sz / length);
     }
-
-    public boolean isFinite() {
-        return Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(z);
-    }
 }

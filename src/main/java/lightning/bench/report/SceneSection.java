@@ -1,7 +1,5 @@
 package lightning.bench.report;
 
-import static java.util.Objects.requireNonNull;
-
 import java.util.ArrayList;
 import java.util.List;
 import lightning.bench.result.ColdStart;
@@ -9,7 +7,6 @@ import lightning.bench.result.EditResult;
 import lightning.bench.result.FirstPassResult;
 import lightning.bench.result.PeerResult;
 import lightning.bench.result.SceneResult;
-import lightning.bench.result.UpdateWork;
 import lightning.render.measure.AccuracySetting;
 
 /** Report section of one scene at one size. */
@@ -34,7 +31,6 @@ final class SceneSection {
             shares(page, scene);
             page.close().open("div");
             accuracy(page, summaries);
-            floors(page, scene);
             page.close().close();
             AccuracySummary.table(page, summaries);
             EditTable.write(page, scene);
@@ -95,25 +91,6 @@ final class SceneSection {
     static String accuracy(List<AccuracySummary> summaries) {
         return AccuracyChart.svg("Error against time of each accuracy setting", summaries.stream().map(AccuracySummary::point).toList(),
                 550, 330);
-    }
-
-    private static void floors(HtmlWriter page, SceneResult scene) {
-        List<MemoryFloorChart.Row> rows = new ArrayList<>();
-        for (EditResult edit : scene.edits()) {
-            edit.first(AccuracySetting.DEFAULT).filter(point -> point.work() != null).ifPresent(point -> {
-                UpdateWork work = requireNonNull(point.work());
-                if (ChartRange.isPlausible(work.floorMs()) && ChartRange.isPlausible(point.time().median())) {
-                    rows.add(new MemoryFloorChart.Row(edit.edit(), work.floorMs(), point.time().median()));
-                }
-            });
-        }
-        if (!rows.isEmpty()) {
-            figure(page, "Distance from the memory limit",
-                    "Time of each edit (ms, setting " + AccuracySetting.DEFAULT.label()
-                            + ") and the time that memory needs to move its bytes.",
-                    MemoryFloorChart.svg("Time of each edit and its memory floor", rows),
-                    PlotColor.OURS, "measured, with the multiple of the floor", PlotColor.TEXT, "tick: the floor");
-        }
     }
 
     private static void peer(HtmlWriter page, PeerResult peer) {

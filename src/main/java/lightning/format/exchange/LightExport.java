@@ -81,11 +81,6 @@ public record LightExport(byte[] bytes, Map<String, byte[]> files, Map<String, I
         return UsdLightExport.export(text, scene, sceneFile, output);
     }
 
-    /** Returns JSON of a scene without animation. */
-    public static LightExport toJson(Scene scene) {
-        return toJson(AnimatedScene.of(scene));
-    }
-
     /**
      * Returns JSON with all lights, light groups and materials of a scene, its picture, world and camera, with all their attributes, the
      * transforms of its objects and outermost groups, what is animated at each frame, and the keywords of the materials' attributes that

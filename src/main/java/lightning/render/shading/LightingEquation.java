@@ -258,11 +258,6 @@ public final class LightingEquation {
         return weight * (term * falloff * tint);
     }
 
-    /** Returns one channel of an untinted contribution. */
-    static float contribution(float weight, float term, float falloff) {
-        return weight * (term * falloff);
-    }
-
     /** Returns the mean of a light's samples from their sum, first to last, of exact products {@code term·falloff}. */
     public static float mean(double sum, int samples) {
         return (float) (sum / samples);

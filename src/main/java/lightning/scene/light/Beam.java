@@ -87,17 +87,6 @@ public record Beam(double cone, double softness, double spread) implements BeamB
     }
 
     /**
-     * Returns the factor by which Cycles makes a light with a spread brighter than one without, so that both have the same power: tan a / (tan a − a),
-     * from the integral of cos θ·(1 − tan θ / tan a)·sin θ.
-     *
-     * @param spread half-angle in degrees
-     */
-    public static double spreadGain(double spread) {
-        double a = Math.toRadians(spread);
-        return spread >= OPEN_ANGLE ? 1 : StrictMath.tan(a) / (StrictMath.tan(a) - a);
-    }
-
-    /**
      * Returns the flux of a face of 1 candela along its axis, in lumens: 2π times the integral of cosⁿ θ·factor·sin θ.
      *
      * @param exponent n, 1 for a face without focus

@@ -42,12 +42,4 @@ class Vec3Test {
             assertThatThrownBy(v::normalized).as("%s", v).isInstanceOf(ArithmeticException.class).hasMessageContaining("cannot normalize");
         }
     }
-
-    @Test
-    void isFinite_requiresThreeFiniteNumbers() {
-        assertThat(new Vec3(1, -2, 3).isFinite()).isTrue();
-        assertThat(new Vec3(Double.NaN, 0, 0).isFinite()).isFalse();
-        assertThat(new Vec3(0, Double.POSITIVE_INFINITY, 0).isFinite()).isFalse();
-        assertThat(new Vec3(0, 0, Double.NEGATIVE_INFINITY).isFinite()).isFalse();
-    }
 }

@@ -22,6 +22,7 @@ import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
+import lightning.scene.shot.AnimatedScene;
 import lightning.scene.value.Attenuation;
 import org.assertj.core.api.Assertions;
 import org.junit.jupiter.api.BeforeEach;
@@ -117,7 +118,7 @@ class LightExportTest {
 
     @Test
     void jsonList_hasEveryAttribute() {
-        JsonNode light = EXACT.readTree(LightExport.toJson(scene).bytes()).get("lights").get(0);
+        JsonNode light = EXACT.readTree(LightExport.toJson(AnimatedScene.of(scene)).bytes()).get("lights").get(0);
         assertThat(light.get("name").asString()).isEqualTo("lamp");
         assertThat(light.get("at").get(1).asDouble()).isEqualTo(1);
         assertThat(light.propertyNames()).contains("type", "color", "intensity", "direction", "attenuation", "angle", "dropoff", "on",
@@ -158,7 +159,7 @@ class LightExportTest {
                 "{\"light\":\"lamp\",\"attribute\":\"relative_intensity\",\"values\":[1.0,2.5,4.0]}",
                 "{\"light\":\"lamp\",\"attribute\":\"on\",\"values\":[false,false,false]}",
                 "{\"light\":\"lamp\",\"attribute\":\"at\",\"values\":[[0.0,1.0,0.0],[1.0,1.0,0.0],[2.0,1.0,0.0]]}");
-        assertThat(EXACT.readTree(LightExport.toJson(scene).bytes()).has("shot")).isFalse();
+        assertThat(EXACT.readTree(LightExport.toJson(AnimatedScene.of(scene)).bytes()).has("shot")).isFalse();
     }
 
     /** The JSON of a picture restores it. */
@@ -167,7 +168,7 @@ class LightExportTest {
         for (String settings : List.of("size 8 5",
                 "size 8 5 depth 2 view agx exposure 1.5 antialias every samples 3 indirect { bounces 3 }")) {
             Scene scene = JenReader.read("jen 1\npicture { " + settings + " }", "text", folder).scene();
-            JsonNode json = EXACT.readTree(LightExport.toJson(scene).bytes()).get("picture");
+            JsonNode json = EXACT.readTree(LightExport.toJson(AnimatedScene.of(scene)).bytes()).get("picture");
             assertThat(PictureJson.read(json, PictureSettings.DEFAULT, Assertions::fail)).isEqualTo(scene.picture());
         }
     }

@@ -32,6 +32,7 @@ import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightGroup;
 import lightning.scene.light.LightRig;
 import lightning.scene.light.LightType;
+import lightning.scene.shot.AnimatedScene;
 import lightning.scene.value.Attenuation;
 import lightning.scene.value.BarnDoors;
 import lightning.scene.value.ShapeGains;
@@ -99,7 +100,7 @@ class LightSettingsTest {
 
     @Property(edgeCases = EdgeCasesMode.NONE)
     void anyLight_roundTripsThroughJson(@ForAll("rigs") LightRig rig) {
-        JsonNode root = JSON.readTree(LightExport.toJson(scene.withRig(rig)).bytes());
+        JsonNode root = JSON.readTree(LightExport.toJson(AnimatedScene.of(scene.withRig(rig))).bytes());
         Light blank = Light.of(rig.lights().getFirst().name(), LightType.DISC);
         assertSame(AttributeJson.read(root.get("lights").get(0), blank, LightAttribute.ALL, (_, _) -> false, AssertionError::new),
                 rig.lights().getFirst());

@@ -136,9 +136,9 @@ class LightingEquationTest {
 
     @Test
     void contribution_multipliesTermAndFalloffFirst() {
-        assertThat(LightingEquation.contribution(2, 0.5f, 0.25f)).isEqualTo(0.25f);
+        assertThat(LightingEquation.contribution(2, 0.5f, 0.25f, 1)).isEqualTo(0.25f);
         float weight = 3e38f;
-        assertThat(LightingEquation.contribution(weight, 0.5f, 1e-38f)).isEqualTo(weight * (0.5f * 1e-38f));
+        assertThat(LightingEquation.contribution(weight, 0.5f, 1e-38f, 1)).isEqualTo(weight * (0.5f * 1e-38f));
     }
 
     /** ((1 + t) + (t + t)) with t half of the last place of 1: from left to right every t would be lost. */

@@ -6,9 +6,6 @@ import lightning.render.trace.HitRows;
 
 /** Runs of rows whose parents follow each other, to copy a level's colors to its parents for many films. One instance per thread. */
 final class ParentRuns {
-    /** Shorter runs are copied faster by a loop. */
-    private static final int LONG = 16;
-
     private final short[] starts = new short[TermKernel.MAX_ROWS + 1];
     private int count;
     private short[] parent = {};
@@ -36,17 +33,9 @@ final class ParentRuns {
             int length = starts[run + 1] - row;
             int first = parent[row];
             for (int c = 0; c < 3; c++) {
-                copy(colors[c], row, to[c], first, length);
-            }
-        }
-    }
-
-    private static void copy(float[] from, int at, float[] to, int first, int length) {
-        if (length >= LONG) {
-            System.arraycopy(from, at, to, first, length);
-        } else {
-            for (int i = 0; i < length; i++) {
-                to[first + i] = from[at + i];
+                for (int i = 0; i < length; i++) {
+                    to[c][first + i] = colors[c][row + i];
+                }
             }
         }
     }

@@ -26,6 +26,7 @@ import lightning.scene.ViewCurve;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.material.Material;
+import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 import lightning.scene.value.LensShift;
 import lightning.scene.value.ShapeLinks;
@@ -237,7 +238,7 @@ class SceneExtrasTest {
                 {'world': {'rotation': 7, 'meters': 0.01},
                  'lights': [{'name': 'key', 'type': 'point', 'intensity': 400, 'unit': 'candela', 'falloff': 'inverse_square'}]}"""))
                 .scene();
-        var json = new tools.jackson.databind.json.JsonMapper().readTree(LightExport.toJson(scene).bytes());
+        var json = new tools.jackson.databind.json.JsonMapper().readTree(LightExport.toJson(AnimatedScene.of(scene)).bytes());
         assertThat(json.get("world").get("rotation").asDouble()).isEqualTo(7);
         // A surface at a distance of 1 m has 400 lux, and as white paper 400 / pi nits; a meter has 100 scene units.
         assertThat(json.get("lights").get(0).get("relative_intensity").asDouble()).isCloseTo(400 / Math.PI * 1e4,
