@@ -32,7 +32,7 @@ import lightning.render.gather.rim.RimLinks;
  * gather).
  *
  * <p>Rays are cosine-distributed, so the plain mean is the irradiance in units of the lights' diffuse sum. Floats are added in the order
- * of the rays. All lights are added before anything is gathered, so the cost does not grow with their number.
+ * of the rays. Each film is gathered by itself, with the lights of its contribution.
  */
 public final class IndirectSolver {
     private static final int BATCH = 512;

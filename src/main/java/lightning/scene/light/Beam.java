@@ -11,7 +11,7 @@ import lightning.scene.value.SceneLimits;
  * <p>The cone is that of UsdLux ({@code ShapingAPI}): full light up to (1 − softness)·cone, then 1 − t²(3 − 2t) to the cone's edge.
  *
  * <p>The spread is that of Cycles, of a softbox behind a grid: at angle θ its slats pass max(0, 1 − tan θ / tan spread) (Blender, source of Cycles,
- * {@code area_light_spread_attenuation}). Cycles also makes the light brighter so that its power stays; {@link #spreadGain} has this factor.
+ * {@code area_light_spread_attenuation}). Cycles also makes the light brighter so that its power stays, by tan a / (tan a − a).
  *
  * @param cone     half-angle beyond which there is no light, degrees; 90 is open
  * @param softness width of the cone's soft edge, as a share of its angle
