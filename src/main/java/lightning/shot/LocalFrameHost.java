@@ -58,7 +58,7 @@ public final class LocalFrameHost implements FrameHost {
     }
 
     private LocalFrameHost(RenderOptions options, FrameStore store) {
-        this.options = options.withDefaultMethod();
+        this.options = options.withDefaultMethod().withFades(false);
         this.store = store;
     }
 

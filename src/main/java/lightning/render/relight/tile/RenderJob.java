@@ -140,7 +140,7 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Scene 
     private boolean doFilmsPay(@Nullable PixelCache old) {
         long bytes = FilmMemory.centerBytes(scene());
         return canKeepFilms() && FilmMemory.pays(scene()) && bytes <= options.memory() / 4
-                || reweights() && old != null && (old.keepsFilms() || old.bytes() + bytes <= options.memory());
+                || options.fades() && reweights() && old != null && (old.keepsFilms() || old.bytes() + bytes <= options.memory());
     }
 
     private static @Nullable IndirectLight light(@Nullable IndirectCache indirect) {
@@ -159,7 +159,8 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Scene 
 
     /** Returns the film whose weight alone changes, if keeping the sums beside it is faster than adding all films; otherwise −1. */
     int faded() {
-        boolean pays = onlyReweights && films.reweighted().cardinality() == 1 && FilmMemory.canKeepBranches(scene(), options.memory());
+        boolean pays = options.fades() && onlyReweights && films.reweighted().cardinality() == 1
+                && FilmMemory.canKeepBranches(scene(), options.memory());
         return pays ? films.reweighted().nextSetBit(0) : -1;
     }
 

@@ -19,18 +19,19 @@ import lightning.scene.effects.ViewEffects;
  * @param view    effects that are shown; all of them in a picture
  * @param memory  memory limit of a picture in bytes; a first pass that needs more is rejected
  * @param engines engine for each tile
+ * @param fades   whether weights are edited again and again, as in an editor: films are then kept where that pays for nothing else
  */
 @RecordBuilder
 public record RenderOptions(Accuracy accuracy, ReflectionMode reflections, MirrorStorage storage, int threads, ViewEffects view,
         long memory,
-        EngineChoice engines) implements RenderOptionsBuilder.With {
+        EngineChoice engines, boolean fades) implements RenderOptionsBuilder.With {
     /** Exact with current reflections, full rows, all processors. */
     public static final RenderOptions DEFAULT =
             new RenderOptions(Accuracy.EXACT, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, WorkerPool.processorCount());
 
     /** Creates options with the memory of this Java process and its engines. */
     public RenderOptions(Accuracy accuracy, ReflectionMode reflections, MirrorStorage storage, int threads, ViewEffects view) {
-        this(accuracy, reflections, storage, threads, view, HeapBudget.availableBytes(), Engines.CURRENT);
+        this(accuracy, reflections, storage, threads, view, HeapBudget.availableBytes(), Engines.CURRENT, true);
     }
 
     /** Creates options with all effects. */
