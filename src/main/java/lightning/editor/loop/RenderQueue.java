@@ -289,7 +289,10 @@ final class RenderQueue {
 
     /** Waits for a job. Returns null when the queue is closed and no image is to be kept. */
     synchronized @Nullable Job take(CancelSignal newSignal) throws InterruptedException {
-        for (long rest = pauseMs(); !closed && rest >= 0; rest = pauseMs()) {
+        while (!closed && waiting.isEmpty()) {
+            wait();
+        }
+        for (long rest = pauseMs(); !closed && rest > 0; rest = pauseMs()) {
             wait(rest);
         }
         if (waiting.isEmpty()) {
@@ -300,15 +303,11 @@ final class RenderQueue {
         return running;
     }
 
-    /** Returns how many milliseconds to wait for another job: 0 for any time, negative if one can start. */
+    /** Returns how many milliseconds the waiting samples pause; at most 0 if another job waits, too. */
     private long pauseMs() {
-        if (waiting.isEmpty()) {
-            return 0;
-        }
-        boolean waits = wereSamplesInterrupted && !waiting.containsKey(Slot.VERIFICATION)
+        boolean waits = wereSamplesInterrupted && !waiting.isEmpty() && !waiting.containsKey(Slot.VERIFICATION)
                 && waiting.keySet().iterator().next() == Slot.SAMPLES;
-        long rest = pause.minusNanos(System.nanoTime() - endedNs).toMillis();
-        return waits && rest > 0 ? rest : -1;
+        return waits ? pause.minusNanos(System.nanoTime() - endedNs).toMillis() : 0;
     }
 
     private @Nullable Job next() {
