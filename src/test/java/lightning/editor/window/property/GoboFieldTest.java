@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
@@ -132,11 +133,14 @@ class GoboFieldTest extends EditorFixture {
         picture("dots.png");
         select("stage");
         robot.interact(() -> choice().getOnShowing().handle(null));
-        waitFor("the menu lists the file", () -> choice().getItems().stream().anyMatch(i -> "dots.png".equals(i.getText())));
-        // A later listing may no longer have it.
-        MenuItem item = choice().getItems().stream().filter(i -> "dots.png".equals(i.getText())).findFirst().orElseThrow();
+        // A later listing may no longer have the item.
+        var item = new AtomicReference<MenuItem>();
+        waitFor("the menu lists the file", () -> {
+            choice().getItems().stream().filter(i -> "dots.png".equals(i.getText())).findFirst().ifPresent(item::set);
+            return item.get() != null;
+        });
         Files.delete(folder.resolve("textures").resolve("dots.png"));
-        robot.interact(item::fire);
+        robot.interact(item.get()::fire);
         waitFor("the file is refused", () -> model().editor().message().textProperty().get().contains("dots.png"));
         assertThat(light("stage").gobo()).isEmpty();
         assertThat(isEnabled(Command.UNDO)).isFalse();
