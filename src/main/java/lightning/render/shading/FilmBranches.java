@@ -7,10 +7,12 @@ import java.util.Arrays;
  * as many columns are read as the tree has levels, and not all films.
  *
  * @param film    the film
+ * @param from    first of the few films that are read one by one, with {@code film} among them
+ * @param end     the film after the last of these
  * @param weights weight of each film; that of {@code film} is unread
  * @param sums    red, green and blue of each branch, the largest first; null for channels that are black
  */
-public record FilmBranches(int film, LightWeight[] weights, float[][][] sums) {
+public record FilmBranches(int film, int from, int end, LightWeight[] weights, float[][][] sums) {
     // Arrays in a record: written once by their creator, never after.
 
     /** Returns whether these are the sums beside a film with other weights. */

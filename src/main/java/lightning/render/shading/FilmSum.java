@@ -49,7 +49,9 @@ public final class FilmSum {
     private FilmBranches branches(int film, LightWeight[] weights, Films films, int length) {
         reserve(length);
         List<float[][]> sums = new ArrayList<>();
-        for (int from = 0, end = weights.length; end - from > FEW;) {
+        int from = 0;
+        int end = weights.length;
+        while (end - from > FEW) {
             int middle = (from + end) >>> 1;
             boolean isLeft = film < middle;
             float[][] sum = new float[3][];
@@ -62,7 +64,7 @@ public final class FilmSum {
             from = isLeft ? from : middle;
             end = isLeft ? middle : end;
         }
-        return new FilmBranches(film, weights, sums.toArray(float[][][]::new));
+        return new FilmBranches(film, from, end, weights, sums.toArray(float[][][]::new));
     }
 
     /** Writes the same sum of stored films; returns these with the sums beside a film. */
@@ -76,15 +78,8 @@ public final class FilmSum {
 
     private void add(FilmBranches branches, LightWeight[] weights, Films films, int length, float[][] to) {
         reserve(length);
-        int from = 0;
-        int end = weights.length;
-        while (end - from > FEW) {
-            int middle = (from + end) >>> 1;
-            from = branches.film() < middle ? from : middle;
-            end = branches.film() < middle ? middle : end;
-        }
         for (int c = 0; c < 3; c++) {
-            if (!addFew(weights, films, from, end, c, length, dark, to[c])) {
+            if (!addFew(weights, films, branches.from(), branches.end(), c, length, dark, to[c])) {
                 Arrays.fill(to[c], 0, length, 0);
             }
             for (int k = branches.sums().length - 1; k >= 0; k--) {

@@ -11,7 +11,7 @@ import lightning.render.trace.solid.SolidGeometry;
 import lightning.render.trace.tree.ShadowRayTarget;
 import lightning.scene.asset.TextureMap;
 
-/** What rays hit, found with tests of every primitive and every triangle of a mesh. */
+/** Finds the surfaces that rays hit; tests every primitive and every triangle of a mesh. */
 public final class BruteForce {
     private BruteForce() {}
 

@@ -38,8 +38,7 @@ public final class FilmMemory {
     }
 
     /** Returns whether there are many films, and memory for the sums of branches beside one of them: one for each level of the tree. */
-    static boolean canKeepBranches(Scene scene, long memory) {
-        int films = FilmParts.of(scene).count();
+    static boolean canKeepBranches(Scene scene, int films, long memory) {
         long columns = 2L * scene.picture().width() * scene.picture().height() * (Integer.SIZE - Integer.numberOfLeadingZeros(films));
         return films > MANY_FILMS && 3L * Float.BYTES * columns <= memory / 8;
     }

@@ -160,7 +160,7 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Scene 
     /** Returns the film whose weight alone changes, if keeping the sums beside it is faster than adding all films; otherwise −1. */
     int faded() {
         boolean pays = options.fades() && onlyReweights && films.reweighted().cardinality() == 1
-                && FilmMemory.canKeepBranches(scene(), options.memory());
+                && FilmMemory.canKeepBranches(scene(), target.parts().count(), options.memory());
         return pays ? films.reweighted().nextSetBit(0) : -1;
     }
 

@@ -19,7 +19,7 @@ import lightning.scene.effects.ViewEffects;
  * @param view    effects that are shown; all of them in a picture
  * @param memory  memory limit of a picture in bytes; a first pass that needs more is rejected
  * @param engines engine for each tile
- * @param fades   whether weights are edited again and again, as in an editor: films are then kept where that pays for nothing else
+ * @param fades   whether to expect many edits of weights in a row, as in an editor: scenes that keep no films otherwise then keep them
  */
 @RecordBuilder
 public record RenderOptions(Accuracy accuracy, ReflectionMode reflections, MirrorStorage storage, int threads, ViewEffects view,
