@@ -12,6 +12,7 @@ import lightning.render.gather.glow.GlowAim;
 import lightning.render.gather.glow.GlowPaths;
 import lightning.render.gather.glow.GlowShapes;
 import lightning.render.gather.point.GatherPoints;
+import lightning.render.gather.ray.FilmLight;
 import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.RaySources;
 import lightning.render.gather.ray.TiltedFacets;
@@ -243,10 +244,10 @@ public final class GatherStructure {
     /**
      * Writes the means over the neighbors of gather points {@code first … end − 1}.
      *
-     * @param from red, green, blue of each point and one unused value
-     * @param to   receives red, green and blue
+     * @param from light of each point
+     * @param to   receives red, green and blue of each film
      */
-    public void filter(float[] from, float[][] to, int first, int end) {
+    public void filter(FilmLight from, float[][][] to, int first, int end) {
         points.filter().apply(from, to, first, end);
     }
 

@@ -5,6 +5,7 @@ import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.render.gather.cell.DirectionCells;
 import lightning.render.gather.cell.SkyCells;
+import lightning.render.gather.ray.FilmLight;
 import lightning.scene.Dome;
 import lightning.scene.GatherSettings;
 import lightning.scene.IndirectSettings;
@@ -73,24 +74,20 @@ public record BackgroundLight(Rgb color, List<Layer> layers, Rgb seen) {
     }
 
     /**
-     * Writes the light of the cells of the sky that reflections see: red, green and blue of each.
+     * Writes the light of the cells of the sky that reflections see.
      *
-     * @param at     first element
-     * @param stride elements of each cell
+     * @param first number of the first cell
      */
-    void writeSky(float[] to, int at, int stride) {
+    void writeSky(FilmLight to, int first, int film) {
         double[] direction = new double[3];
         double[] radiance = new double[3];
         double[] sum = new double[3];
         for (int cell = 0; cell < SkyCells.COUNT; cell++) {
-            int first = at + stride * cell;
             if (!layers.isEmpty()) {
                 SkyCells.writeCenter(cell, direction);
-                writeSum(direction[0], direction[1], direction[2], radiance, sum, to, first);
+                writeSum(direction[0], direction[1], direction[2], radiance, sum, to.values(), to.at(first + cell, film));
             } else {
-                to[first] = (float) seen.r();
-                to[first + 1] = (float) seen.g();
-                to[first + 2] = (float) seen.b();
+                to.set(first + cell, film, (float) seen.r(), (float) seen.g(), (float) seen.b());
             }
         }
     }

@@ -1,15 +1,21 @@
 package lightning.render.shading;
 
 import java.util.Arrays;
+import java.util.List;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.cell.SkyCells;
+import lightning.render.gather.glow.GlowLinks;
 import lightning.render.gather.glow.GlowPaths;
 import lightning.render.gather.glow.GlowShapes;
+import lightning.render.gather.ray.FilmLight;
+import lightning.render.gather.ray.FilmSums;
 import lightning.render.gather.ray.RayLinks;
+import lightning.render.gather.reflection.ReflectionMeans;
 import lightning.render.gather.reflection.ReflectionPaths;
 import lightning.render.gather.rim.RimLinks;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Computes the light at gather points from the direct light of surfels, by look-ups along the paths of a {@link GatherStructure}.
@@ -32,71 +38,97 @@ import lightning.render.gather.rim.RimLinks;
  * gather).
  *
  * <p>Rays are cosine-distributed, so the plain mean is the irradiance in units of the lights' diffuse sum. Floats are added in the order
- * of the rays. Each film is gathered by itself, with the lights of its contribution.
+ * of the rays. Each film has the lights of its contribution alone; some films stand side by side, so that one walk along the paths serves
+ * them.
  */
 public final class IndirectSolver {
     private static final int BATCH = 512;
-    /** Values of a surfel or point in a row: red, green, blue and one unused, so that they share a cache line. */
-    private static final int STRIDE = 4;
 
     private final GatherStructure structure;
     private final WorkerPool workers;
     private final Progress progress;
+    private final List<Source> films;
+    private final float[][] albedo;
 
-    public IndirectSolver(GatherStructure structure, WorkerPool workers, Progress progress) {
+    /**
+     * What a film is gathered from.
+     *
+     * @param direct     lights' diffuse sum at each surfel
+     * @param glow       light that each surfel emits itself
+     * @param objects    light of each glowing object, as {@link GlowShapes#glow}; null for none
+     * @param seen       light of each surfel that a picture shows, without the light that it gathers; read by reflections only
+     * @param background light of rays that leave the scene
+     */
+    public record Source(float[][] direct, float[][] glow, float @Nullable [][] objects, float[][] seen, BackgroundLight background) {
+        // Arrays in a record: written once by their creator, never after.
+    }
+
+    /**
+     * @param films  at most {@link FilmLight#MAX_FILMS}
+     * @param albedo of each surfel
+     */
+    public IndirectSolver(GatherStructure structure, List<Source> films, float[][] albedo, WorkerPool workers, Progress progress) {
         this.structure = structure;
+        this.films = films;
+        this.albedo = albedo;
         this.workers = workers;
         this.progress = progress.cancellationOnly();
     }
 
     /**
-     * Returns the light at all gather points: red, green, blue. If the paths contain reflections, six columns follow with the light at
-     * reflection points: red, green and blue of what the reflectance multiplies, and the same of what no color multiplies.
+     * Returns the light at all gather points by film: red, green, blue. If the paths contain reflections, six columns follow with the light
+     * at reflection points: red, green and blue of what the reflectance multiplies, and the same of what no color multiplies.
      *
-     * @param direct lights' diffuse sum at each surfel
-     * @param albedo of each surfel
-     * @param glow   light that each surfel emits itself
-     * @param objects light of each glowing object, as {@link GlowShapes#glow}
-     * @param seen   light of each surfel that a picture shows, without the light that it gathers; read by reflections only
-     * @param background light of rays that leave the scene
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
-    public float[][] solve(float[][] direct, float[][] albedo, float[][] glow, float[][] objects, float[][] seen,
-            BackgroundLight background) {
+    public float[][][] solve() {
         ReflectionPaths reflections = structure.reflections();
-        float[][] atSurfels = new float[3][reflections == null ? 0 : structure.surfelCount()];
-        float[] radiosity = radiosity(direct, albedo, glow, objects, background.cells(structure.pointLinks().misses()), atSurfels);
+        float[][][] atSurfels = new float[films.size()][3][reflections == null ? 0 : structure.surfelCount()];
+        FilmLight radiosity = radiosity(atSurfels);
         GlowPaths glowPaths = structure.glow();
         RayLinks links = structure.pointLinks();
         int points = structure.pointCount();
-        float[] gathered = new float[STRIDE * points];
-        float[][] light = new float[reflections == null ? 3 : 9][points];
+        FilmLight gathered = FilmLight.black(films.size(), points);
+        float[][][] light = new float[films.size()][reflections == null ? 3 : 9][points];
         run(points, (from, to) -> {
-            float[] mean = new float[3];
+            FilmSums mean = new FilmSums();
             for (int p = from; p < to; p++) {
                 links.sum(p, radiosity, mean);
                 structure.rims().add(p, links, radiosity, mean);
-                glowPaths.ofPoints().add(p, objects, mean);
-                System.arraycopy(mean, 0, gathered, STRIDE * p, 3);
+                addGlow(glowPaths.ofPoints(), p, mean);
+                mean.writeTo(gathered, p);
             }
         });
         run(points, (from, to) -> structure.filter(gathered, light, from, to));
         if (reflections != null) {
-            reflect(reflections, albedo, seen, atSurfels, background, light);
+            reflect(reflections, atSurfels, light);
         }
         return light;
     }
 
-    /** Returns the light that surfels gather, without the noise of their few rays. */
-    private float[][] smooth(ReflectionPaths paths, float[][] atSurfels) {
-        int gathering = paths.gatheringSurfels();
-        float[] noisy = new float[STRIDE * gathering];
-        for (int i = 0; i < gathering; i++) {
-            for (int c = 0; c < 3; c++) {
-                noisy[STRIDE * i + c] = atSurfels[c][i];
+    private void addGlow(GlowLinks links, int point, FilmSums to) {
+        for (int film = 0; film < films.size(); film++) {
+            float[][] objects = films.get(film).objects;
+            if (objects != null) {
+                links.add(point, objects, film, to);
             }
         }
-        float[][] smooth = {atSurfels[0].clone(), atSurfels[1].clone(), atSurfels[2].clone()};
+    }
+
+    /** Returns the light that surfels gather, without the noise of their few rays. */
+    private float[][][] smooth(ReflectionPaths paths, float[][][] atSurfels) {
+        int gathering = paths.gatheringSurfels();
+        FilmLight noisy = FilmLight.black(films.size(), gathering);
+        float[][][] smooth = new float[films.size()][3][];
+        for (int film = 0; film < smooth.length; film++) {
+            float[][] its = atSurfels[film];
+            for (int i = 0; i < gathering; i++) {
+                noisy.set(i, film, its[0][i], its[1][i], its[2][i]);
+            }
+            for (int c = 0; c < 3; c++) {
+                smooth[film][c] = its[c].clone();
+            }
+        }
         run(gathering, (from, to) -> paths.filterSurfels(noisy, smooth, from, to));
         return smooth;
     }
@@ -106,106 +138,140 @@ public final class IndirectSolver {
      *
      * @param atSurfels light that the rays of surfels gather
      */
-    private void reflect(ReflectionPaths paths, float[][] albedo, float[][] seen, float[][] atSurfels,
-            BackgroundLight background, float[][] light) {
+    private void reflect(ReflectionPaths paths, float[][][] atSurfels, float[][][] light) {
+        int sources = paths.links().points();
+        FilmLight shown = shown(paths, smooth(paths, atSurfels));
+        FilmLight color = FilmLight.black(films.size(), sources);
+        FilmLight white = FilmLight.black(films.size(), sources);
+        run(sources, (from, to) -> {
+            ReflectionMeans means = paths.links().newMeans();
+            for (int p = from; p < to; p++) {
+                paths.links().writeMean(p, shown, means, color, white);
+            }
+        });
+        float[][][] colors = new float[films.size()][3][paths.count()];
+        float[][][] whites = new float[films.size()][3][paths.count()];
+        run(paths.count(), (from, to) -> {
+            paths.filter(color, colors, from, to);
+            paths.filter(white, whites, from, to);
+        });
+        for (int film = 0; film < light.length; film++) {
+            System.arraycopy(colors[film], 0, light[film], 3, 3);
+            System.arraycopy(whites[film], 0, light[film], 6, 3);
+        }
+    }
+
+    /** Returns what a picture would show of the surfels, and then the cells of the sky. @param smooth light that surfels gather */
+    private FilmLight shown(ReflectionPaths paths, float[][][] smooth) {
         int surfels = structure.surfelCount();
         int[] details = paths.surfelOfDetail();
         int whole = surfels - details.length;
-        float[] shown = new float[STRIDE * (surfels + SkyCells.COUNT)];
-        float[][] smooth = smooth(paths, atSurfels);
+        FilmLight shown = FilmLight.black(films.size(), surfels + SkyCells.COUNT);
         run(surfels, (from, to) -> {
-            for (int s = from; s < to; s++) {
-                int gathering = s < whole ? s : details[s - whole];
-                for (int c = 0; c < 3; c++) {
-                    shown[STRIDE * s + c] = seen[c][s] + albedo[c][s] * smooth[c][gathering];
+            for (int film = 0; film < smooth.length; film++) {
+                float[][] seen = films.get(film).seen;
+                for (int s = from; s < to; s++) {
+                    int gathering = s < whole ? s : details[s - whole];
+                    int at = shown.at(s, film);
+                    for (int c = 0; c < 3; c++) {
+                        shown.values()[at + c] = seen[c][s] + albedo[c][s] * smooth[film][c][gathering];
+                    }
                 }
             }
         });
-        background.writeSky(shown, STRIDE * surfels, STRIDE);
-        int sources = paths.links().points();
-        float[] color = new float[STRIDE * sources];
-        float[] white = new float[STRIDE * sources];
-        run(sources, (from, to) -> {
-            float[] one = new float[3];
-            float[] other = new float[3];
-            for (int p = from; p < to; p++) {
-                paths.links().mean(p, shown, one, other);
-                System.arraycopy(one, 0, color, STRIDE * p, 3);
-                System.arraycopy(other, 0, white, STRIDE * p, 3);
-            }
-        });
-        int points = paths.count();
-        for (int c = 3; c < light.length; c++) {
-            light[c] = new float[points];
+        for (int film = 0; film < smooth.length; film++) {
+            films.get(film).background.writeSky(shown, surfels, film);
         }
-        run(points, (from, to) -> {
-            paths.filter(color, Arrays.copyOfRange(light, 3, 6), from, to);
-            paths.filter(white, Arrays.copyOfRange(light, 6, 9), from, to);
-        });
+        return shown;
     }
 
     /**
      * Returns what each ray of a point that hits a surfel adds to the mean; after the last surfel the same for the background or its cells,
      * then for the surfels on glowing objects without their glow.
      *
-     * @param background red, green and blue of each number of rays that leave the scene
-     * @param atSurfels  receives the light that the rays of surfels gather; empty if it is not needed
+     * @param atSurfels receives the light that the rays of surfels gather by film; empty if it is not needed
      */
-    private float[] radiosity(float[][] direct, float[][] albedo, float[][] glow, float[][] objects, float[] background,
-            float[][] atSurfels) {
+    private FilmLight radiosity(float[][][] atSurfels) {
         int surfels = structure.surfelCount();
         RayLinks links = structure.surfelLinks();
-        int linked = links.points();
-        int[] dark = structure.glow().surfels();
-        int misses = background.length / 3;
-        float first = 1f / (structure.bounces() == 0 ? structure.pointLinks() : links).raysPerPoint();
-        float[] radiosity = withBackground(background, first, surfels, dark.length);
+        int misses = structure.pointLinks().misses();
+        float[][] background = new float[films.size()][];
+        Arrays.setAll(background, film -> films.get(film).background.cells(misses));
+        FilmLight radiosity = withBackground(background, share(structure.bounces() == 0));
         for (int bounce = 1; bounce <= structure.bounces(); bounce++) {
-            float[] before = bounce == 1 && misses == 1 ? null : radiosity;
+            FilmLight before = bounce == 1 && misses == 1 ? null : radiosity;
             boolean hasGlow = bounce > 1;
             // Shares of the mean are added, because sums of the brightest light overflow.
-            float share = 1f / (bounce < structure.bounces() ? links : structure.pointLinks()).raysPerPoint();
-            float[] after = withBackground(background, share, surfels, dark.length);
+            float share = share(bounce == structure.bounces());
+            FilmLight after = withBackground(background, share);
             run(surfels, (from, to) -> {
-                float[] gathered = new float[3];
-                for (int s = from; s < to; s++) {
-                    if (before != null && s < linked) {
-                        links.sum(s, before, gathered);
-                        if (hasGlow) {
-                            structure.glow().ofSurfels().add(s, objects, gathered);
-                        }
-                    } else {
-                        Arrays.fill(gathered, 0);
+                float[][][] met = new float[films.size()][3][to - from];
+                int end = before == null ? from : Math.min(to, links.points());
+                FilmSums gathered = new FilmSums();
+                for (int s = from; s < end; s++) {
+                    links.sum(s, before, gathered);
+                    if (hasGlow) {
+                        addGlow(structure.glow().ofSurfels(), s, gathered);
                     }
-                    int twin = Arrays.binarySearch(dark, s);
-                    for (int c = 0; c < 3; c++) {
-                        if (atSurfels[c].length > 0) {
-                            atSurfels[c][s] = gathered[c];
-                        }
-                        float scattered = albedo[c][s] * (direct[c][s] + gathered[c]);
-                        after[STRIDE * s + c] = (glow[c][s] + scattered) * share;
-                        if (twin >= 0) {
-                            after[STRIDE * (surfels + misses + twin) + c] = scattered * share;
-                        }
+                    gathered.writeTo(met, s - from);
+                }
+                for (int film = 0; film < met.length; film++) {
+                    scatter(film, met[film], after, share, from);
+                    for (int c = 0; c < 3 && atSurfels[film][c].length > 0; c++) {
+                        System.arraycopy(met[film][c], 0, atSurfels[film][c], from, to - from);
                     }
                 }
             });
             radiosity = after;
         }
-        if (!structure.isIndirect() && structure.bounces() > 0) {
-            return withBackground(background, 1f / structure.pointLinks().raysPerPoint(), surfels, dark.length);
-        }
-        return radiosity;
+        return structure.isIndirect() || structure.bounces() == 0 ? radiosity : withBackground(background, share(true));
     }
 
-    /** Returns the values of all numbers of rays, of which only those of the background are known. */
-    private static float[] withBackground(float[] background, float share, int surfels, int dark) {
-        int misses = background.length / 3;
-        float[] values = new float[STRIDE * (surfels + misses + dark)];
-        for (int i = 0; i < background.length; i++) {
-            values[STRIDE * (surfels + i / 3) + i % 3] = background[i] * share;
+    /** Returns the share of one ray in the mean of a gather point or of a surfel. */
+    private float share(boolean ofPoint) {
+        return 1f / (ofPoint ? structure.pointLinks() : structure.surfelLinks()).raysPerPoint();
+    }
+
+    /**
+     * Writes what consecutive surfels send in a film.
+     *
+     * @param met   light that their rays gather: red, green and blue
+     * @param first first of the surfels
+     */
+    private void scatter(int film, float[][] met, FilmLight to, float share, int first) {
+        int count = met[0].length;
+        float[] values = to.values();
+        int stride = to.stride();
+        int[] dark = structure.glow().surfels();
+        int firstDark = structure.surfelCount() + structure.pointLinks().misses();
+        int nextDark = Arrays.binarySearch(dark, first);
+        nextDark = nextDark < 0 ? -nextDark - 1 : nextDark;
+        for (int c = 0; c < 3; c++) {
+            float[] direct = films.get(film).direct[c];
+            float[] glow = films.get(film).glow[c];
+            int at = to.at(first, film) + c;
+            for (int i = 0; i < count; i++) {
+                float scattered = albedo[c][first + i] * (direct[first + i] + met[c][i]);
+                values[at + stride * i] = (glow[first + i] + scattered) * share;
+            }
+            for (int d = nextDark; d < dark.length && dark[d] < first + count; d++) {
+                float scattered = albedo[c][dark[d]] * (direct[dark[d]] + met[c][dark[d] - first]);
+                values[to.at(firstDark + d, film) + c] = scattered * share;
+            }
         }
-        return values;
+    }
+
+    /** Returns the values of all numbers of rays, of which only those of the background are known. @param background by film */
+    private FilmLight withBackground(float[][] background, float share) {
+        int surfels = structure.surfelCount();
+        int misses = background[0].length / 3;
+        FilmLight light = FilmLight.black(films.size(), surfels + misses + structure.glow().surfels().length);
+        for (int film = 0; film < background.length; film++) {
+            for (int i = 0; i < background[film].length; i++) {
+                light.values()[light.at(surfels + i / 3, film) + i % 3] = background[film][i] * share;
+            }
+        }
+        return light;
     }
 
     private interface Part {

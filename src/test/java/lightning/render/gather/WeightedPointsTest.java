@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.Random;
 import lightning.render.gather.point.PointFilter;
+import lightning.render.gather.ray.FilmLight;
 import org.junit.jupiter.api.Test;
 
 /** Tests weighted means over more points than a table holds. */
@@ -42,7 +43,7 @@ class WeightedPointsTest {
         float[][] actual = new float[3][POINTS];
         PointFilter filter = PointFilter.of(neighbors, weights);
         for (int[] part : new int[][] {{1000, 1700}, {0, 1000}, {1700, POINTS}}) {
-            filter.apply(interleaved, actual, part[0], part[1]);
+            filter.apply(new FilmLight(1, interleaved), new float[][][] {actual}, part[0], part[1]);
         }
         for (int p = 0; p < POINTS; p++) {
             int[] whole = new int[weights[p].length];

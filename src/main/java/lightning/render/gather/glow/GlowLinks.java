@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
+import lightning.render.gather.ray.FilmSums;
 
 /** Shares of the light of small glowing objects that points receive. Immutable. */
 public final class GlowLinks {
@@ -90,15 +91,15 @@ public final class GlowLinks {
      * Adds the light that a point receives, in the order of the objects.
      *
      * @param glow light of each object: red, green and blue of all
-     * @param to   red, green and blue
+     * @param film that it is a part of
      */
-    public void add(int point, float[][] glow, float[] to) {
+    public void add(int point, float[][] glow, int film, FilmSums to) {
         if (start.length == 0) {
             return;
         }
         for (int i = start[point]; i < start[point + 1]; i++) {
             for (int c = 0; c < 3; c++) {
-                to[c] += weight[c][i] * glow[c][shape[i]];
+                to.add(film, c, weight[c][i] * glow[c][shape[i]]);
             }
         }
     }

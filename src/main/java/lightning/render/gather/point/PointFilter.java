@@ -3,6 +3,7 @@ package lightning.render.gather.point;
 import java.io.IOException;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
+import lightning.render.gather.ray.FilmLight;
 
 /**
  * Weighted means over neighboring gather points, which remove the noise of their rays. The weights are fixed, so the mean is linear in
@@ -53,41 +54,59 @@ public record PointFilter(int[] start, WeightedPoints neighbors) {
     /**
      * Writes the means of points {@code first … end − 1}.
      *
-     * @param from red, green, blue of each point and one unused value
-     * @param to   receives red, green and blue
+     * @param from light of each point
+     * @param to   receives red, green and blue of each film
      */
-    public void apply(float[] from, float[][] to, int first, int end) {
+    public void apply(FilmLight from, float[][][] to, int first, int end) {
+        int[] point = {};
+        float[] weight = {};
         int table = neighbors.tableOf(start[first]);
         int tableEnd = neighbors.endEntry(table);
         int tablePoint = neighbors.firstPoint(table);
         int[] points = neighbors.points();
-        byte[] index = neighbors.index;
-        byte[] weight = neighbors.weight;
         for (int p = first; p < end; p++) {
-            float red = 0;
-            float green = 0;
-            float blue = 0;
+            int entry = start[p];
+            int count = start[p + 1] - entry;
+            if (point.length < count) {
+                point = new int[2 * count];
+                weight = new float[2 * count];
+            }
             int total = 0;
-            for (int i = start[p]; i < start[p + 1];) {
-                while (i >= tableEnd) {
+            for (int i = 0; i < count;) {
+                while (entry + i >= tableEnd) {
                     tableEnd = neighbors.endEntry(++table);
                     tablePoint = neighbors.firstPoint(table);
                 }
-                for (int stop = Math.min(tableEnd, start[p + 1]); i < stop; i++) {
-                    int whole = weight[i] & 0xFF;
-                    float w = whole * WeightedPoints.SCALE;
-                    int at = 4 * points[tablePoint + (index[i] & 0xFF)];
-                    red += w * from[at];
-                    green += w * from[at + 1];
-                    blue += w * from[at + 2];
+                for (int stop = Math.min(tableEnd - entry, count); i < stop; i++) {
+                    int whole = neighbors.weight[entry + i] & 0xFF;
+                    point[i] = points[tablePoint + (neighbors.index[entry + i] & 0xFF)];
+                    weight[i] = whole * WeightedPoints.SCALE;
                     total += whole;
                 }
             }
             float scale = 1 / (total * WeightedPoints.SCALE);
-            to[0][p] = red * scale;
-            to[1][p] = green * scale;
-            to[2][p] = blue * scale;
+            for (int film = 0; film < to.length; film++) {
+                writeMean(from, film, point, weight, count, scale, to[film], p);
+            }
         }
+    }
+
+    private static void writeMean(FilmLight light, int film, int[] point, float[] weight, int count, float scale, float[][] to, int p) {
+        float[] values = light.values();
+        int stride = light.stride();
+        float red = 0;
+        float green = 0;
+        float blue = 0;
+        for (int i = 0; i < count; i++) {
+            int at = stride * point[i] + 3 * film;
+            float w = weight[i];
+            red += w * values[at];
+            green += w * values[at + 1];
+            blue += w * values[at + 2];
+        }
+        to[0][p] = red * scale;
+        to[1][p] = green * scale;
+        to[2][p] = blue * scale;
     }
 
     public void writeTo(ColumnWriter out) throws IOException {

@@ -202,7 +202,7 @@ public final class RayLinks {
         return rays;
     }
 
-    /** Returns the number of the hit of a ray, among those of {@link #sum(int, float[], float[])}. */
+    /** Returns the number of the hit of a ray, among those of {@link #sum(int, FilmLight, FilmSums)}. */
     public int number(int ray) {
         return surfel.get(ray);
     }
@@ -249,36 +249,16 @@ public final class RayLinks {
     /**
      * Adds up the light that the rays of a point meet, in the order of the rays.
      *
-     * @param light red, green and blue light of each surfel, of the background or its cells, and of glowing surfels without their glow; and
-     *              one unused value each
-     * @param to    receives red, green and blue
+     * @param light of each surfel, of the background or its cells, and of glowing surfels without their glow
      */
-    public void sum(int point, float[] light, float[] to) {
+    public void sum(int point, FilmLight light, FilmSums to) {
         sum(point * raysPerPoint, raysPerPoint, light, to);
     }
 
     /** Adds up the light that rays {@code from … from + count − 1} meet, as above. */
-    public void sum(int from, int count, float[] light, float[] to) {
-        int nextTint = tints == null ? 0 : tints.firstFrom(from);
-        if (tints == null || nextTint == tints.count() || tints.ray()[nextTint] >= from + count) {
-            surfel.sum(from, count, light, to);
-        } else {
-            sumTinted(from, count, nextTint, light, to);
-        }
-    }
-
-    private void sumTinted(int from, int count, int firstTint, float[] light, float[] to) {
-        Arrays.fill(to, 0);
-        assert tints != null;
-        int tinted = firstTint;
-        for (int ray = from; ray < from + count; ray++) {
-            int at = 4 * surfel.get(ray);
-            boolean isTinted = tinted < tints.count() && tints.ray()[tinted] == ray;
-            for (int c = 0; c < 3; c++) {
-                to[c] += isTinted ? light[at + c] * tints.tint()[c][tinted] : light[at + c];
-            }
-            tinted += isTinted ? 1 : 0;
-        }
+    public void sum(int from, int count, FilmLight light, FilmSums to) {
+        surfel.read(from, count, to.numbers(count));
+        to.addUp(light, count, tints != null && tints.read(from, count, to.tints()));
     }
 
     /** Returns the bytes that the links took only while they were built. */

@@ -54,17 +54,8 @@ final class RayNumbers {
         }
     }
 
-    /**
-     * Adds up values of the numbers of consecutive rays, in their order.
-     *
-     * @param from   first of the rays
-     * @param values for each number three values and one unused
-     * @param to     receives the three sums
-     */
-    void sum(int from, int count, float[] values, float[] to) {
-        float first = 0;
-        float second = 0;
-        float third = 0;
+    /** Writes the numbers of consecutive rays, in their order. */
+    void read(int from, int count, int[] to) {
         int bits = 1 << shift;
         int mask = high == null ? 0 : mask();
         int end = from + count;
@@ -72,16 +63,10 @@ final class RayNumbers {
             int higher = high == null ? 0 : high[word(ray)] >>> (ray << shift);
             int stop = high == null ? end : Math.min(end, (word(ray) + 1) << WORD_SHIFT - shift);
             for (; ray < stop; ray++) {
-                int at = 4 * (low[ray] | (higher & mask) << Character.SIZE);
+                to[ray - from] = low[ray] | (higher & mask) << Character.SIZE;
                 higher >>>= bits;
-                first += values[at];
-                second += values[at + 1];
-                third += values[at + 2];
             }
         }
-        to[0] = first;
-        to[1] = second;
-        to[2] = third;
     }
 
     int get(int ray) {

@@ -41,6 +41,26 @@ public record RayTints(int[] ray, float[][] tint) {
         return found >= 0 ? found : -found - 1;
     }
 
+    /**
+     * Writes the tints of consecutive rays, white for those without.
+     *
+     * @param to red, green and blue; not written if no ray is tinted
+     * @return whether any is tinted
+     */
+    public boolean read(int from, int count, float[][] to) {
+        int first = firstFrom(from);
+        if (first == ray.length || ray[first] >= from + count) {
+            return false;
+        }
+        for (int c = 0; c < 3; c++) {
+            Arrays.fill(to[c], 0, count, 1);
+            for (int i = first; i < ray.length && ray[i] < from + count; i++) {
+                to[c][ray[i] - from] = tint[c][i];
+            }
+        }
+        return true;
+    }
+
     public static void write(@Nullable RayTints tints, ColumnWriter out) throws IOException {
         out.writeArray(tints == null ? null : tints.ray);
         out.writeFloatArrays(tints == null ? null : tints.tint);

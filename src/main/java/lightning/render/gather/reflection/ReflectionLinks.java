@@ -9,6 +9,7 @@ import lightning.base.work.WorkerPool;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.gather.cell.CellTable;
+import lightning.render.gather.ray.FilmLight;
 import lightning.render.gather.ray.PathMemory;
 import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.RayTints;
@@ -214,18 +215,20 @@ public final class ReflectionLinks {
         return number[ray];
     }
 
+    /** Returns scratch memory for the means of points. */
+    public ReflectionMeans newMeans() {
+        return new ReflectionMeans(raysPerPoint);
+    }
+
     /**
-     * Computes the mean light that a point reflects, in the order of its rays.
+     * Writes the mean light that a point reflects, in the order of its rays.
      *
-     * @param light red, green and blue light of each surfel and of each cell of the sky, and one unused value each
-     * @param color receives red, green and blue of the mean with the weights that the reflectance multiplies, as {@code white} with those
-     *              that no color multiplies; 0 if all weights are 0
+     * @param light of each surfel and of each cell of the sky
+     * @param color receives the means with the weights that the reflectance multiplies, as {@code white} with those that no color
+     *              multiplies; 0 if all weights are 0
      */
-    public void mean(int point, float[] light, float[] color, float[] white) {
-        Arrays.fill(color, 0);
-        Arrays.fill(white, 0);
+    public void writeMean(int point, FilmLight light, ReflectionMeans scratch, FilmLight color, FilmLight white) {
         int from = point * raysPerPoint;
-        int next = tints == null ? 0 : tints.firstFrom(from);
         int colorSum = 0;
         int whiteSum = 0;
         for (int ray = from; ray < from + raysPerPoint; ray++) {
@@ -234,18 +237,13 @@ public final class ReflectionLinks {
         }
         float colorScale = colorSum == 0 ? 0 : 1f / colorSum;
         float whiteScale = whiteSum == 0 ? 0 : 1f / whiteSum;
-        for (int ray = from; ray < from + raysPerPoint; ray++) {
-            boolean isTinted = tints != null && next < tints.count() && tints.ray()[next] == ray;
-            float a = (weights[ray] >>> 16) * colorScale;
-            float b = (weights[ray] & 0xFFFF) * whiteScale;
-            int at = 4 * number[ray];
-            for (int c = 0; c < 3; c++) {
-                float its = isTinted ? light[at + c] * requireNonNull(tints).tint()[c][next] : light[at + c];
-                color[c] += a * its;
-                white[c] += b * its;
-            }
-            next += isTinted ? 1 : 0;
+        for (int k = 0; k < raysPerPoint; k++) {
+            scratch.number[k] = number[from + k];
+            scratch.colorShare[k] = (weights[from + k] >>> 16) * colorScale;
+            scratch.whiteShare[k] = (weights[from + k] & 0xFFFF) * whiteScale;
         }
+        boolean isTinted = tints != null && tints.read(from, raysPerPoint, scratch.tint);
+        scratch.write(light, isTinted, point, color, white);
     }
 
     void writeTo(ColumnWriter out) throws IOException {

@@ -8,6 +8,7 @@ import lightning.render.column.ColumnWriter;
 import lightning.render.gather.cell.CellKeys;
 import lightning.render.gather.glow.GlowShapes;
 import lightning.render.gather.point.PointFilter;
+import lightning.render.gather.ray.FilmLight;
 import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
@@ -120,7 +121,7 @@ public final class ReflectionPaths {
     /**
      * Writes the means over the neighbors of points {@code first … end − 1}; parameters as {@link lightning.render.gather.GatherStructure#filter}.
      */
-    public void filter(float[] from, float[][] to, int first, int end) {
+    public void filter(FilmLight from, float[][][] to, int first, int end) {
         filter.apply(from, to, first, end);
     }
 
@@ -130,7 +131,7 @@ public final class ReflectionPaths {
     }
 
     /** Writes the means over neighboring surfels {@code first … end − 1} of those that gather light; parameters as above. */
-    public void filterSurfels(float[] from, float[][] to, int first, int end) {
+    public void filterSurfels(FilmLight from, float[][][] to, int first, int end) {
         surfelFilter.apply(from, to, first, end);
     }
 

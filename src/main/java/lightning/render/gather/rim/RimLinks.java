@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.util.Arrays;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
+import lightning.render.gather.ray.FilmLight;
+import lightning.render.gather.ray.FilmSums;
 import lightning.render.gather.ray.RayLinks;
 
 /** Links of the additional rays of gather points, through cells of directions that contain the rim of an opening. Immutable. */
@@ -76,21 +78,23 @@ public final class RimLinks {
      * Replaces the light that a point's ray meets in each cell with a rim by the mean of all rays there.
      *
      * @param links the points' own rays
-     * @param light as in {@link RayLinks#sum(int, float[], float[])}
-     * @param to    sum over the point's own rays: red, green and blue
+     * @param light as in {@link RayLinks#sum(int, FilmLight, FilmSums)}
+     * @param to    sums over the point's own rays
      */
-    public void add(int point, RayLinks links, float[] light, float[] to) {
+    public void add(int point, RayLinks links, FilmLight light, FilmSums to) {
         if (firstCell.length == 0 || firstCell[point] == firstCell[point + 1]) {
             return;
         }
         int added = added(point);
-        float[] own = new float[3];
-        float[] others = new float[3];
+        FilmSums own = new FilmSums();
+        FilmSums others = new FilmSums();
         for (int i = firstCell[point], ray = firstRay[point]; i < firstCell[point + 1]; i++, ray += added) {
             links.sum(point * links.raysPerPoint() + cell[i], 1, light, own);
             rays.sum(ray, added, light, others);
-            for (int c = 0; c < 3; c++) {
-                to[c] += (others[c] - added * own[c]) / (added + 1);
+            for (int film = 0; film < light.films(); film++) {
+                for (int c = 0; c < 3; c++) {
+                    to.add(film, c, (others.get(film, c) - added * own.get(film, c)) / (added + 1));
+                }
             }
         }
     }

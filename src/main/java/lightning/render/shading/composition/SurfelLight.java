@@ -2,10 +2,13 @@ package lightning.render.shading.composition;
 
 import static java.util.Objects.requireNonNull;
 
+import java.util.Arrays;
 import java.util.BitSet;
+import java.util.List;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.gather.GatherStructure;
+import lightning.render.gather.ray.FilmLight;
 import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.FilmPart;
 import lightning.render.shading.FilmParts;
@@ -75,21 +78,31 @@ public final class SurfelLight {
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
     public float[] @Nullable [][] solve(WorkerPool workers, Progress progress) {
-        IndirectSolver solver = new IndirectSolver(structure, workers, progress);
-        float[][] objects = structure.glow().shapes().glow(materials);
         float[] @Nullable [][] light = new float[parts.count()][][];
-        float[][] none = new float[3][structure.surfelCount()];
-        float[][] noObjects = new float[3][objects[0].length];
-        float[][] unseen = new float[3][reflects ? structure.surfelCount() : 0];
-        for (int part = chosen.nextSetBit(0); part >= 0; part = chosen.nextSetBit(part + 1)) {
-            BackgroundLight background = parts.background(part);
-            float[][] emitted = isRest(part) ? glow : null;
-            if (!isBlack(direct[part]) || emitted != null || !isBlack(seen[part]) || !background.equals(BackgroundLight.NONE)) {
-                light[part] = solver.solve(direct[part] == null ? none : direct[part], albedo, emitted == null ? none : emitted,
-                        isRest(part) ? objects : noObjects, seen[part] == null ? unseen : seen[part], background);
+        int[] shining = chosen.stream().filter(this::shines).toArray();
+        for (int from = 0; from < shining.length; from += FilmLight.MAX_FILMS) {
+            int[] group = Arrays.copyOfRange(shining, from, Math.min(shining.length, from + FilmLight.MAX_FILMS));
+            float[][][] solved = new IndirectSolver(structure, sources(group), albedo, workers, progress).solve();
+            for (int film = 0; film < group.length; film++) {
+                light[group[film]] = solved[film];
             }
         }
         return light;
+    }
+
+    /** Returns whether surfels have any light in a film. */
+    private boolean shines(int part) {
+        return !isBlack(direct[part]) || glow != null && isRest(part) || !isBlack(seen[part])
+                || !parts.background(part).equals(BackgroundLight.NONE);
+    }
+
+    private List<IndirectSolver.Source> sources(int[] group) {
+        float[][] objects = structure.glow().shapes().glow(materials);
+        float[][] none = new float[3][structure.surfelCount()];
+        float[][] unseen = new float[3][reflects ? structure.surfelCount() : 0];
+        return Arrays.stream(group).mapToObj(part -> new IndirectSolver.Source(direct[part] == null ? none : direct[part],
+                glow != null && isRest(part) ? glow : none, isRest(part) ? objects : null, seen[part] == null ? unseen : seen[part],
+                parts.background(part))).toList();
     }
 
     private boolean isRest(int part) {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import lightning.render.gather.point.PointFilter;
+import lightning.render.gather.ray.FilmLight;
 import org.junit.jupiter.api.Test;
 
 /** Filter of reflection points: where few neighbors reflect the same, points get copies. */
@@ -36,13 +37,13 @@ class ReflectionFilterTest {
     void filter_givesCopiesTheWeightOfTheirOriginal() {
         var filter = new ReflectionFilter(new int[][] {{0, 1}, {1}}, new float[][] {{1, 0.5f}, {1}});
         PointFilter points = filter.build(new int[] {0, 2});
-        float[] light = new float[4 * 4];
-        light[0] = 7;
+        FilmLight light = FilmLight.black(1, 4);
+        light.set(0, 0, 7, 0, 0);
         for (int p = 1; p < 4; p++) {
-            light[4 * p] = p;
+            light.set(p, 0, p, 0, 0);
         }
         float[][] mean = new float[3][2];
-        points.apply(light, mean, 0, 2);
+        points.apply(light, new float[][][] {mean}, 0, 2);
         // Point 1 and its copies, which are points 2 and 3, have half the weight of point 0 each.
         assertEquals((7 + 0.5 * (1 + 2 + 3)) / 2.5, mean[0][0], 0.01);
         assertEquals(2, mean[0][1], 1e-6);

@@ -3,6 +3,7 @@ package lightning.render.shading.reference;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import lightning.base.work.Progress;
@@ -84,14 +85,14 @@ final class ReferenceReflections {
             }
         }
         float[][] objects = structure.glow().shapes().glow(materials);
-        float[][] noObjects = new float[3][objects[0].length];
-        IndirectSolver solver = new IndirectSolver(structure, workers, Progress.NONE);
         float[][][] films = new float[parts.count()][][];
         BitSet known = new BitSet();
         for (int part = 0; part < films.length; part++) {
             known.set(part);
-            films[part] = solver.solve(of(direct, part), albedo, of(glow, part), parts.get(part).kind() == FilmPart.Kind.REST ? objects
-                    : noObjects, of(seen, part), parts.background(part));
+            // Each film alone, as the oracle of films side by side.
+            var source = new IndirectSolver.Source(of(direct, part), of(glow, part),
+                    parts.get(part).kind() == FilmPart.Kind.REST ? objects : null, of(seen, part), parts.background(part));
+            films[part] = new IndirectSolver(structure, List.of(source), albedo, workers, Progress.NONE).solve()[0];
         }
         light = new IndirectLight(structure, new StoredFilms(films, known), films);
         weigher = new RowWeigher(structure);
