@@ -16,6 +16,7 @@ public final class FilmSum {
     private final float[] fewWeights = new float[FEW];
     private float[][] scratch = {};
     private float[] dark = {};
+    private long bytesRead;
 
     /** Colors of a film. */
     @FunctionalInterface
@@ -37,6 +38,11 @@ public final class FilmSum {
                 Arrays.fill(to[c], 0, length, 0);
             }
         }
+    }
+
+    /** Returns the bytes of films and of sums beside a film that were read so far. */
+    public long bytesRead() {
+        return bytesRead;
     }
 
     private void reserve(int length) {
@@ -85,6 +91,7 @@ public final class FilmSum {
             for (int k = branches.sums().length - 1; k >= 0; k--) {
                 if (branches.sums()[k][c] != null) {
                     add(to[c], 1, branches.sums()[k][c], to[c], length);
+                    bytesRead += (long) Float.BYTES * length;
                 }
             }
         }
@@ -125,6 +132,7 @@ public final class FilmSum {
                 int place = end - from == 3 && film > from ? film - from + 1 : film - from;
                 few[place] = colors[c];
                 fewWeights[place] = weights[film].channel(c);
+                bytesRead += (long) Float.BYTES * length;
                 shows = true;
             }
         }

@@ -10,7 +10,7 @@ import lightning.render.gather.glow.GlowLinks;
 import lightning.render.gather.glow.GlowPaths;
 import lightning.render.gather.glow.GlowShapes;
 import lightning.render.gather.ray.FilmLight;
-import lightning.render.gather.ray.FilmSums;
+import lightning.render.gather.ray.RaySums;
 import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.reflection.ReflectionMeans;
 import lightning.render.gather.reflection.ReflectionPaths;
@@ -91,7 +91,7 @@ public final class IndirectSolver {
         FilmLight gathered = FilmLight.black(films.size(), points);
         float[][][] light = new float[films.size()][reflections == null ? 3 : 9][points];
         run(points, (from, to) -> {
-            FilmSums mean = new FilmSums();
+            RaySums mean = new RaySums();
             for (int p = from; p < to; p++) {
                 links.sum(p, radiosity, mean);
                 structure.rims().add(p, links, radiosity, mean);
@@ -106,7 +106,7 @@ public final class IndirectSolver {
         return light;
     }
 
-    private void addGlow(GlowLinks links, int point, FilmSums to) {
+    private void addGlow(GlowLinks links, int point, RaySums to) {
         for (int film = 0; film < films.size(); film++) {
             float[][] objects = films.get(film).objects;
             if (objects != null) {
@@ -207,7 +207,7 @@ public final class IndirectSolver {
             run(surfels, (from, to) -> {
                 float[][][] met = new float[films.size()][3][to - from];
                 int end = before == null ? from : Math.min(to, links.points());
-                FilmSums gathered = new FilmSums();
+                RaySums gathered = new RaySums();
                 for (int s = from; s < end; s++) {
                     links.sum(s, before, gathered);
                     if (hasGlow) {

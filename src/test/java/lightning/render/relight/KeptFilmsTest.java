@@ -61,6 +61,17 @@ class KeptFilmsTest {
         assertThat(keepsFilmsOf(SCENE.withLight(LIGHT.withIntensity(1.01 * LIGHT.intensity())))).isFalse();
     }
 
+    @Test
+    void editOfWeight_countsTheBytesOfItsFilms() {
+        keepsFilmsOf(SCENE);
+        keepsFilmsOf(SCENE.withLight(LIGHT.withIntensity(1.01 * LIGHT.intensity())));
+        UpdateResult edit = renderer.render(SCENE.withLight(LIGHT.withIntensity(1.02 * LIGHT.intensity())), Progress.NONE);
+        long written = 12L * SCENE.picture().width() * SCENE.picture().height();
+        // Colors are written, and at least the light's film is read where it is not black.
+        assertThat(edit.rowsComposed()).isZero();
+        assertThat(edit.bytesMoved()).isGreaterThan(written * 5 / 4);
+    }
+
     /** While one weight changes, the films beside it are read as sums. Others in between must not use them. */
     @Test
     void fadersOfManyLights_equalFullTrace() {

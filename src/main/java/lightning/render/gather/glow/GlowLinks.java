@@ -6,7 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
-import lightning.render.gather.ray.FilmSums;
+import lightning.render.gather.ray.RaySums;
 
 /** Shares of the light of small glowing objects that points receive. Immutable. */
 public final class GlowLinks {
@@ -93,7 +93,7 @@ public final class GlowLinks {
      * @param glow light of each object: red, green and blue of all
      * @param film that it is a part of
      */
-    public void add(int point, float[][] glow, int film, FilmSums to) {
+    public void add(int point, float[][] glow, int film, RaySums to) {
         if (start.length == 0) {
             return;
         }

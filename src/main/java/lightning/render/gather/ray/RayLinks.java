@@ -202,7 +202,7 @@ public final class RayLinks {
         return rays;
     }
 
-    /** Returns the number of the hit of a ray, among those of {@link #sum(int, FilmLight, FilmSums)}. */
+    /** Returns the number of the hit of a ray, among those of {@link #sum(int, FilmLight, RaySums)}. */
     public int number(int ray) {
         return surfel.get(ray);
     }
@@ -251,12 +251,12 @@ public final class RayLinks {
      *
      * @param light of each surfel, of the background or its cells, and of glowing surfels without their glow
      */
-    public void sum(int point, FilmLight light, FilmSums to) {
+    public void sum(int point, FilmLight light, RaySums to) {
         sum(point * raysPerPoint, raysPerPoint, light, to);
     }
 
     /** Adds up the light that rays {@code from … from + count − 1} meet, as above. */
-    public void sum(int from, int count, FilmLight light, FilmSums to) {
+    public void sum(int from, int count, FilmLight light, RaySums to) {
         surfel.read(from, count, to.numbers(count));
         to.addUp(light, count, tints != null && tints.read(from, count, to.tints()));
     }

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.gather.ray.FilmLight;
-import lightning.render.gather.ray.FilmSums;
+import lightning.render.gather.ray.RaySums;
 import lightning.render.gather.ray.RayLinks;
 
 /** Links of the additional rays of gather points, through cells of directions that contain the rim of an opening. Immutable. */
@@ -78,16 +78,16 @@ public final class RimLinks {
      * Replaces the light that a point's ray meets in each cell with a rim by the mean of all rays there.
      *
      * @param links the points' own rays
-     * @param light as in {@link RayLinks#sum(int, FilmLight, FilmSums)}
+     * @param light as in {@link RayLinks#sum(int, FilmLight, RaySums)}
      * @param to    sums over the point's own rays
      */
-    public void add(int point, RayLinks links, FilmLight light, FilmSums to) {
+    public void add(int point, RayLinks links, FilmLight light, RaySums to) {
         if (firstCell.length == 0 || firstCell[point] == firstCell[point + 1]) {
             return;
         }
         int added = added(point);
-        FilmSums own = new FilmSums();
-        FilmSums others = new FilmSums();
+        RaySums own = new RaySums();
+        RaySums others = new RaySums();
         for (int i = firstCell[point], ray = firstRay[point]; i < firstCell[point + 1]; i++, ray += added) {
             links.sum(point * links.raysPerPoint() + cell[i], 1, light, own);
             rays.sum(ray, added, light, others);

@@ -107,7 +107,7 @@ final class TileWorker {
     /** Returns the work since the start. */
     WorkCounts work() {
         WorkCounts work = new WorkCounts(eyeWorker.rowsTouched(), recomposer.rowsComposed(),
-                eyeWorker.bytesMoved() + recomposer.bytesRead() + filmBytes,
+                eyeWorker.bytesMoved() + recomposer.bytesRead() + mixer().bytesMoved() + filmBytes,
                 new RayCounts(eyeRays, bounceLevels == null ? 0 : bounceLevels.rayCount(), 0, eyeWorker.shadowRays()));
         return mirrorWorker == null || mirrorWorker == eyeWorker ? work
                 : work.plus(new WorkCounts(mirrorWorker.rowsTouched(), 0, mirrorWorker.bytesMoved(),
@@ -426,10 +426,10 @@ final class TileWorker {
             colors = new float[3][Film.TILE_PIXELS];
             if (kept == null) {
                 recomposer.mixer().mix(films::get, colors);
+                filmBytes += 12L * Film.TILE_PIXELS;
             } else {
                 kept = recomposer.mixer().mix(kept, colors);
             }
-            filmBytes += 12L * Film.TILE_PIXELS;
         }
         EdgeColors edges = !detectEdges ? null : old == null ? null : old.edges;
         if (changesEdges) {

@@ -27,6 +27,7 @@ public final class FilmMixer {
     /** Film whose weight alone changes; −1 if there is none. */
     private final int faded;
     private final FilmSum sum = new FilmSum();
+    private long bytesMoved;
     private final float[][] edges = new float[3][TermKernel.MAX_ROWS];
     private final BounceImages images = new BounceImages(new float[3][TermKernel.MAX_ROWS], new float[3][TermKernel.MAX_ROWS]);
 
@@ -54,11 +55,21 @@ public final class FilmMixer {
 
     /** Writes the colors of stored films; returns these with the sums that the next edit of the same weight needs. */
     public StoredFilms mix(StoredFilms films, float[][] to) {
+        long before = sum.bytesRead();
+        StoredFilms kept;
         if (faded >= 0) {
-            return sum.add(weights, films, faded, to);
+            kept = sum.add(weights, films, faded, to);
+        } else {
+            mix(films::get, to);
+            kept = films.branches() == null ? films : new StoredFilms(films.colors(), films.known());
         }
-        mix(films::get, to);
-        return films.branches() == null ? films : new StoredFilms(films.colors(), films.known());
+        bytesMoved += sum.bytesRead() - before + 3L * Float.BYTES * to[0].length;
+        return kept;
+    }
+
+    /** Returns the bytes of stored films that were read, and of colors that were written from them. */
+    public long bytesMoved() {
+        return bytesMoved;
     }
 
     /** Returns packed colors by which edges are detected. @param positions their number */

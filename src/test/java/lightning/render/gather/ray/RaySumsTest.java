@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests that the light of films side by side is added in the order of the rays for each film. */
-class FilmSumsTest {
+class RaySumsTest {
     private static final int RAYS = 100;
     private static final int NUMBERS = 300;
 
@@ -36,7 +36,7 @@ class FilmSumsTest {
             }
         }
         int[] number = random.ints(RAYS, 0, NUMBERS).toArray();
-        FilmSums sums = new FilmSums();
+        RaySums sums = new RaySums();
         System.arraycopy(number, 0, sums.numbers(RAYS), 0, RAYS);
         float[][] tint = sums.tints();
         for (float[] channel : tint) {
@@ -62,7 +62,7 @@ class FilmSumsTest {
         assertThat(Arrays.copyOf(copy.values(), copy.stride())).containsOnly(0);
     }
 
-    private static float[] sumsOf(FilmSums sums, int films) {
+    private static float[] sumsOf(RaySums sums, int films) {
         float[] all = new float[3 * films];
         for (int i = 0; i < all.length; i++) {
             all[i] = sums.get(i / 3, i % 3);

@@ -1,7 +1,7 @@
 package lightning.render.gather.ray;
 
 /** Sums of the light of some films that rays meet: red, green and blue of each. Scratch memory of one thread. */
-public final class FilmSums {
+public final class RaySums {
     private final float[] sum = new float[3 * FilmLight.MAX_FILMS];
     /** What the rays meet, in their order. */
     private int[] number = {};
