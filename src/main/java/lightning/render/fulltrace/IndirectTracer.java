@@ -91,7 +91,7 @@ final class IndirectTracer {
                 progress.cancellationOnly());
         gatherRays = structure.rays();
         shadowRays = threads.stream().flatMap(thread -> thread.workers().stream()).mapToLong(tracer -> tracer.kernel.shadowRays()).sum();
-        float[] @Nullable [][] solved = light.solve(workers, progress);
+        float[] @Nullable [][] solved = light.solve(engines.forTile(0).sums(), workers, progress);
         return new IndirectLight(structure, new StoredFilms(solved, parts.shining()), solved);
     }
 

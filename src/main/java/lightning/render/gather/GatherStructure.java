@@ -12,6 +12,7 @@ import lightning.render.gather.glow.GlowAim;
 import lightning.render.gather.glow.GlowPaths;
 import lightning.render.gather.glow.GlowShapes;
 import lightning.render.gather.point.GatherPoints;
+import lightning.render.gather.ray.FilmKernel;
 import lightning.render.gather.ray.FilmLight;
 import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.RaySources;
@@ -247,8 +248,8 @@ public final class GatherStructure {
      * @param from light of each point
      * @param to   receives red, green and blue of each film
      */
-    public void filter(FilmLight from, float[][][] to, int first, int end) {
-        points.filter().apply(from, to, first, end);
+    public void filter(FilmLight from, FilmKernel kernel, float[][][] to, int first, int end) {
+        points.filter().apply(from, kernel, to, first, end);
     }
 
     /** Returns no light at all points, in as many columns as {@link lightning.render.shading.IndirectSolver} computes. */

@@ -5,6 +5,8 @@ import java.util.Arrays;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.gather.point.WeightedPoints;
+import lightning.render.gather.ray.FilmKernel;
+import lightning.render.gather.ray.FilmLight;
 import lightning.render.trace.HitRows;
 import org.jspecify.annotations.Nullable;
 
@@ -13,6 +15,8 @@ public final class RowWeights {
     static final int PER_ROW = 8;
     private static final int HALF_BYTE = 4;
     private static final int MAX_COUNT = 15;
+    /** Rows whose light stays in the cache of a processor while it is written. */
+    private static final int BATCH = 64;
     /** Maximum bytes of a row: its weights, their number, and its part of the list of points. */
     public static final long MAX_BYTES_PER_ROW = PER_ROW * (2 + Integer.BYTES) + 1;
 
@@ -121,68 +125,88 @@ public final class RowWeights {
     /**
      * Writes the indirect light of rows: for each the weighted mean of the points' light.
      *
-     * @param light red, green and blue light of all gather points
-     * @param to    receives red, green and blue of each row
+     * @param light red, green and blue light of all gather points in each film, at most {@link FilmLight#MAX_FILMS}
+     * @param first first of these three elements
+     * @param to    receives red, green and blue of each row in each film, from the same element on
      */
-    public void interpolate(float[][] light, float[][] to) {
-        float[] values = new float[4 * WeightedPoints.TABLE_SIZE];
-        byte[] index = near.index;
-        byte[] weight = near.weight;
-        int table = -1;
-        int tableEnd = 0;
-        int i = 0;
+    private void interpolate(float[][][] light, int first, FilmKernel kernel, float[][][] to) {
+        FilmLight values = load(light, first);
+        FilmLight means = FilmLight.black(light.length, BATCH);
+        float[] sum = new float[FilmLight.MAX_STRIDE];
+        int[] number = new int[PER_ROW];
+        float[] share = new float[PER_ROW];
+        float[] scale = new float[BATCH];
+        int table = 0;
+        int entry = 0;
         for (int row = 0; row < rows; row++) {
-            float red = 0;
-            float green = 0;
-            float blue = 0;
+            int count = count(row);
             int total = 0;
-            for (int end = i + count(row); i < end;) {
-                if (i == tableEnd) {
-                    load(++table, light, values);
-                    tableEnd = near.endEntry(table);
-                }
-                for (int stop = Math.min(end, tableEnd); i < stop; i++) {
-                    int whole = weight[i] & 0xFF;
-                    float w = whole * WeightedPoints.SCALE;
-                    int at = 4 * (index[i] & 0xFF);
-                    red += w * values[at];
-                    green += w * values[at + 1];
-                    blue += w * values[at + 2];
-                    total += whole;
+            for (int k = 0; k < count; k++, entry++) {
+                table += entry == near.endEntry(table) ? 1 : 0;
+                int whole = near.weight[entry] & 0xFF;
+                number[k] = near.firstPoint(table) + (near.index[entry] & 0xFF);
+                share[k] = whole * WeightedPoints.SCALE;
+                total += whole;
+            }
+            int place = row % BATCH;
+            scale[place] = total == 0 ? 0 : 1 / (total * WeightedPoints.SCALE);
+            if (count > 0) {
+                kernel.weightedSum(values, number, share, count, sum);
+                means.set(place, sum);
+            }
+            if (place == BATCH - 1 || row == rows - 1) {
+                write(means, scale, place + 1, row - place, first, to);
+            }
+        }
+    }
+
+    /** Writes consecutive rows. @param start first of them */
+    private static void write(FilmLight means, float[] scale, int count, int start, int first, float[][][] to) {
+        float[] values = means.values();
+        int stride = means.stride();
+        for (int film = 0; film < means.films(); film++) {
+            for (int c = 0; c < 3; c++) {
+                float[] column = to[film][first + c];
+                int at = 3 * film + c;
+                for (int i = 0; i < count; i++) {
+                    column[start + i] = values[at + stride * i] * scale[i];
                 }
             }
-            float scale = total == 0 ? 0 : 1 / (total * WeightedPoints.SCALE);
-            to[0][row] = red * scale;
-            to[1][row] = green * scale;
-            to[2][row] = blue * scale;
         }
     }
 
     /**
-     * Writes what rows reflect of their surroundings, if the structure has reflection points.
+     * Writes the indirect light of rows in some films, and, if there are reflection points, what the rows reflect of their surroundings.
      *
-     * @param light that of all points; elements 3 to 8 are those of reflection points
-     * @param to    receives the six columns
+     * @param light of all points in each film, at most {@link FilmLight#MAX_FILMS}: red, green and blue, then the six columns of reflection
+     *              points
+     * @param to    receives as many columns for each
      */
-    public void interpolateReflected(float[][] light, float[][] to) {
+    public void interpolate(float[][][] light, FilmKernel kernel, float[][][] to) {
+        interpolate(light, 0, kernel, to);
         if (reflected != null) {
-            reflected.interpolate(Arrays.copyOfRange(light, 3, 6), to);
-            reflected.interpolate(Arrays.copyOfRange(light, 6, 9), Arrays.copyOfRange(to, 3, 6));
+            reflected.interpolate(light, 3, kernel, to);
+            reflected.interpolate(light, 6, kernel, to);
         }
     }
 
-    private void load(int table, float[][] light, float[] to) {
-        int first = near.firstPoint(table);
-        int end = near.firstPoint(table + 1);
-        for (int c = 0; c < 3; c++) {
-            for (int i = first; i < end; i++) {
-                to[4 * (i - first) + c] = light[c][near.points()[i]];
+    /** Returns the light of the near points side by side. */
+    private FilmLight load(float[][][] light, int first) {
+        int[] points = near.points();
+        FilmLight values = FilmLight.black(light.length, points.length);
+        for (int film = 0; film < light.length; film++) {
+            float[] red = light[film][first];
+            float[] green = light[film][first + 1];
+            float[] blue = light[film][first + 2];
+            for (int i = 0; i < points.length; i++) {
+                values.set(i, film, red[points[i]], green[points[i]], blue[points[i]]);
             }
         }
+        return values;
     }
 
     /**
-     * Writes the light of one row, with the bits of {@link #interpolate(float[][], float[][])}, to red, green and blue, and, if there are
+     * Writes the light of one row, with the bits of {@link #interpolate(float[][][], FilmKernel, float[][][])}, to red, green and blue, and, if there are
      * reflection points, what it reflects to six more elements.
      */
     public void interpolate(float[][] light, int row, float[] to) {

@@ -12,7 +12,6 @@ import lightning.render.cache.PixelCache;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.choice.Engines;
 import lightning.render.gather.GatherStructure;
-import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.PixelRays;
@@ -126,10 +125,10 @@ public final class IndirectErrorMeter implements AutoCloseable {
 
     private static double luminance(PixelCache cache, int pixel) {
         TileLevel level = SampledPixels.level(cache, pixel);
-        float[][] light = new float[3][Film.TILE_SIZE * Film.TILE_SIZE];
-        requireNonNull(level.weights()).interpolate(requireNonNull(cache.indirect()).light().sum(cache.parts()), light);
-        int row = SampledPixels.row(cache, level.rows(), pixel);
-        return BruteForceGather.luminance(light[0][row], light[1][row], light[2][row]);
+        float[][] points = requireNonNull(cache.indirect()).light().sum(cache.parts());
+        float[] light = new float[points.length];
+        requireNonNull(level.weights()).interpolate(points, SampledPixels.row(cache, level.rows(), pixel), light);
+        return BruteForceGather.luminance(light[0], light[1], light[2]);
     }
 
     @Override

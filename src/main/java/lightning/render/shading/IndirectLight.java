@@ -1,9 +1,7 @@
 package lightning.render.shading;
 
-import java.util.Arrays;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.RowWeigher;
-import lightning.render.gather.RowWeights;
 import lightning.render.trace.SurfacePoint;
 import org.jspecify.annotations.Nullable;
 
@@ -34,14 +32,8 @@ public record IndirectLight(GatherStructure structure, StoredFilms films, float[
         if (its == null) {
             return null;
         }
-        float[][] row = new float[its.length][1];
-        RowWeights weights = weigher.weigh(point);
-        weights.interpolate(its, row);
-        weights.interpolateReflected(its, Arrays.copyOfRange(row, 3, row.length));
-        float[] values = new float[row.length];
-        for (int c = 0; c < values.length; c++) {
-            values[c] = row[c][0];
-        }
+        float[] values = new float[its.length];
+        weigher.weigh(point).interpolate(its, 0, values);
         return values;
     }
 

@@ -9,9 +9,10 @@ import lightning.render.gather.cell.SkyCells;
 import lightning.render.gather.glow.GlowLinks;
 import lightning.render.gather.glow.GlowPaths;
 import lightning.render.gather.glow.GlowShapes;
+import lightning.render.gather.ray.FilmKernel;
 import lightning.render.gather.ray.FilmLight;
-import lightning.render.gather.ray.RaySums;
 import lightning.render.gather.ray.RayLinks;
+import lightning.render.gather.ray.RaySums;
 import lightning.render.gather.reflection.ReflectionMeans;
 import lightning.render.gather.reflection.ReflectionPaths;
 import lightning.render.gather.rim.RimLinks;
@@ -49,6 +50,7 @@ public final class IndirectSolver {
     private final Progress progress;
     private final List<Source> films;
     private final float[][] albedo;
+    private final FilmKernel kernel;
 
     /**
      * What a film is gathered from.
@@ -67,7 +69,9 @@ public final class IndirectSolver {
      * @param films  at most {@link FilmLight#MAX_FILMS}
      * @param albedo of each surfel
      */
-    public IndirectSolver(GatherStructure structure, List<Source> films, float[][] albedo, WorkerPool workers, Progress progress) {
+    public IndirectSolver(GatherStructure structure, List<Source> films, float[][] albedo, FilmKernel kernel, WorkerPool workers,
+            Progress progress) {
+        this.kernel = kernel;
         this.structure = structure;
         this.films = films;
         this.albedo = albedo;
@@ -91,7 +95,7 @@ public final class IndirectSolver {
         FilmLight gathered = FilmLight.black(films.size(), points);
         float[][][] light = new float[films.size()][reflections == null ? 3 : 9][points];
         run(points, (from, to) -> {
-            RaySums mean = new RaySums();
+            RaySums mean = new RaySums(kernel);
             for (int p = from; p < to; p++) {
                 links.sum(p, radiosity, mean);
                 structure.rims().add(p, links, radiosity, mean);
@@ -99,7 +103,7 @@ public final class IndirectSolver {
                 mean.writeTo(gathered, p);
             }
         });
-        run(points, (from, to) -> structure.filter(gathered, light, from, to));
+        run(points, (from, to) -> structure.filter(gathered, kernel, light, from, to));
         if (reflections != null) {
             reflect(reflections, atSurfels, light);
         }
@@ -129,7 +133,7 @@ public final class IndirectSolver {
                 smooth[film][c] = its[c].clone();
             }
         }
-        run(gathering, (from, to) -> paths.filterSurfels(noisy, smooth, from, to));
+        run(gathering, (from, to) -> paths.filterSurfels(noisy, kernel, smooth, from, to));
         return smooth;
     }
 
@@ -144,7 +148,7 @@ public final class IndirectSolver {
         FilmLight color = FilmLight.black(films.size(), sources);
         FilmLight white = FilmLight.black(films.size(), sources);
         run(sources, (from, to) -> {
-            ReflectionMeans means = paths.links().newMeans();
+            ReflectionMeans means = paths.links().newMeans(kernel);
             for (int p = from; p < to; p++) {
                 paths.links().writeMean(p, shown, means, color, white);
             }
@@ -152,8 +156,8 @@ public final class IndirectSolver {
         float[][][] colors = new float[films.size()][3][paths.count()];
         float[][][] whites = new float[films.size()][3][paths.count()];
         run(paths.count(), (from, to) -> {
-            paths.filter(color, colors, from, to);
-            paths.filter(white, whites, from, to);
+            paths.filter(color, kernel, colors, from, to);
+            paths.filter(white, kernel, whites, from, to);
         });
         for (int film = 0; film < light.length; film++) {
             System.arraycopy(colors[film], 0, light[film], 3, 3);
@@ -207,7 +211,7 @@ public final class IndirectSolver {
             run(surfels, (from, to) -> {
                 float[][][] met = new float[films.size()][3][to - from];
                 int end = before == null ? from : Math.min(to, links.points());
-                RaySums gathered = new RaySums();
+                RaySums gathered = new RaySums(kernel);
                 for (int s = from; s < end; s++) {
                     links.sum(s, before, gathered);
                     if (hasGlow) {

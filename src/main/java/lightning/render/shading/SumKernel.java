@@ -1,5 +1,6 @@
 package lightning.render.shading;
 
+import lightning.render.gather.ray.FilmKernel;
 import lightning.render.trace.HitRows;
 import lightning.scene.material.Transmission;
 
@@ -7,7 +8,7 @@ import lightning.scene.material.Transmission;
  * Adds lights' contributions over the rows of a tile and evaluates the {@link LightingEquation}. Columns have {@link
  * HitRows#paddedLength}, so that loops may run past the last row.
  */
-public interface SumKernel {
+public interface SumKernel extends FilmKernel {
     /** Writes the sums of rows {@code from … to − 1}: red, green and blue columns. Other rows may receive any number. */
     void sum(int from, int to, SumOperands addends, float[][] sums);
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.Random;
+import lightning.render.engine.choice.Engines;
 import lightning.render.gather.point.PointFilter;
 import lightning.render.gather.ray.FilmLight;
 import org.junit.jupiter.api.Test;
@@ -43,7 +44,7 @@ class WeightedPointsTest {
         float[][] actual = new float[3][POINTS];
         PointFilter filter = PointFilter.of(neighbors, weights);
         for (int[] part : new int[][] {{1000, 1700}, {0, 1000}, {1700, POINTS}}) {
-            filter.apply(new FilmLight(1, interleaved), new float[][][] {actual}, part[0], part[1]);
+            filter.apply(new FilmLight(1, interleaved), Engines.LANES.sums(), new float[][][] {actual}, part[0], part[1]);
         }
         for (int p = 0; p < POINTS; p++) {
             int[] whole = new int[weights[p].length];
@@ -72,7 +73,7 @@ class WeightedPointsTest {
         }
         RowWeights weights = new RowWeights(null, points, index, weight, null);
         float[][] actual = new float[3][rows];
-        weights.interpolate(light, actual);
+        weights.interpolate(new float[][][] {light}, Engines.LANES.sums(), new float[][][] {actual});
         for (int row = 0; row < rows; row++) {
             int count = row % 9;
             int[] near = new int[count];

@@ -2,6 +2,7 @@ package lightning.render.engine.lanes;
 
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorSpecies;
+import lightning.render.gather.ray.FilmLight;
 import lightning.render.shading.InteriorTint;
 import lightning.render.shading.SumKernel;
 import lightning.render.shading.SumOperands;
@@ -14,6 +15,8 @@ import lightning.scene.material.Transmission;
  */
 final class SumLanes implements SumKernel {
     private static final VectorSpecies<Float> F = FloatVector.SPECIES_PREFERRED;
+    /** Red, green and blue of one film, and an unused value. */
+    private static final VectorSpecies<Float> QUAD = FloatVector.SPECIES_128;
 
     /** Sums one channel with tinted shadows. */
     private static void tintedSum(int from, int rows, SumOperands a, float[] weight, float[][] tint, float[][] sums, float[] to) {
@@ -34,6 +37,36 @@ final class SumLanes implements SumKernel {
                     .mul(FloatVector.fromArray(F, tint[l], i)).mul(weight[l]));
         }
         return sum;
+    }
+
+    @Override
+    public void weightedSum(FilmLight light, int[] number, float[] weight, int count, float[] to) {
+        int width = light.stride();
+        if (width < F.length()) {
+            for (int k = 0; k < width; k += QUAD.length()) {
+                weightedQuad(light.values(), number, weight, count, width, k, to);
+            }
+        } else {
+            for (int k = 0; k < width; k += F.length()) {
+                weightedVector(light.values(), number, weight, count, width, k, to);
+            }
+        }
+    }
+
+    private static void weightedVector(float[] values, int[] number, float[] weight, int count, int width, int k, float[] to) {
+        FloatVector sum = FloatVector.zero(F);
+        for (int n = 0; n < count; n++) {
+            sum = sum.add(FloatVector.fromArray(F, values, width * number[n] + k).mul(weight[n]));
+        }
+        sum.intoArray(to, k);
+    }
+
+    private static void weightedQuad(float[] values, int[] number, float[] weight, int count, int width, int k, float[] to) {
+        FloatVector sum = FloatVector.zero(QUAD);
+        for (int n = 0; n < count; n++) {
+            sum = sum.add(FloatVector.fromArray(QUAD, values, width * number[n] + k).mul(weight[n]));
+        }
+        sum.intoArray(to, k);
     }
 
     @Override

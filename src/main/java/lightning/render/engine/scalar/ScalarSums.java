@@ -1,5 +1,7 @@
 package lightning.render.engine.scalar;
 
+import java.util.Arrays;
+import lightning.render.gather.ray.FilmLight;
 import lightning.render.shading.InteriorTint;
 import lightning.render.shading.SumKernel;
 import lightning.render.shading.SumOperands;
@@ -9,6 +11,19 @@ import lightning.scene.material.Transmission;
 
 /** Scalar implementation of {@link SumKernel}. */
 final class ScalarSums implements SumKernel {
+    @Override
+    public void weightedSum(FilmLight light, int[] number, float[] weight, int count, float[] to) {
+        float[] values = light.values();
+        int width = light.stride();
+        Arrays.fill(to, 0, width, 0);
+        for (int n = 0; n < count; n++) {
+            int at = width * number[n];
+            for (int k = 0; k < width; k++) {
+                to[k] += weight[n] * values[at + k];
+            }
+        }
+    }
+
     @Override
     public void sum(int from, int to, SumOperands addends, float[][] sums) {
         sum(from, to, addends, addends.red, addends.tintRed, addends.sumRed, sums[0]);

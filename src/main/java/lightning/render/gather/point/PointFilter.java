@@ -3,6 +3,7 @@ package lightning.render.gather.point;
 import java.io.IOException;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
+import lightning.render.gather.ray.FilmKernel;
 import lightning.render.gather.ray.FilmLight;
 
 /**
@@ -57,7 +58,8 @@ public record PointFilter(int[] start, WeightedPoints neighbors) {
      * @param from light of each point
      * @param to   receives red, green and blue of each film
      */
-    public void apply(FilmLight from, float[][][] to, int first, int end) {
+    public void apply(FilmLight from, FilmKernel kernel, float[][][] to, int first, int end) {
+        float[] sum = new float[FilmLight.MAX_STRIDE];
         int[] point = {};
         float[] weight = {};
         int table = neighbors.tableOf(start[first]);
@@ -85,28 +87,13 @@ public record PointFilter(int[] start, WeightedPoints neighbors) {
                 }
             }
             float scale = 1 / (total * WeightedPoints.SCALE);
+            kernel.weightedSum(from, point, weight, count, sum);
             for (int film = 0; film < to.length; film++) {
-                writeMean(from, film, point, weight, count, scale, to[film], p);
+                for (int c = 0; c < 3; c++) {
+                    to[film][c][p] = sum[3 * film + c] * scale;
+                }
             }
         }
-    }
-
-    private static void writeMean(FilmLight light, int film, int[] point, float[] weight, int count, float scale, float[][] to, int p) {
-        float[] values = light.values();
-        int stride = light.stride();
-        float red = 0;
-        float green = 0;
-        float blue = 0;
-        for (int i = 0; i < count; i++) {
-            int at = stride * point[i] + 3 * film;
-            float w = weight[i];
-            red += w * values[at];
-            green += w * values[at + 1];
-            blue += w * values[at + 2];
-        }
-        to[0][p] = red * scale;
-        to[1][p] = green * scale;
-        to[2][p] = blue * scale;
     }
 
     public void writeTo(ColumnWriter out) throws IOException {

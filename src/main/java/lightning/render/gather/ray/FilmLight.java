@@ -10,6 +10,7 @@ package lightning.render.gather.ray;
 public record FilmLight(int films, float[] values) {
     /** As many as the 16 floats of a cache line hold. */
     public static final int MAX_FILMS = 5;
+    public static final int MAX_STRIDE = 16;
 
     // Arrays in a record: filled in parts by threads, then only read.
 
@@ -19,7 +20,7 @@ public record FilmLight(int films, float[] values) {
     }
 
     private static int stride(int films) {
-        return films == 1 ? 4 : films == 2 ? 8 : 16;
+        return films == 1 ? 4 : films == 2 ? 8 : MAX_STRIDE;
     }
 
     /** Returns the elements of a number: a power of two. */
@@ -33,6 +34,11 @@ public record FilmLight(int films, float[] values) {
         values[at] = red;
         values[at + 1] = green;
         values[at + 2] = blue;
+    }
+
+    /** Sets the light of a number in all films. @param from red, green and blue of each */
+    public void set(int number, float[] from) {
+        System.arraycopy(from, 0, values, at(number, 0), 3 * films);
     }
 
     /** Returns the element of red of a number's light in a film; green and blue follow. */

@@ -1,17 +1,33 @@
 package lightning.render.gather.ray;
 
+import java.util.Arrays;
+
 /** Sums of the light of some films that rays meet: red, green and blue of each. Scratch memory of one thread. */
 public final class RaySums {
-    private final float[] sum = new float[3 * FilmLight.MAX_FILMS];
+    private final FilmKernel kernel;
+    private final float[] sum = new float[FilmLight.MAX_STRIDE];
     /** What the rays meet, in their order. */
     private int[] number = {};
+    /** A weight of 1 for each. */
+    private float[] weight = {};
     /** Red, green and blue tint of each ray, if any is tinted. */
     private final float[][] tint = new float[3][];
+
+    public RaySums(FilmKernel kernel) {
+        this.kernel = kernel;
+    }
+
+    /** Returns other sums. */
+    public RaySums ofSameKind() {
+        return new RaySums(kernel);
+    }
 
     /** Returns room for the numbers of some rays. */
     int[] numbers(int rays) {
         if (number.length < rays) {
             number = new int[rays];
+            weight = new float[rays];
+            Arrays.fill(weight, 1);
             for (int c = 0; c < 3; c++) {
                 tint[c] = new float[rays];
             }
@@ -26,29 +42,21 @@ public final class RaySums {
 
     /** Adds up the light of the first numbers, in their order for each film. */
     void addUp(FilmLight light, int rays, boolean isTinted) {
-        float[] values = light.values();
-        int stride = light.stride();
-        for (int film = 0; film < light.films(); film++) {
-            float red = 0;
-            float green = 0;
-            float blue = 0;
-            for (int ray = 0; ray < rays; ray++) {
-                int at = stride * number[ray] + 3 * film;
-                red += isTinted ? values[at] * tint[0][ray] : values[at];
-                green += isTinted ? values[at + 1] * tint[1][ray] : values[at + 1];
-                blue += isTinted ? values[at + 2] * tint[2][ray] : values[at + 2];
-            }
-            sum[3 * film] = red;
-            sum[3 * film + 1] = green;
-            sum[3 * film + 2] = blue;
+        if (isTinted) {
+            addUpTinted(light, rays);
+        } else {
+            kernel.weightedSum(light, number, weight, rays, sum);
         }
     }
 
-    /** Writes red, green and blue of each film to an element of columns. */
-    public void writeTo(float[][][] columns, int element) {
-        for (int film = 0; film < columns.length; film++) {
-            for (int c = 0; c < 3; c++) {
-                columns[film][c][element] = sum[3 * film + c];
+    private void addUpTinted(FilmLight light, int rays) {
+        Arrays.fill(sum, 0);
+        for (int ray = 0; ray < rays; ray++) {
+            for (int film = 0; film < light.films(); film++) {
+                int at = light.at(number[ray], film);
+                for (int c = 0; c < 3; c++) {
+                    sum[3 * film + c] += light.values()[at + c] * tint[c][ray];
+                }
             }
         }
     }
@@ -63,8 +71,17 @@ public final class RaySums {
         return sum[3 * film + channel];
     }
 
+    /** Writes red, green and blue of each film to an element of columns. */
+    public void writeTo(float[][][] columns, int element) {
+        for (int film = 0; film < columns.length; film++) {
+            for (int c = 0; c < 3; c++) {
+                columns[film][c][element] = sum[3 * film + c];
+            }
+        }
+    }
+
     /** Writes the sums as the light of a number. */
     public void writeTo(FilmLight light, int to) {
-        System.arraycopy(sum, 0, light.values(), light.at(to, 0), 3 * light.films());
+        light.set(to, sum);
     }
 }

@@ -9,6 +9,7 @@ import lightning.base.work.WorkerPool;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.gather.cell.CellTable;
+import lightning.render.gather.ray.FilmKernel;
 import lightning.render.gather.ray.FilmLight;
 import lightning.render.gather.ray.PathMemory;
 import lightning.render.gather.ray.RayLinks;
@@ -216,8 +217,8 @@ public final class ReflectionLinks {
     }
 
     /** Returns scratch memory for the means of points. */
-    public ReflectionMeans newMeans() {
-        return new ReflectionMeans(raysPerPoint);
+    public ReflectionMeans newMeans(FilmKernel kernel) {
+        return new ReflectionMeans(raysPerPoint, kernel);
     }
 
     /**

@@ -1,5 +1,7 @@
 package lightning.render.gather.reflection;
 
+import java.util.Arrays;
+import lightning.render.gather.ray.FilmKernel;
 import lightning.render.gather.ray.FilmLight;
 
 /** Mean light that a reflection point shows, in the order of its rays for each film. Scratch memory of one thread. */
@@ -11,7 +13,11 @@ public final class ReflectionMeans {
     /** Red, green and blue tint of each ray, if any ray of the point is tinted. */
     final float[][] tint;
 
-    ReflectionMeans(int raysPerPoint) {
+    private final FilmKernel kernel;
+    private final float[] sum = new float[FilmLight.MAX_STRIDE];
+
+    ReflectionMeans(int raysPerPoint, FilmKernel kernel) {
+        this.kernel = kernel;
         number = new int[raysPerPoint];
         colorShare = new float[raysPerPoint];
         whiteShare = new float[raysPerPoint];
@@ -20,29 +26,28 @@ public final class ReflectionMeans {
 
     /** Writes the means as the light of a number. @param light what the rays meet */
     void write(FilmLight light, boolean isTinted, int to, FilmLight color, FilmLight white) {
-        float[] values = light.values();
-        int stride = light.stride();
-        for (int film = 0; film < light.films(); film++) {
-            float colorRed = 0;
-            float colorGreen = 0;
-            float colorBlue = 0;
-            float whiteRed = 0;
-            float whiteGreen = 0;
-            float whiteBlue = 0;
-            for (int ray = 0; ray < number.length; ray++) {
-                int at = stride * number[ray] + 3 * film;
-                float red = isTinted ? values[at] * tint[0][ray] : values[at];
-                float green = isTinted ? values[at + 1] * tint[1][ray] : values[at + 1];
-                float blue = isTinted ? values[at + 2] * tint[2][ray] : values[at + 2];
-                colorRed += colorShare[ray] * red;
-                colorGreen += colorShare[ray] * green;
-                colorBlue += colorShare[ray] * blue;
-                whiteRed += whiteShare[ray] * red;
-                whiteGreen += whiteShare[ray] * green;
-                whiteBlue += whiteShare[ray] * blue;
+        write(light, isTinted, colorShare, to, color);
+        write(light, isTinted, whiteShare, to, white);
+    }
+
+    private void write(FilmLight light, boolean isTinted, float[] share, int to, FilmLight mean) {
+        if (isTinted) {
+            addUpTinted(light, share);
+        } else {
+            kernel.weightedSum(light, number, share, number.length, sum);
+        }
+        mean.set(to, sum);
+    }
+
+    private void addUpTinted(FilmLight light, float[] share) {
+        Arrays.fill(sum, 0);
+        for (int ray = 0; ray < number.length; ray++) {
+            for (int film = 0; film < light.films(); film++) {
+                int at = light.at(number[ray], film);
+                for (int c = 0; c < 3; c++) {
+                    sum[3 * film + c] += share[ray] * (light.values()[at + c] * tint[c][ray]);
+                }
             }
-            color.set(to, film, colorRed, colorGreen, colorBlue);
-            white.set(to, film, whiteRed, whiteGreen, whiteBlue);
         }
     }
 }

@@ -8,6 +8,7 @@ import lightning.render.column.ColumnWriter;
 import lightning.render.gather.cell.CellKeys;
 import lightning.render.gather.glow.GlowShapes;
 import lightning.render.gather.point.PointFilter;
+import lightning.render.gather.ray.FilmKernel;
 import lightning.render.gather.ray.FilmLight;
 import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
@@ -121,8 +122,8 @@ public final class ReflectionPaths {
     /**
      * Writes the means over the neighbors of points {@code first … end − 1}; parameters as {@link lightning.render.gather.GatherStructure#filter}.
      */
-    public void filter(FilmLight from, float[][][] to, int first, int end) {
-        filter.apply(from, to, first, end);
+    public void filter(FilmLight from, FilmKernel kernel, float[][][] to, int first, int end) {
+        filter.apply(from, kernel, to, first, end);
     }
 
     /** Returns the number of surfels that gather light, which come first. */
@@ -131,8 +132,8 @@ public final class ReflectionPaths {
     }
 
     /** Writes the means over neighboring surfels {@code first … end − 1} of those that gather light; parameters as above. */
-    public void filterSurfels(FilmLight from, float[][][] to, int first, int end) {
-        surfelFilter.apply(from, to, first, end);
+    public void filterSurfels(FilmLight from, FilmKernel kernel, float[][][] to, int first, int end) {
+        surfelFilter.apply(from, kernel, to, first, end);
     }
 
     public long bytes() {

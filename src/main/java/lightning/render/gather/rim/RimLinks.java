@@ -5,8 +5,8 @@ import java.util.Arrays;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.gather.ray.FilmLight;
-import lightning.render.gather.ray.RaySums;
 import lightning.render.gather.ray.RayLinks;
+import lightning.render.gather.ray.RaySums;
 
 /** Links of the additional rays of gather points, through cells of directions that contain the rim of an opening. Immutable. */
 public final class RimLinks {
@@ -86,8 +86,8 @@ public final class RimLinks {
             return;
         }
         int added = added(point);
-        RaySums own = new RaySums();
-        RaySums others = new RaySums();
+        RaySums own = to.ofSameKind();
+        RaySums others = to.ofSameKind();
         for (int i = firstCell[point], ray = firstRay[point]; i < firstCell[point + 1]; i++, ray += added) {
             links.sum(point * links.raysPerPoint() + cell[i], 1, light, own);
             rays.sum(ray, added, light, others);

@@ -8,6 +8,7 @@ import lightning.render.cache.TileLevel;
 import lightning.render.engine.EngineChoice;
 import lightning.render.engine.EngineWorkers;
 import lightning.render.gather.GatherStructure;
+import lightning.render.gather.ray.FilmKernel;
 import lightning.render.shading.FilmParts;
 import lightning.render.shading.composition.SurfelLight;
 import lightning.render.shading.composition.SurfelShader;
@@ -20,6 +21,7 @@ final class SurfelSolver {
     private final TileLevel[] surfels;
     private final MaterialTable materials;
     private final List<EngineWorkers<SurfelShader>> shaders;
+    private final FilmKernel kernel;
     private final WorkerPool workers;
     private final Progress progress;
 
@@ -31,6 +33,7 @@ final class SurfelSolver {
         this.materials = materials;
         this.workers = workers;
         this.progress = progress.cancellationOnly();
+        kernel = engines.forTile(0).sums();
         shaders = EngineWorkers.perThread(workers.count(), engines, engine -> new SurfelShader(materials, engine.sums()));
     }
 
@@ -46,6 +49,6 @@ final class SurfelSolver {
                 (worker, block) -> light.write(structure.numbers(block), surfels[block].rows(), surfels[block].layers(),
                         shaders.get(worker).forTile(block)),
                 progress);
-        return light.solve(workers, progress);
+        return light.solve(kernel, workers, progress);
     }
 }

@@ -3,6 +3,7 @@ package lightning.render.shading.composition;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.EnumSet;
 import java.util.Set;
 import lightning.render.shading.BounceImages;
@@ -35,15 +36,14 @@ final class LevelComposer {
     private final MaterialTable materials;
     private final ShadingMaterial[] shadingMaterials;
     private final float[][] colors = new float[3][ROWS];
-    /** Allocated on first use. */
-    private float @Nullable [][] indirectSum;
-    private float @Nullable [][] reflectedColumns;
+    private final GatheredColumns gathered;
     private Set<LightComponent> components = EnumSet.allOf(LightComponent.class);
 
     LevelComposer(MaterialTable materials, SumKernel sums, ViewEffects view) {
         this.materials = materials;
         lightSum = new LightSum(sums);
         factors = new RowFactors(sums);
+        gathered = new GatheredColumns(sums);
         shadingMaterials = new ShadingMaterial[materials.count()];
         Arrays.setAll(shadingMaterials, m -> ShadingMaterial.of(materials, m));
         litTextures = view.litTextures();
@@ -54,8 +54,14 @@ final class LevelComposer {
         components = v;
     }
 
-    /** Prepares the rows of a level, for all films. */
-    void start(HitRows rows) {
+    /**
+     * Prepares the rows of a level.
+     *
+     * @param indirect indirect light of the rows
+     * @param films    films that will be composed, in ascending order
+     */
+    void start(HitRows rows, @Nullable IndirectRows indirect, BitSet films) {
+        gathered.start(components.contains(LightComponent.GATHERED) ? indirect : null, films);
         for (int run = 0; run < rows.runCount; run++) {
             factors.set(rows, run, shadingMaterials[rows.runMaterial[run]]);
         }
@@ -66,27 +72,29 @@ final class LevelComposer {
      * Writes the color of each row of the level in a film to its parent.
      *
      * @param layers    layer of each light; unread if the light is dark
-     * @param indirect  indirect light of the rows
      * @param mirrored  colors of mirrored rays; null if all are black
      * @param refracted colors of refracted rays; null if all are black
      * @param to        receives the linear colors: red, green, blue, {@code float[1024]} each, where there are rows; unchanged if all rows are black
      */
-    void compose(HitRows rows, FilmParts parts, int part, LightLayer[] layers, @Nullable IndirectRows indirect,
-            float @Nullable [][] mirrored, float @Nullable [][] refracted, FilmColors to) {
-        float[][] gathered = indirect == null || !components.contains(LightComponent.GATHERED) ? null : indirect.light()[part];
+    void compose(HitRows rows, FilmParts parts, int part, LightLayer[] layers, float @Nullable [][] mirrored,
+            float @Nullable [][] refracted, FilmColors to) {
+        float[][] indirect = gathered.get(part);
         boolean isLit = (components.contains(LightComponent.DIFFUSE) || components.contains(LightComponent.SPECULAR))
                 && LightSum.isLit(parts, part, layers);
         FilmEmission emission = components.contains(LightComponent.EMITTED) ? FilmEmission.of(materials, parts, part) : null;
         boolean isRest = parts.get(part).kind() == FilmPart.Kind.REST;
-        if (!isLit && gathered == null && mirrored == null && refracted == null && !emits(rows, emission, isRest)) {
+        if (!isLit && indirect == null && mirrored == null && refracted == null && !emits(rows, emission, isRest)) {
             blacken(rows, to.get(part));
             return;
         }
         int from = firstLitRow(rows);
         SumColumns sum = isLit ? lightSum.total(from, rows.count, rows.owner, parts, part, layers) : null;
-        float[][] diffuse = gathered == null ? sum == null || !components.contains(LightComponent.DIFFUSE) ? null : sum.diffuse()
-                : withIndirect(requireNonNull(indirect), gathered, sum, from, rows.count);
-        float[][] reflected = gathered == null ? null : reflected(requireNonNull(indirect), gathered);
+        float[][] diffuse = sum == null || !components.contains(LightComponent.DIFFUSE) ? null : sum.diffuse();
+        if (indirect != null) {
+            diffuse = withDirect(indirect, diffuse, from, rows.count);
+        }
+        // What the rows reflect of their surroundings: six columns.
+        float[][] reflected = indirect == null || indirect.length == 3 ? null : Arrays.copyOfRange(indirect, 3, indirect.length);
         // Rows of one material keep the order of their parents. If every position has a row, row i goes to position i.
         boolean inOrder = rows.runCount == 1 && rows.count == to.positions();
         float[][] target = to.toWrite(part);
@@ -137,32 +145,18 @@ final class LevelComposer {
         return emits;
     }
 
-    /** Returns the lights' diffuse sum plus the indirect light. */
-    private float[][] withIndirect(IndirectRows indirect, float[][] gathered, @Nullable SumColumns direct, int from, int to) {
-        float[][] sum = indirectSum == null ? new float[3][ROWS] : indirectSum;
-        indirectSum = sum;
-        indirect.weights().interpolate(gathered, sum);
-        for (int c = 0; direct != null && components.contains(LightComponent.DIFFUSE) && c < 3; c++) {
-            add(direct.diffuse()[c], sum[c], from, to);
+    /** Returns the indirect light plus the lights' diffuse sum. */
+    private static float[][] withDirect(float[][] indirect, float @Nullable [][] direct, int from, int to) {
+        for (int c = 0; direct != null && c < 3; c++) {
+            add(direct[c], indirect[c], from, to);
         }
-        return sum;
+        return indirect;
     }
 
     private static void add(float[] from, float[] to, int start, int end) {
         for (int i = start; i < end; i++) {
             to[i] += from[i];
         }
-    }
-
-    /** Returns what the rows reflect of their surroundings: six columns; null if nothing blurs its reflections. */
-    private float @Nullable [][] reflected(IndirectRows indirect, float[][] gathered) {
-        if (indirect.weights().reflected() == null) {
-            return null;
-        }
-        float[][] columns = reflectedColumns == null ? new float[6][ROWS] : reflectedColumns;
-        reflectedColumns = columns;
-        indirect.weights().interpolateReflected(gathered, columns);
-        return columns;
     }
 
     /** Returns the first row whose color depends on light at its surface. */

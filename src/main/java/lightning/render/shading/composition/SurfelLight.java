@@ -8,6 +8,7 @@ import java.util.List;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.gather.GatherStructure;
+import lightning.render.gather.ray.FilmKernel;
 import lightning.render.gather.ray.FilmLight;
 import lightning.render.shading.BackgroundLight;
 import lightning.render.shading.FilmPart;
@@ -77,12 +78,12 @@ public final class SurfelLight {
      *
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
-    public float[] @Nullable [][] solve(WorkerPool workers, Progress progress) {
+    public float[] @Nullable [][] solve(FilmKernel kernel, WorkerPool workers, Progress progress) {
         float[] @Nullable [][] light = new float[parts.count()][][];
         int[] shining = chosen.stream().filter(this::shines).toArray();
         for (int from = 0; from < shining.length; from += FilmLight.MAX_FILMS) {
             int[] group = Arrays.copyOfRange(shining, from, Math.min(shining.length, from + FilmLight.MAX_FILMS));
-            float[][][] solved = new IndirectSolver(structure, sources(group), albedo, workers, progress).solve();
+            float[][][] solved = new IndirectSolver(structure, sources(group), albedo, kernel, workers, progress).solve();
             for (int film = 0; film < group.length; film++) {
                 light[group[film]] = solved[film];
             }

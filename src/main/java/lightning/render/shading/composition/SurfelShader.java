@@ -3,6 +3,7 @@ package lightning.render.shading.composition;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.EnumSet;
 import lightning.render.shading.FilmEmission;
 import lightning.render.shading.FilmParts;
@@ -63,7 +64,7 @@ public final class SurfelShader {
 
     /** Prepares a block for {@link #addShownLight}. */
     public void start(HitRows rows) {
-        composer().start(rows);
+        composer().start(rows, null, new BitSet());
     }
 
     /**
@@ -74,7 +75,7 @@ public final class SurfelShader {
      */
     public void addShownLight(HitRows rows, FilmParts parts, int part, LightLayer[] layers, int[] numbers, float[][] to) {
         colors.clear(parts.count());
-        composer().compose(rows, parts, part, layers, null, null, null, colors);
+        composer().compose(rows, parts, part, layers, null, null, colors);
         float[][] shown = colors.get(part);
         for (int c = 0; shown != null && c < 3; c++) {
             for (int row = 0; row < rows.count; row++) {

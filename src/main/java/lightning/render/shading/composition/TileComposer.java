@@ -88,9 +88,9 @@ public final class TileComposer {
      */
     public void composeLevel(HitRows rows, FilmParts parts, BitSet films, LightLayer[] layers, @Nullable IndirectRows indirect,
             FilmColors @Nullable [] images, FilmColors to) {
-        composer.start(rows);
+        composer.start(rows, indirect, films);
         for (int part = films.nextSetBit(0); part >= 0; part = films.nextSetBit(part + 1)) {
-            composer.compose(rows, parts, part, layers, indirect, image(images, BounceKind.MIRRORED, part),
+            composer.compose(rows, parts, part, layers, image(images, BounceKind.MIRRORED, part),
                     image(images, BounceKind.REFRACTED, part), to);
         }
     }

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.Random;
+import lightning.render.engine.Engine;
+import lightning.render.engine.choice.Engines;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -15,16 +17,17 @@ class RaySumsTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5})
     void filmsSideBySide_areAddedInOrder(int films) {
-        assertSums(films, false);
+        assertSums(Engines.SCALAR, films, false);
+        assertSums(Engines.LANES, films, false);
     }
 
     @ParameterizedTest
     @ValueSource(ints = {1, 5})
     void tintedRays_multiplyTheLightOfEachFilm(int films) {
-        assertSums(films, true);
+        assertSums(Engines.SCALAR, films, true);
     }
 
-    private static void assertSums(int films, boolean isTinted) {
+    private static void assertSums(Engine engine, int films, boolean isTinted) {
         Random random = new Random(films);
         FilmLight light = FilmLight.black(films, NUMBERS);
         float[][][] its = new float[NUMBERS][films][3];
@@ -36,7 +39,7 @@ class RaySumsTest {
             }
         }
         int[] number = random.ints(RAYS, 0, NUMBERS).toArray();
-        RaySums sums = new RaySums();
+        RaySums sums = new RaySums(engine.sums());
         System.arraycopy(number, 0, sums.numbers(RAYS), 0, RAYS);
         float[][] tint = sums.tints();
         for (float[] channel : tint) {

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import lightning.render.engine.choice.Engines;
 import lightning.render.gather.point.PointFilter;
 import lightning.render.gather.ray.FilmLight;
 import org.junit.jupiter.api.Test;
@@ -43,7 +44,7 @@ class ReflectionFilterTest {
             light.set(p, 0, p, 0, 0);
         }
         float[][] mean = new float[3][2];
-        points.apply(light, new float[][][] {mean}, 0, 2);
+        points.apply(light, Engines.SCALAR.sums(), new float[][][] {mean}, 0, 2);
         // Point 1 and its copies, which are points 2 and 3, have half the weight of point 0 each.
         assertEquals((7 + 0.5 * (1 + 2 + 3)) / 2.5, mean[0][0], 0.01);
         assertEquals(2, mean[0][1], 1e-6);

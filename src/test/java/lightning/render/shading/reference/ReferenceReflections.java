@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.function.Function;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
+import lightning.render.engine.choice.Engines;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.RowWeigher;
 import lightning.render.gather.build.GatherBuilder;
@@ -92,7 +93,7 @@ final class ReferenceReflections {
             // Each film alone, as the oracle of films side by side.
             var source = new IndirectSolver.Source(of(direct, part), of(glow, part),
                     parts.get(part).kind() == FilmPart.Kind.REST ? objects : null, of(seen, part), parts.background(part));
-            films[part] = new IndirectSolver(structure, List.of(source), albedo, workers, Progress.NONE).solve()[0];
+            films[part] = new IndirectSolver(structure, List.of(source), albedo, Engines.SCALAR.sums(), workers, Progress.NONE).solve()[0];
         }
         light = new IndirectLight(structure, new StoredFilms(films, known), films);
         weigher = new RowWeigher(structure);
