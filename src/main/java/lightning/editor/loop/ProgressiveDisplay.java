@@ -3,6 +3,7 @@ package lightning.editor.loop;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import lightning.base.work.Progress;
 import lightning.scene.Scene;
@@ -44,6 +45,8 @@ final class ProgressiveDisplay implements Progress {
     private final LongSupplier clock;
     private final long startNs;
     private final AtomicBoolean slow = new AtomicBoolean();
+    /** As {@link #displayNs()}. */
+    private final AtomicLong displayNs = new AtomicLong();
     private final List<FinishedTile> waiting = new ArrayList<>();
     private boolean showsTiles;
     private volatile boolean showsScene;
@@ -96,9 +99,9 @@ final class ProgressiveDisplay implements Progress {
         long elapsed = clock.getAsLong() - startNs;
         boolean isLong = elapsed > ESTIMATE_NS && remaining(elapsed, done, total) > SLOW_NS;
         if (isLong && slow.compareAndSet(false, true)) {
-            slowListener.run();
+            measure(slowListener);
             if (canShow) {
-                showTiles();
+                measure(this::showTiles);
                 showsScene = true;
             }
         }
@@ -110,6 +113,18 @@ final class ProgressiveDisplay implements Progress {
                 endTiles();
             }
         }
+    }
+
+    /** Runs a task on the thread of a tile whose time is none of the update's. */
+    private void measure(Runnable task) {
+        long start = clock.getAsLong();
+        task.run();
+        displayNs.addAndGet(clock.getAsLong() - start);
+    }
+
+    /** Returns the time that all threads spent on showing tiles and coarse images, and on waiting for each other meanwhile, in nanoseconds. */
+    long displayNs() {
+        return displayNs.get();
     }
 
     private synchronized void endTiles() {
@@ -127,7 +142,11 @@ final class ProgressiveDisplay implements Progress {
     }
 
     @Override
-    public synchronized void tileFinished(int tile, float[][] film) {
+    public void tileFinished(int tile, float[][] film) {
+        measure(() -> show(tile, film));
+    }
+
+    private synchronized void show(int tile, float[][] film) {
         if (!canShow || isOutdated) {
             return;
         }

@@ -166,7 +166,8 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         long start = System.nanoTime();
         update((r, _) -> r.renderCenters(planned, display), step, startCache(), (r, progress) -> r.render(scene, progress), signal);
         long nanoseconds = System.nanoTime() - start;
-        if (nanoseconds < ProgressiveDisplay.SLOW_NS) {
+        // Showing coarse images and tiles takes time, too, and must not keep an update slow that is fast without them.
+        if (nanoseconds - display.displayNs() / renderer.options().threads() < ProgressiveDisplay.SLOW_NS) {
             slowUpdate = "";
         }
         return nanoseconds / 1e9;

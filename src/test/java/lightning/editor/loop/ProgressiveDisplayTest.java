@@ -55,6 +55,26 @@ class ProgressiveDisplayTest {
         assertThat(events).endsWith("tile 2", "replaceable");
     }
 
+    /** An update that is fast without its display must not count as slow. */
+    @Test
+    void timeOfTilesThatAreShown_isKnown() {
+        double milliseconds = 7;
+        var slowListener = new RenderListener() {
+            @Override
+            public void tileRendered(Scene of, int tile, float[][] film) {
+                now += (long) (milliseconds * 1e6);
+            }
+        };
+        var display = new ProgressiveDisplay(Progress.NONE, scene, slowListener, () -> now += (long) (milliseconds * 1e6), _ -> {}, true,
+                () -> now);
+        finish(display, 0, 50);
+        assertThat(display.displayNs()).isZero();
+        finish(display, 1, 100);
+        assertThat(display.displayNs()).isEqualTo((long) (3 * milliseconds * 1e6));
+        finish(display, 2, 150);
+        assertThat(display.displayNs()).isEqualTo((long) (4 * milliseconds * 1e6));
+    }
+
     @Test
     void slowUpdateNearItsEnd_isNotReplaced() {
         ProgressiveDisplay display = display(true);
