@@ -8,10 +8,10 @@ import java.util.Map;
 import java.util.function.Function;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
-import lightning.render.engine.choice.Engines;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.RowWeigher;
 import lightning.render.gather.build.GatherBuilder;
+import lightning.render.gather.ray.FilmLight;
 import lightning.render.shading.FilmPart;
 import lightning.render.shading.FilmParts;
 import lightning.render.shading.IndirectLight;
@@ -93,10 +93,21 @@ final class ReferenceReflections {
             // Each film alone, as the oracle of films side by side.
             var source = new IndirectSolver.Source(of(direct, part), of(glow, part),
                     parts.get(part).kind() == FilmPart.Kind.REST ? objects : null, of(seen, part), parts.background(part));
-            films[part] = new IndirectSolver(structure, List.of(source), albedo, Engines.SCALAR.sums(), workers, Progress.NONE).solve()[0];
+            films[part] = new IndirectSolver(structure, List.of(source), albedo, ReferenceReflections::weightedSum, workers, Progress.NONE)
+                    .solve()[0];
         }
         light = new IndirectLight(structure, new StoredFilms(films, known), films);
         weigher = new RowWeigher(structure);
+    }
+
+    /** Sums as {@link lightning.render.gather.ray.FilmKernel}, one float after the other. */
+    private static void weightedSum(FilmLight light, int[] number, float[] weight, int count, float[] to) {
+        for (int k = 0; k < light.stride(); k++) {
+            to[k] = 0;
+            for (int n = 0; n < count; n++) {
+                to[k] += weight[n] * light.values()[light.at(number[n], 0) + k];
+            }
+        }
     }
 
     private static float[][] of(float[][] channels, int part) {
