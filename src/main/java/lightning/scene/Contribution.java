@@ -14,15 +14,13 @@ import lightning.scene.value.SceneLimits;
 
 /** Part of a picture's light. All contributions add up to the picture; those of lights and environments have a fader. */
 public sealed interface Contribution {
-    Contribution ENVIRONMENT = new OfEnvironment();
+    /** The world's own environment. */
+    Contribution ENVIRONMENT = new OfDome(Dome.OWN);
 
     /** @param name name of a light of the scene */
     record OfLight(String name) implements Contribution {}
 
-    /** Light of the world's own environment, with its visible image. */
-    record OfEnvironment() implements Contribution {}
-
-    /** @param name name of a dome of the scene; its visible image is part of the contribution */
+    /** @param name name of an environment of the scene; its visible image is part of the contribution */
     record OfDome(String name) implements Contribution {}
 
     /** Ambient light. */
@@ -38,9 +36,7 @@ public sealed interface Contribution {
 
     /** Returns the contributions of the {@link World#environments}, in their order. */
     static List<Contribution> environments(Scene scene) {
-        World world = scene.world();
-        return Stream.concat(world.hasOwnEnvironment() ? Stream.of(ENVIRONMENT) : Stream.empty(),
-                world.domes().stream().filter(dome -> dome.image().isPresent()).map(dome -> new OfDome(dome.name()))).toList();
+        return scene.world().domes().stream().filter(Dome::isPresent).<Contribution>map(dome -> new OfDome(dome.name())).toList();
     }
 
     /** Returns the contributions of lights and environments, on or off, in the scene's order. */
@@ -67,8 +63,7 @@ public sealed interface Contribution {
     default String name(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> name;
-            case OfEnvironment _ -> unusedName(scene, World.NAME);
-            case OfDome(String name) -> name;
+            case OfDome(String name) -> name.equals(Dome.OWN) ? unusedName(scene, "environment") : name;
             case OfAmbience _ -> unusedName(scene, "ambience");
             case OfRest _ -> unusedName(scene, "rest");
         };
@@ -78,8 +73,7 @@ public sealed interface Contribution {
     default String title(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> name;
-            case OfEnvironment _ -> unusedName(scene, Messages.tr("environment"));
-            case OfDome(String name) -> name;
+            case OfDome(String name) -> name.equals(Dome.OWN) ? unusedName(scene, Messages.tr("environment")) : name;
             case OfAmbience _ -> unusedName(scene, Messages.tr("ambient light"));
             case OfRest _ -> unusedName(scene, Messages.tr("other light"));
         };
@@ -116,8 +110,7 @@ public sealed interface Contribution {
     default boolean isIn(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> scene.light(name).isPresent();
-            case OfEnvironment _ -> scene.world().hasOwnEnvironment();
-            case OfDome(String name) -> scene.world().dome(name).isPresent();
+            case OfDome(String name) -> scene.world().dome(name).filter(dome -> !dome.isOwn() || dome.isPresent()).isPresent();
             case OfAmbience _,OfRest _ -> true;
         };
     }
@@ -126,7 +119,6 @@ public sealed interface Contribution {
     default boolean isShining(Scene scene) {
         return switch (this) {
             case OfLight _ -> light(scene).filter(scene::isActive).isPresent();
-            case OfEnvironment _ -> scene.world().lightIntensity() > 0 && scene.rig().isEnvironmentActive(0);
             case OfDome(String name) -> scene.world().dome(name).filter(dome -> dome.lightIntensity() > 0).isPresent()
                     && scene.rig().isEnvironmentActive(environmentIndex(scene));
             case OfAmbience _ -> scene.world().ambience() > 0;
@@ -152,10 +144,10 @@ public sealed interface Contribution {
                 Light light = existingLight(scene, name);
                 yield new FaderValues(light.intensity(), Optional.of(light.color()), light.on(), light.solo());
             }
-            case OfEnvironment _ -> new FaderValues(world.intensity(), Optional.empty(), world.lightIntensity() > 0, world.solo());
             case OfDome(String name) -> {
                 Dome dome = existingDome(scene, name);
-                yield new FaderValues(dome.intensity(), Optional.empty(), dome.on(), dome.solo());
+                yield new FaderValues(dome.intensity(), Optional.empty(), dome.isOwn() ? dome.lightIntensity() > 0 : dome.on(),
+                        dome.solo());
             }
             case OfAmbience _ -> new FaderValues(world.ambience(), Optional.empty(), world.ambience() > 0, false);
             case OfRest _ -> new FaderValues(1, Optional.empty(), true, false);
@@ -180,21 +172,20 @@ public sealed interface Contribution {
                 Rgb color = v.color().orElse(light.color());
                 yield scene.withLight(light.withIntensity(v.intensity()).withColor(color).withOn(v.on()).withSolo(v.solo()));
             }
-            case OfEnvironment _ -> {
-                World world = scene.world().withIntensity(v.intensity()).withSolo(v.solo());
-                yield scene.withWorld(v.on() == before.on() ? world : v.on() ? litWorld(world) : world.withGain(0));
+            case OfDome(String name) -> {
+                Dome dome = existingDome(scene, name).withIntensity(v.intensity()).withSolo(v.solo());
+                Dome switched = !dome.isOwn() ? dome.withOn(v.on()) : v.on() == before.on() ? dome : v.on() ? lit(dome) : dome.withGain(0);
+                yield scene.withWorld(scene.world().withDome(name, switched));
             }
-            case OfDome(String name) -> scene.withWorld(scene.world().withDome(name,
-                    existingDome(scene, name).withIntensity(v.intensity()).withOn(v.on()).withSolo(v.solo())));
             case OfAmbience _ -> scene.withWorld(scene.world().withAmbience(v.on() ? v.intensity() : 0));
             case OfRest _ -> scene;
         };
     }
 
-    /** Returns a dark world with a light intensity above 0. Files of earlier versions muted the environment with its intensity. */
-    private static World litWorld(World world) {
-        return world.withIntensity(world.intensity() > 0 ? world.intensity() : World.INTENSITY.initial())
-                .withGain(world.gain() > 0 ? world.gain() : World.GAIN.initial());
+    /** Returns a dark environment with a light intensity above 0. Files of earlier versions muted the environment with its intensity. */
+    private static Dome lit(Dome dome) {
+        return dome.withIntensity(dome.intensity() > 0 ? dome.intensity() : Dome.INTENSITY.initial())
+                .withGain(dome.gain() > 0 ? dome.gain() : Dome.GAIN.initial());
     }
 
     private static Light existingLight(Scene scene, String name) {

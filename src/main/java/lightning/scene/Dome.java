@@ -4,8 +4,6 @@ import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.BiFunction;
-import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
@@ -15,19 +13,25 @@ import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentLight;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.attribute.ValueKind;
 import lightning.scene.light.AreaShape;
 import lightning.scene.light.EnvironmentLights;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
+import lightning.scene.sky.Sky;
 import lightning.scene.value.DomeRotation;
 import lightning.scene.value.SceneLimits;
 
 /**
- * Environment of a scene, whose radiance is added to that of the others: a dome, or the world's own.
+ * Environment of a scene, whose radiance is added to that of the others. It is visible in the background, and lights surfaces through gathering
+ * rays and the lights of its bright parts.
  *
- * @param name       of a dome: unique among domes, lights, light groups, shapes and groups; of its lights, before a number
- * @param image      environment map; a dome without one has no effect
+ * @param name       unique among domes, lights, light groups, shapes and groups; {@link #OWN} for the world's own environment, which files
+ *                   write in the world's block
+ * @param image      environment map; a dome without one and without a sky has no effect
+ * @param sky        physical sky, which replaces the image while it is on; off unless it is the world's own
  * @param rotation   rotation of the image
  * @param intensity  factor of its image and light
  * @param gain       factor of its light alone; its image stays
@@ -37,29 +41,44 @@ import lightning.scene.value.SceneLimits;
  * @param solo       true if its light is soloed: if it is not dark, all lights and environments that are not solo are dark
  */
 @RecordBuilder
-public record Dome(String name, Optional<Environment> image, DomeRotation rotation, double intensity, double gain, int lightCount,
+public record Dome(String name, Optional<Environment> image, Sky sky, DomeRotation rotation, double intensity, double gain, int lightCount,
         double softness, boolean on, boolean solo) implements DomeBuilder.With {
-    public static final SceneAttribute<Dome, Optional<Environment>> ENVIRONMENT =
-            like(World.ENVIRONMENT, "image", Dome::image, Dome::withImage);
-    public static final SceneAttribute<Dome, Double> ROTATION = like(World.ROTATION, "rotation", dome -> dome.rotation.rotation(),
-            (dome, v) -> dome.withRotation(dome.rotation.withRotation(v)));
-    public static final SceneAttribute<Dome, Double> TILT = like(World.TILT, "tilt", dome -> dome.rotation.tilt(),
-            (dome, v) -> dome.withRotation(dome.rotation.withTilt(v)));
-    public static final SceneAttribute<Dome, Double> ROLL = like(World.ROLL, "roll", dome -> dome.rotation.roll(),
-            (dome, v) -> dome.withRotation(dome.rotation.withRoll(v)));
-    public static final SceneAttribute<Dome, Double> INTENSITY = like(World.INTENSITY, "intensity", Dome::intensity, Dome::withIntensity);
-    public static final SceneAttribute<Dome, Double> GAIN = like(World.GAIN, "light gain", Dome::gain, Dome::withGain);
-    public static final SceneAttribute<Dome, Integer> LIGHT_COUNT =
-            like(World.LIGHT_COUNT, "bright lights", Dome::lightCount, Dome::withLightCount);
-    public static final SceneAttribute<Dome, Double> SOFTNESS =
-            like(World.SOFTNESS, "shadow smoothing", Dome::softness, Dome::withSoftness);
+    /** Name of the world's own environment. */
+    public static final String OWN = "";
+
+    public static final SceneAttribute<Dome, Optional<Environment>> ENVIRONMENT = new SceneAttribute<>("environment", "image",
+            new ValueKind.EnvironmentKind(), Optional.empty(), "a Radiance HDR or OpenEXR file", Dome::image, Dome::withImage);
+    public static final SceneAttribute<Dome, Double> ROTATION = new SceneAttribute<>("rotation", "rotation",
+            NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), 0.0, "degrees about y",
+            dome -> dome.rotation.rotation(), (dome, v) -> dome.withRotation(dome.rotation.withRotation(v)));
+    public static final SceneAttribute<Dome, Double> TILT = new SceneAttribute<>("tilt", "tilt",
+            NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), 0.0, "degrees about x, before rotation",
+            dome -> dome.rotation.tilt(), (dome, v) -> dome.withRotation(dome.rotation.withTilt(v)));
+    public static final SceneAttribute<Dome, Double> ROLL = new SceneAttribute<>("roll", "roll",
+            NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), 0.0, "degrees about z, before tilt",
+            dome -> dome.rotation.roll(), (dome, v) -> dome.withRotation(dome.rotation.withRoll(v)));
+    public static final SceneAttribute<Dome, Double> INTENSITY = new SceneAttribute<>("intensity", "intensity",
+            NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "multiplies the environment", Dome::intensity,
+            Dome::withIntensity);
+    public static final SceneAttribute<Dome, Double> GAIN = new SceneAttribute<>("gain", "light gain",
+            NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "multiplies the environment's light, not its image",
+            Dome::gain, Dome::withGain);
+    public static final SceneAttribute<Dome, Integer> LIGHT_COUNT = new SceneAttribute<>("lamps", "bright lights",
+            NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES), 16, "most lights for bright parts",
+            Dome::lightCount, Dome::withLightCount);
+    public static final SceneAttribute<Dome, Double> SOFTNESS = new SceneAttribute<>("softness", "shadow smoothing",
+            NumericKind.number(0, 1, 0.1), 1.0, "0 = sharp shadows, 1 = smooth", Dome::softness, Dome::withSoftness);
     public static final SceneAttribute<Dome, Boolean> ON =
             new SceneAttribute<>("on", "on", ChoiceKind.YES_OR_NO, true, "", Dome::on, Dome::withOn);
-    public static final SceneAttribute<Dome, Boolean> SOLO = like(World.SOLO, "solo", Dome::solo, Dome::withSolo);
+    public static final SceneAttribute<Dome, Boolean> SOLO =
+            new SceneAttribute<>("solo", "solo", ChoiceKind.YES_OR_NO, false, "", Dome::solo, Dome::withSolo);
 
     /** All attributes, in file order. */
     public static final List<SceneAttribute<Dome, ?>> ATTRIBUTES =
             List.of(ENVIRONMENT, ROTATION, TILT, ROLL, INTENSITY, GAIN, LIGHT_COUNT, SOFTNESS, ON, SOLO);
+
+    /** The world's own environment without an image. */
+    static final Dome INITIAL = of(OWN);
 
     /** Samples of a light that is hardly larger than the sun, and of a larger one. */
     private static final int SUN_SAMPLES = SceneLimits.MIN_LIGHT_SAMPLES;
@@ -68,7 +87,9 @@ public record Dome(String name, Optional<Environment> image, DomeRotation rotati
     private static final double SUN = 1;
 
     public Dome {
-        SceneLimits.checkName(name);
+        if (!name.equals(OWN)) {
+            SceneLimits.checkName(name);
+        }
         ROTATION.check(rotation.rotation());
         TILT.check(rotation.tilt());
         ROLL.check(rotation.roll());
@@ -80,14 +101,23 @@ public record Dome(String name, Optional<Environment> image, DomeRotation rotati
 
     /** Returns a dome without an image. */
     public static Dome of(String name) {
-        return new Dome(name, Optional.empty(), DomeRotation.NONE, INTENSITY.initial(), GAIN.initial(), LIGHT_COUNT.initial(),
+        return new Dome(name, Optional.empty(), Sky.NONE, DomeRotation.NONE, INTENSITY.initial(), GAIN.initial(), LIGHT_COUNT.initial(),
                 SOFTNESS.initial(), ON.initial(), SOLO.initial());
     }
 
-    /** Returns an attribute with the name, range and default of one of the world's environment. */
-    private static <V> SceneAttribute<Dome, V> like(SceneAttribute<World, V> attribute, String title,
-            Function<Dome, V> getter, BiFunction<Dome, V, Dome> setter) {
-        return new SceneAttribute<>(attribute.name(), title, attribute.kind(), attribute.initial(), attribute.unit(), getter, setter);
+    /** Returns whether it is the world's own environment. */
+    public boolean isOwn() {
+        return name.equals(OWN);
+    }
+
+    /** Returns whether it has an image or a sky. */
+    public boolean isPresent() {
+        return sky.on() || image.isPresent();
+    }
+
+    /** Returns its image: that of the sky while it is on. */
+    public Optional<Environment> environment() {
+        return sky.on() ? Optional.of(sky.environment()) : image;
     }
 
     /** Returns a clause that says why an attribute has no effect; empty if it has. */
@@ -96,8 +126,13 @@ public record Dome(String name, Optional<Environment> image, DomeRotation rotati
                 : !on && attribute != ON ? Optional.of(Messages.tr("the dome is off")) : Optional.empty();
     }
 
+    /** Returns this dome with the image of its sky, which is on, instead of the sky. */
+    Dome withImageOfSky() {
+        return sky.on() ? withImage(environment()).withSky(Sky.NONE) : this;
+    }
+
     /**
-     * Returns the decoded image.
+     * Returns the decoded image, not that of the sky.
      *
      * @throws java.util.NoSuchElementException if it has none
      */
@@ -107,7 +142,7 @@ public record Dome(String name, Optional<Environment> image, DomeRotation rotati
 
     /** Returns the factor of its light, ≥ 0; 0 if it is off or without an image. */
     public double lightIntensity() {
-        return on && image.isPresent() ? intensity * gain : 0;
+        return on && isPresent() ? intensity * gain : 0;
     }
 
     /**
@@ -131,7 +166,7 @@ public record Dome(String name, Optional<Environment> image, DomeRotation rotati
 
     private List<Light> lights(List<EnvironmentLight> sources, int count, Predicate<String> isUsed) {
         List<Light> lights = new ArrayList<>();
-        String prefix = name;
+        String prefix = isOwn() ? "environment" : name;
         while (isAnyUsed(prefix, count, isUsed)) {
             prefix += "'";
         }

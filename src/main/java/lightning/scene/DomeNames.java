@@ -1,5 +1,6 @@
 package lightning.scene;
 
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -12,19 +13,19 @@ final class DomeNames {
     private DomeNames() {}
 
     /**
-     * Returns an immutable copy of domes.
+     * Returns an immutable copy of domes, the world's own first, without it if it has its initial values.
      *
      * @throws IllegalArgumentException if two have the same name, or there are more than {@link SceneLimits#MAX_DOMES}
      */
     static List<Dome> check(List<Dome> domes) {
-        SceneLimits.checkRange("the number of domes", domes.size(), 0, SceneLimits.MAX_DOMES);
+        SceneLimits.checkRange("the number of domes", domes.stream().filter(dome -> !dome.isOwn()).count(), 0, SceneLimits.MAX_DOMES);
         Set<String> names = new HashSet<>();
         for (Dome dome : domes) {
             if (!names.add(dome.name())) {
                 throw taken(dome);
             }
         }
-        return List.copyOf(domes);
+        return domes.stream().filter(dome -> !dome.equals(Dome.INITIAL)).sorted(Comparator.comparing(dome -> !dome.isOwn())).toList();
     }
 
     /** @throws IllegalArgumentException if a light, a light group, a shape or a group has the name of a dome */

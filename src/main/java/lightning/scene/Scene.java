@@ -25,7 +25,7 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
 
     public Scene {
         rig.checkDisjoint(stage.names());
-        DomeNames.checkDisjoint(world.domes(), rig, stage);
+        DomeNames.checkDisjoint(world.named(), rig, stage);
         rig = rig.withEnvironments(world.environmentLights(rig::isNameUsed), world.meters()).withSurfaces(stage.surfaces(rig));
         stage = stage.withBulbs(rig).withFaces(rig);
         OverflowCheck.check(stage, rig);

@@ -76,7 +76,7 @@ public final class SceneDiff {
         for (SceneAttribute<World, ?> attribute : World.ATTRIBUTES) {
             change(attribute, before.world(), after.world()).ifPresent(this::addPart);
         }
-        addNamed(before.world().domes(), after.world().domes(), Dome::name, Dome.ATTRIBUTES, Messages.key("order of domes"));
+        addNamed(before.world().named(), after.world().named(), Dome::name, Dome.ATTRIBUTES, Messages.key("order of domes"));
         if (!before.picture().equals(after.picture())) {
             change(PictureSettings.DEPTH, before.picture(), after.picture()).ifPresent(this::addPart);
             change(PictureSettings.REFLECTION_RAYS, before.picture(), after.picture()).ifPresent(this::addPart);

@@ -11,76 +11,47 @@ import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
-import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
-import lightning.scene.attribute.ValueKind;
 import lightning.scene.light.EnvironmentLights;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightRig;
 import lightning.scene.sky.Sky;
-import lightning.scene.value.DomeRotation;
 import lightning.scene.value.Fog;
 import lightning.scene.value.SceneLimits;
 
 /**
  * Surroundings of the shapes.
  *
- * @param ambience    factor of every material's ambient color, ≥ 0
- * @param background  linear color of rays that hit nothing, ≥ 0; replaced by an environment
- * @param image       environment map, visible in the background; it lights surfaces through gathering rays and the lights of its bright parts
- * @param dome        rotation of the environment
- * @param intensity   factor of the environment's image and light
- * @param gain        factor of the environment's light alone; its image stays
- * @param lightCount  maximum number of directional lights that represent its small bright parts
- * @param softness    spread of each light over its part, 0 … 1
- * @param solo        true if its light is soloed: if intensity and gain are not 0, all lights that are not solo are dark
- * @param meters      meters per scene unit, for photometric units of lights
- * @param fog         air between the shapes
- * @param sky         physical sky, which is the environment while it is on
- * @param domes       further environments with unique names, whose radiance is added in this order
+ * @param ambience   factor of every material's ambient color, ≥ 0
+ * @param background linear color of rays that hit nothing, ≥ 0; replaced by an environment
+ * @param domes      environments with unique names, whose radiance is added in this order; the world's own has the name {@link Dome#OWN},
+ *                   comes first, and is absent if it has its initial values
+ * @param meters     meters per scene unit, for photometric units of lights
+ * @param fog        air between the shapes
  */
 @RecordBuilder
-public record World(double ambience, Rgb background, Optional<Environment> image, DomeRotation dome, double intensity, double gain,
-        int lightCount, double softness, boolean solo, double meters, Fog fog, Sky sky, List<Dome> domes) implements WorldBuilder.With {
+public record World(double ambience, Rgb background, List<Dome> domes, double meters, Fog fog) implements WorldBuilder.With {
     public static final SceneAttribute<World, Double> AMBIENCE = new SceneAttribute<>("ambience", "ambience", "ambient light",
             NumericKind.number(0, SceneLimits.MAX_AMBIENCE, 0.1), 1.0, "", World::ambience, World::withAmbience);
     public static final SceneAttribute<World, Rgb> BACKGROUND = new SceneAttribute<>("background", "background",
             NumericKind.color(SceneLimits.MAX_EMISSION), Rgb.BLACK, "linear red, green, blue", World::background, World::withBackground);
-    public static final SceneAttribute<World, Optional<Environment>> ENVIRONMENT = new SceneAttribute<>("environment", "environment",
-            new ValueKind.EnvironmentKind(), Optional.empty(), "a Radiance HDR or OpenEXR file", World::image,
-            World::withImage);
-    public static final SceneAttribute<World, Double> ROTATION = new SceneAttribute<>("rotation", "environment rotation",
-            NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), 0.0, "degrees about y", World::rotation,
-            World::withRotation);
-    public static final SceneAttribute<World, Double> TILT = new SceneAttribute<>("tilt", "environment tilt",
-            NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), 0.0, "degrees about x, before rotation",
-            world -> world.dome.tilt(), (world, v) -> world.withDome(world.dome.withTilt(v)));
-    public static final SceneAttribute<World, Double> ROLL = new SceneAttribute<>("roll", "environment roll",
-            NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), 0.0, "degrees about z, before tilt",
-            world -> world.dome.roll(), (world, v) -> world.withDome(world.dome.withRoll(v)));
-    public static final SceneAttribute<World, Double> INTENSITY = new SceneAttribute<>("intensity", "environment intensity",
-            NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "multiplies the environment", World::intensity,
-            World::withIntensity);
-    public static final SceneAttribute<World, Double> GAIN = new SceneAttribute<>("gain", "environment light gain",
-            NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "multiplies the environment's light, not its image",
-            World::gain, World::withGain);
-    public static final SceneAttribute<World, Integer> LIGHT_COUNT = new SceneAttribute<>("lamps", "environment bright lights",
-            NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES), 16,
-            "most lights for bright parts", World::lightCount,
-            World::withLightCount);
-
-    public static final SceneAttribute<World, Double> SOFTNESS = new SceneAttribute<>("softness", "environment shadow smoothing",
-            NumericKind.number(0, 1, 0.1), 1.0, "0 = sharp shadows, 1 = smooth", World::softness, World::withSoftness);
-
-    public static final SceneAttribute<World, Boolean> SOLO = new SceneAttribute<>("solo", "environment solo", ChoiceKind.YES_OR_NO, false,
-            "", World::solo, World::withSolo);
+    public static final SceneAttribute<World, Optional<Environment>> ENVIRONMENT = own(Dome.ENVIRONMENT, "environment", "environment");
+    public static final SceneAttribute<World, Double> ROTATION = own(Dome.ROTATION);
+    public static final SceneAttribute<World, Double> TILT = own(Dome.TILT);
+    public static final SceneAttribute<World, Double> ROLL = own(Dome.ROLL);
+    public static final SceneAttribute<World, Double> INTENSITY = own(Dome.INTENSITY);
+    public static final SceneAttribute<World, Double> GAIN = own(Dome.GAIN);
+    public static final SceneAttribute<World, Integer> LIGHT_COUNT = own(Dome.LIGHT_COUNT);
+    public static final SceneAttribute<World, Double> SOFTNESS = own(Dome.SOFTNESS);
+    public static final SceneAttribute<World, Boolean> SOLO = own(Dome.SOLO);
 
     public static final SceneAttribute<World, Double> METERS = new SceneAttribute<>("meters", "meters per unit",
             NumericKind.number(SceneLimits.MIN_METERS, SceneLimits.MAX_METERS, 0.1), LightRig.METERS, "meters per scene unit",
@@ -89,34 +60,34 @@ public record World(double ambience, Rgb background, Optional<Environment> image
 
     /** All attributes, in file order. */
     public static final List<SceneAttribute<World, ?>> ATTRIBUTES = Stream.of(
-            List.<SceneAttribute<World, ?>>of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, TILT, ROLL, INTENSITY, GAIN, LIGHT_COUNT,
-                    SOFTNESS,
-                    SOLO, METERS),
+            List.of(AMBIENCE, BACKGROUND, ENVIRONMENT, ROTATION, TILT, ROLL, INTENSITY, GAIN, LIGHT_COUNT, SOFTNESS, SOLO, METERS),
             FogAttributes.ALL, SkyAttributes.ALL).flatMap(List::stream).toList();
-
-    /** Name of its own environment's lights. */
-    static final String NAME = "environment";
 
     public static final World DEFAULT = new World(AMBIENCE.initial(), BACKGROUND.initial());
 
     public World {
         AMBIENCE.check(ambience);
         BACKGROUND.check(background);
-        ROTATION.check(dome.rotation());
-        TILT.check(dome.tilt());
-        ROLL.check(dome.roll());
-        INTENSITY.check(intensity);
-        GAIN.check(gain);
-        LIGHT_COUNT.check(lightCount);
-        SOFTNESS.check(softness);
         METERS.check(meters);
         domes = DomeNames.check(domes);
     }
 
     /** Creates a world without an environment. */
     public World(double ambience, Rgb background) {
-        this(ambience, background, ENVIRONMENT.initial(), DomeRotation.NONE, INTENSITY.initial(), GAIN.initial(),
-                LIGHT_COUNT.initial(), SOFTNESS.initial(), SOLO.initial(), METERS.initial(), Fog.NONE, Sky.NONE, List.of());
+        this(ambience, background, List.of(), METERS.initial(), Fog.NONE);
+    }
+
+    /** Returns an attribute of the world's own environment. */
+    private static <V> SceneAttribute<World, V> own(SceneAttribute<Dome, V> attribute) {
+        return own(attribute, attribute.name(), "environment " + attribute.title());
+    }
+
+    private static <V> SceneAttribute<World, V> own(SceneAttribute<Dome, V> attribute, String name, String title) {
+        return new SceneAttribute<>(name, title, attribute.kind(), attribute.initial(), attribute.unit(),
+                world -> attribute.get(world.own()), (world, v) -> {
+                    attribute.kind().check(title, v);
+                    return world.withOwn(dome -> attribute.with(dome, v));
+                });
     }
 
     /** Returns a clause that says why an attribute has no effect in this world; empty if it has. */
@@ -124,77 +95,85 @@ public record World(double ambience, Rgb background, Optional<Environment> image
         boolean needsEnvironment = attribute == ROTATION || attribute == TILT || attribute == ROLL || attribute == INTENSITY
                 || attribute == GAIN || attribute == LIGHT_COUNT
                 || attribute == SOFTNESS || attribute == SOLO;
-        if (needsEnvironment && environment().isEmpty()) {
+        if (needsEnvironment && !own().isPresent()) {
             return Optional.of(Messages.tr("the scene has no environment"));
         }
         boolean needsSky = SkyAttributes.ALL.contains(attribute) && attribute != SkyAttributes.ON;
-        if (needsSky && !sky.on()) {
+        if (needsSky && !sky().on()) {
             return Optional.of(Messages.tr("the physical sky is off"));
         }
-        if (sky.on() && attribute == LIGHT_COUNT) {
+        if (sky().on() && attribute == LIGHT_COUNT) {
             return Optional.of(Messages.tr("the sun is the only bright light of a physical sky"));
         }
-        if (sky.on() && attribute == ENVIRONMENT) {
+        if (sky().on() && attribute == ENVIRONMENT) {
             return Optional.of(Messages.tr("the physical sky is on"));
         }
         boolean needsFog = FogAttributes.ALL.contains(attribute) && attribute != FogAttributes.DENSITY;
         return needsFog && !fog.isPresent() ? Optional.of(Messages.tr("the scene has no fog")) : Optional.empty();
     }
 
-    /** Returns the environment: the sky while it is on, otherwise the image. */
+    /** Returns its own environment; without an image if it has none. */
+    public Dome own() {
+        return domes.isEmpty() || !domes.getFirst().isOwn() ? Dome.INITIAL : domes.getFirst();
+    }
+
+    /** Returns this world with its own environment changed. */
+    public World withOwn(UnaryOperator<Dome> change) {
+        return withDomes(Stream.concat(Stream.of(change.apply(own())), named().stream()).toList());
+    }
+
+    /** Returns the environments with names. */
+    public List<Dome> named() {
+        return domes.isEmpty() || !domes.getFirst().isOwn() ? domes : domes.subList(1, domes.size());
+    }
+
+    /** Returns this world with other environments besides its own. */
+    public World withNamed(List<Dome> v) {
+        return withDomes(Stream.concat(Stream.of(own()), v.stream()).toList());
+    }
+
+    /** Returns the physical sky of its own environment. */
+    public Sky sky() {
+        return own().sky();
+    }
+
+    public World withSky(Sky v) {
+        return withOwn(dome -> dome.withSky(v));
+    }
+
+    /** Returns the image of its own environment: the sky while it is on. */
     public Optional<Environment> environment() {
-        return sky.on() ? Optional.of(sky.environment()) : image;
+        return own().environment();
     }
 
-    /** Returns this world with an image or no environment, and without a sky. */
+    /** Returns this world with an image or no environment of its own, and without a sky. */
     public World withEnvironment(Optional<Environment> v) {
-        return with(world -> world.image(v).sky(sky.withOn(false)));
-    }
-
-    /** Returns the rotation of the environment about y, degrees. */
-    public double rotation() {
-        return dome.rotation();
-    }
-
-    public World withRotation(double v) {
-        return withDome(dome.withRotation(v));
-    }
-
-    /** Returns the factor of the environment's light, ≥ 0; 0 without an environment. */
-    public double lightIntensity() {
-        return environment().isEmpty() ? 0 : intensity * gain;
+        return withOwn(dome -> dome.withImage(v).withSky(dome.sky().withOn(false)));
     }
 
     /**
-     * Returns all environments, in the order in which their radiances are summed: its own, then the domes with an image. Looks up the sky, so
-     * callers do this once for many rays.
+     * Returns the domes with an image, on or off, in the order in which their radiances are summed. Looks up the image of the sky, so callers
+     * do this once for many rays.
      */
     public List<Dome> environments() {
-        Stream<Dome> own = environment().stream()
-                .map(e -> new Dome(NAME, Optional.of(e), dome, intensity, gain, lightCount, softness, true, solo));
-        return Stream.concat(own, domes.stream().filter(d -> d.image().isPresent())).toList();
+        return domes.stream().filter(Dome::isPresent).map(Dome::withImageOfSky).toList();
     }
 
     /** Returns the images of its environments, each once; not those of skies. */
     public Set<EnvironmentMap> images() {
         Set<EnvironmentMap> images = Collections.newSetFromMap(new IdentityHashMap<>());
-        Stream.concat(image.stream(), domes.stream().flatMap(d -> d.image().stream())).forEach(e -> images.add(e.map()));
+        domes.stream().flatMap(dome -> dome.image().stream()).forEach(e -> images.add(e.map()));
         return images;
     }
 
     /** Returns whether it has any environment, on or off. */
     public boolean hasEnvironment() {
-        return hasOwnEnvironment() || domes.stream().anyMatch(d -> d.image().isPresent());
-    }
-
-    /** Returns whether it has an environment besides its domes. */
-    boolean hasOwnEnvironment() {
-        return sky.on() || image.isPresent();
+        return domes.stream().anyMatch(Dome::isPresent);
     }
 
     /** Returns whether any environment lights the scene, unless a solo mutes it. */
     public boolean hasEnvironmentLight() {
-        return lightIntensity() > 0 || domes.stream().anyMatch(d -> d.lightIntensity() > 0);
+        return domes.stream().anyMatch(d -> d.lightIntensity() > 0);
     }
 
     /**
@@ -229,9 +208,9 @@ public record World(double ambience, Rgb background, Optional<Environment> image
         return lights;
     }
 
-    /** Returns the dome of that name. */
+    /** Returns the dome of a name; the world's own always exists. */
     public Optional<Dome> dome(String name) {
-        return domes.stream().filter(d -> d.name().equals(name)).findFirst();
+        return name.equals(Dome.OWN) ? Optional.of(own()) : domes.stream().filter(d -> d.name().equals(name)).findFirst();
     }
 
     /**
@@ -240,6 +219,9 @@ public record World(double ambience, Rgb background, Optional<Environment> image
      * @throws IllegalArgumentException if there is no such dome, or another one has the new name
      */
     public World withDome(String name, Dome v) {
+        if (name.equals(Dome.OWN)) {
+            return withOwn(_ -> v);
+        }
         if (dome(name).isEmpty()) {
             throw new IllegalArgumentException("there is no dome " + Quote.of(name));
         }
@@ -248,7 +230,6 @@ public record World(double ambience, Rgb background, Optional<Environment> image
 
     /** Returns this world without any environment. */
     public World withoutEnvironments() {
-        return withEnvironment(Optional.empty()).withDomes(List.of());
+        return withEnvironment(Optional.empty()).withNamed(List.of());
     }
-
 }

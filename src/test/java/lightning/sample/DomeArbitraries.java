@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import lightning.scene.Dome;
+import lightning.scene.sky.Sky;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -17,7 +18,8 @@ final class DomeArbitraries {
         Arbitrary<Dome> dome = Combinators.combine(SceneArbitraries.environmentMaps(), SceneArbitraries.domeRotations(),
                 NumberArbitraries.rangeOrSpecial(0, 2, 0.0, 1.0), SceneArbitraries.environmentGains(), Arbitraries.of(4, 5, 7),
                 SceneArbitraries.softnesses(), Arbitraries.of(true, true, true, false), Arbitraries.of(false, false, false, true)).as(
-                        (image, rotation, intensity, gain, lights, softness, on, solo) -> new Dome("unnamed", Optional.of(image), rotation,
+                        (image, rotation, intensity, gain, lights, softness, on, solo) -> new Dome("unnamed", Optional.of(image), Sky.NONE,
+                                rotation,
                                 intensity, gain, lights, softness, on, solo));
         return dome.list().ofMinSize(1).ofMaxSize(3).map(DomeArbitraries::named);
     }

@@ -188,10 +188,10 @@ public sealed interface Edit {
         @Override
         public Scene apply(List<Scene> history) {
             World world = history.getLast().world();
-            if (world.domes().isEmpty()) {
-                return history.getLast().withWorld(world.withDomes(List.of(attribute.with(Dome.of("fresh dome"), to))));
+            if (world.named().isEmpty()) {
+                return history.getLast().withWorld(world.withNamed(List.of(attribute.with(Dome.of("fresh dome"), to))));
             }
-            Dome dome = world.domes().get(index % world.domes().size());
+            Dome dome = world.named().get(index % world.named().size());
             return history.getLast().withWorld(world.withDome(dome.name(), attribute.with(dome, to)));
         }
     }
@@ -200,14 +200,14 @@ public sealed interface Edit {
     record SetDomes(List<Dome> to) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
-            return history.getLast().withWorld(history.getLast().world().withDomes(to));
+            return history.getLast().withWorld(history.getLast().world().withNamed(to));
         }
     }
 
     record SetEnvironment(Optional<Environment> to) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
-            return history.getLast().withWorld(history.getLast().world().withEnvironment(to).withLightCount(5));
+            return history.getLast().withWorld(history.getLast().world().withEnvironment(to).withOwn(own -> own.withLightCount(5)));
         }
     }
 

@@ -13,6 +13,7 @@ import lightning.scene.World;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.material.Material;
+import lightning.scene.value.DomeRotation;
 
 /** Scene with a set of features, and an edit of a light, then of a material, then of the world. */
 public final class FeatureScene {
@@ -77,8 +78,8 @@ public final class FeatureScene {
             edits.add(world("sky_elevation=10", world -> SkyAttributes.ELEVATION.with(world, 10.0)));
         }
         if (features.contains(SceneFeature.SKY) || features.contains(SceneFeature.ENVIRONMENT)) {
-            edits.add(world("rotation=75", world -> world.withRotation(75)));
-            edits.add(world("intensity=0.5", world -> world.withIntensity(0.5)));
+            edits.add(world("rotation=75", world -> world.withOwn(own -> own.withRotation(DomeRotation.of(75, 0, 0)))));
+            edits.add(world("intensity=0.5", world -> world.withOwn(own -> own.withIntensity(0.5))));
         }
         if (features.contains(SceneFeature.DOME)) {
             edits.add(new Edit("dome:dome.intensity=2",

@@ -59,7 +59,7 @@ public final class IndirectArbitraries {
         return Combinators.combine(rooms(), SceneArbitraries.environmentMaps(), settings().optional(0.5),
                 DomeArbitraries.domes().optional(0.4)).as(
                         (room, map, indirect, domes) -> room
-                                .withWorld(room.world().withEnvironment(Optional.of(map)).withDomes(domes.orElse(List.of())))
+                                .withWorld(room.world().withEnvironment(Optional.of(map)).withNamed(domes.orElse(List.of())))
                                 .withPicture(room.picture().withIndirect(indirect)))
                 .map(TestBudget::limit);
     }

@@ -127,14 +127,14 @@ public final class SceneArbitraries {
                 Combinators.combine(NumberArbitraries.rangeOrSpecial(0, 1, 0.0, 1.0, 1e6), NumberArbitraries.colors()).as(World::new);
         Arbitrary<World> clear = Arbitraries.frequencyOf(Tuple.of(8, plain),
                 Tuple.of(1, Combinators.combine(plain, SkyArbitraries.skies(), domeRotations()).as(
-                        (world, sky, turn) -> world.withSky(sky).withDome(turn))),
+                        (world, sky, turn) -> world.withSky(sky).withOwn(own -> own.withRotation(turn)))),
                 Tuple.of(2, Combinators.combine(plain, environmentMaps(), domeRotations(),
                         NumberArbitraries.rangeOrSpecial(0, 2, 0.0, 1.0), Arbitraries.of(4, 5, 7), softnesses(), environmentGains()).as(
                                 (world, sky, turn, intensity, lamps, softness, gain) -> world
-                                        .withEnvironment(Optional.of(sky)).withDome(turn).withIntensity(intensity).withLightCount(lamps)
-                                        .withSoftness(softness).withGain(gain))));
+                                        .withEnvironment(Optional.of(sky)).withOwn(own -> own.withRotation(turn).withIntensity(intensity)
+                                                .withLightCount(lamps).withSoftness(softness).withGain(gain)))));
         Arbitrary<World> domed = Arbitraries.frequencyOf(Tuple.of(7, clear),
-                Tuple.of(1, Combinators.combine(clear, DomeArbitraries.domes()).as(World::withDomes)));
+                Tuple.of(1, Combinators.combine(clear, DomeArbitraries.domes()).as(World::withNamed)));
         return Arbitraries.frequencyOf(Tuple.of(5, domed),
                 Tuple.of(2, Combinators.combine(domed, FogArbitraries.fogs()).as(World::withFog)));
     }

@@ -56,6 +56,7 @@ import lightning.scene.node.Solid;
 import lightning.scene.sky.Sky;
 import lightning.scene.value.Attenuation;
 import lightning.scene.value.BarnDoors;
+import lightning.scene.value.DomeRotation;
 import lightning.scene.value.Fog;
 import lightning.scene.value.LensShift;
 import lightning.scene.value.Photometry;
@@ -122,9 +123,10 @@ public enum SceneFeature {
     INVERSE_SQUARE(scene -> lights(scene, light -> light.withFalloff(Falloff.INVERSE_SQUARE).withIntensity(6 * light.intensity()))),
     UNITS(scene -> lights(scene.withWorld(World.METERS.with(scene.world(), 0.5)), light -> light
             .withEmission(new Emission(4, light.type().hasPosition() ? IntensityUnit.LUMEN : IntensityUnit.LUX, 4000)))),
-    ENVIRONMENT(scene -> world(scene, world -> world.withEnvironment(Optional.of(sky(0.4f))).withRotation(30))),
+    ENVIRONMENT(scene -> world(scene,
+            world -> world.withEnvironment(Optional.of(sky(0.4f))).withOwn(own -> own.withRotation(DomeRotation.of(30, 0, 0))))),
     SKY(scene -> world(scene, world -> world.withSky(Sky.NONE.withOn(true)))),
-    DOME(scene -> world(scene, world -> world.withDomes(List.of(JenScenes.dome("dome", 0.5).withImage(Optional.of(sky(0.8f))))))),
+    DOME(scene -> world(scene, world -> world.withNamed(List.of(JenScenes.dome("dome", 0.5).withImage(Optional.of(sky(0.8f))))))),
     FOG(scene -> world(scene, world -> world.withFog(Fog.NONE.withDensity(0.06).withColor(new Rgb(0.7, 0.8, 0.9)).withAnisotropy(0.3)
             .withAmbient(Rgb.gray(0.05)).withFalloff(0.3)))),
     LIGHT_GROUP(scene -> scene.withRig(scene.rig().addLightGroup(new LightGroup("group of lights", new Rgb(1, 0.8, 0.6), 0.7, true, false))

@@ -47,7 +47,7 @@ public final class ShotArbitraries {
         Stream<TrackTarget> nodes = scene.nodes().stream().map(n -> TrackTarget.node(n.name()));
         return Stream.of(Stream.of(TrackTarget.CAMERA), scene.lights().stream().map(Light::name).map(TrackTarget::light),
                 scene.rig().lightGroups().stream().map(LightGroup::name).map(TrackTarget::bank),
-                scene.world().domes().stream().map(Dome::name).map(TrackTarget::dome), nodes).flatMap(s -> s).toList();
+                scene.world().named().stream().map(Dome::name).map(TrackTarget::dome), nodes).flatMap(s -> s).toList();
     }
 
     private static Arbitrary<Track> tracks(TrackTarget target, SceneAttribute<?, ?> attribute) {

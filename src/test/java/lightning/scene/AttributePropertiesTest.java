@@ -4,6 +4,7 @@ import static java.util.Map.entry;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.lang.reflect.RecordComponent;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -101,12 +102,16 @@ class AttributePropertiesTest {
         assertThat(titles(LightAttribute.ALL)).containsExactlyInAnyOrderElementsOf(components(Light.class));
         assertThat(titles(MaterialAttribute.ALL)).containsExactlyInAnyOrderElementsOf(components(Material.class));
         // Not by title: titles of the world name the owner of an intensity or a rotation.
-        List<String> dome = components(DomeRotation.class);
+        List<String> rotation = components(DomeRotation.class);
+        List<String> dome = components(Dome.class);
+        assertThat(Dome.ATTRIBUTES.stream().map(SceneAttribute::name).map(name -> rotation.contains(name) ? "rotation" : name).distinct())
+                .containsExactlyInAnyOrderElementsOf(dome.stream().filter(name -> !name.equals("sky")).toList());
+        List<String> world = new ArrayList<>(components(World.class));
+        world.remove("domes");
+        world.addAll(dome);
+        world.remove("on");
         assertThat(World.ATTRIBUTES.stream().map(SceneAttribute::name).filter(name -> !name.startsWith("fog_") && !name.startsWith("sky_"))
-                .map(name -> dome.contains(name) ? "dome" : name).distinct()).containsExactlyInAnyOrderElementsOf(
-                        components(World.class).stream().filter(name -> !name.equals("domes")).toList());
-        assertThat(Dome.ATTRIBUTES.stream().map(SceneAttribute::name).map(name -> dome.contains(name) ? "rotation" : name).distinct())
-                .containsExactlyInAnyOrderElementsOf(components(Dome.class));
+                .map(name -> rotation.contains(name) ? "rotation" : name).distinct()).containsExactlyInAnyOrderElementsOf(world);
         assertThat(IndirectSettings.ATTRIBUTES.stream().map(SceneAttribute::name))
                 .containsExactlyInAnyOrderElementsOf(components(IndirectSettings.class));
     }

@@ -43,7 +43,7 @@ class ContributionTest {
         assertThat(all).extracting(part -> part.environmentIndex(scene)).containsExactly(-1, 0, 1, -1, -1);
         Scene solo = new Contribution.OfDome("studio").with(scene, v -> v.withSolo(true));
         assertThat(Contribution.shining(solo)).isEqualTo(all.subList(2, 3));
-        Scene noImage = scene.withWorld(scene.world().withDomes(List.of(Dome.of("studio"))));
+        Scene noImage = scene.withWorld(scene.world().withNamed(List.of(Dome.of("studio"))));
         assertThat(Contribution.sources(noImage)).isEqualTo(all.subList(0, 2));
         assertThat(all.get(2).isShining(noImage)).isFalse();
     }
@@ -84,7 +84,7 @@ class ContributionTest {
 
     private static Scene twoEnvironments(String lights) {
         Scene scene = JenScenes.withSky(JenScenes.of(lights));
-        return scene.withWorld(scene.world().withDomes(List.of(JenScenes.dome("studio", 2))));
+        return scene.withWorld(scene.world().withNamed(List.of(JenScenes.dome("studio", 2))));
     }
 
     @Test

@@ -59,9 +59,10 @@ class EnvironmentMapTest {
     @Test
     void rotation_matchesShapeRotation() {
         assertThat(radiance(FOUR, -1, 0, 0, 90)[0]).isEqualTo(2.5, within(1e-12));
-        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR))).withLightCount(4);
+        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR))).withOwn(own -> own.withLightCount(4));
         List<Light> lights = world.environments().getFirst().approximateLights(4, _ -> false);
-        List<Light> turned = world.withRotation(90).environments().getFirst().approximateLights(4, _ -> false);
+        List<Light> turned = world.withOwn(own -> own.withRotation(DomeRotation.of(90, 0, 0))).environments().getFirst()
+                .approximateLights(4, _ -> false);
         for (int i = 0; i < 4; i++) {
             Vec3 d = lights.get(i).direction();
             assertThat(turned.get(i).direction().minus(new Vec3(d.z(), d.y(), -d.x())).length()).isLessThan(1e-12);
@@ -86,10 +87,10 @@ class EnvironmentMapTest {
     @Property
     void lightsOfTiltedMap_areRotated(@ForAll @DoubleRange(min = -180, max = 180) double tilt,
             @ForAll @DoubleRange(min = -180, max = 180) double roll) {
-        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR))).withLightCount(4);
+        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR))).withOwn(own -> own.withLightCount(4));
         DomeRotation dome = DomeRotation.of(20, tilt, roll);
         List<Light> lights = world.environments().getFirst().approximateLights(4, _ -> false);
-        List<Light> turned = world.withDome(dome).environments().getFirst().approximateLights(4, _ -> false);
+        List<Light> turned = world.withOwn(own -> own.withRotation(dome)).environments().getFirst().approximateLights(4, _ -> false);
         for (int i = 0; i < 4; i++) {
             Vec3 expected = dome.toWorld().transformVector(lights.get(i).direction());
             assertThat(turned.get(i).direction().minus(expected).length()).isLessThan(1e-12);
@@ -161,10 +162,11 @@ class EnvironmentMapTest {
 
     @Test
     void softness_scalesSpread() {
-        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR))).withLightCount(4);
-        assertThat(world.withSoftness(0).environments().getFirst().approximateLights(4, _ -> false)).noneMatch(Light::isArea);
+        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR))).withOwn(own -> own.withLightCount(4));
+        assertThat(world.withOwn(own -> own.withSoftness(0)).environments().getFirst().approximateLights(4, _ -> false))
+                .noneMatch(Light::isArea);
         List<EnvironmentLight> environmentLights = FOUR.lights(4);
-        List<Light> half = world.withSoftness(0.5).environments().getFirst().approximateLights(4, _ -> false);
+        List<Light> half = world.withOwn(own -> own.withSoftness(0.5)).environments().getFirst().approximateLights(4, _ -> false);
         for (int i = 0; i < 4; i++) {
             assertThat(half.get(i).area().spread()).isEqualTo(environmentLights.get(i).spread() / 2).isPositive();
         }
@@ -241,7 +243,7 @@ class EnvironmentMapTest {
         float[] rgb = new float[3 * width * height];
         java.util.Arrays.fill(rgb, 1);
         Environment sky = new Environment("x.hdr", new EnvironmentMap(width, height, rgb));
-        World world = World.DEFAULT.withEnvironment(Optional.of(sky)).withSoftness(softness);
+        World world = World.DEFAULT.withEnvironment(Optional.of(sky)).withOwn(own -> own.withSoftness(softness));
         // There are at least 16 rows and 32 columns of cells.
         double half = Math.PI / Math.max(16, height) / 2;
         assertThat(floorRadiance(world.environments().getFirst().approximateLights(maxLights, _ -> false))).isCloseTo(1,

@@ -36,9 +36,9 @@ public final class DomeEdits {
     }
 
     private static Scene add(Scene scene, Dome dome) {
-        List<Dome> domes = new ArrayList<>(scene.world().domes());
+        List<Dome> domes = new ArrayList<>(scene.world().named());
         domes.add(dome);
-        return scene.withWorld(scene.world().withDomes(domes));
+        return scene.withWorld(scene.world().withNamed(domes));
     }
 
     /** Edits one dome. */
@@ -48,8 +48,8 @@ public final class DomeEdits {
 
     /** Deletes a dome. */
     public static EditOutcome delete(Scene scene, String name) {
-        return EditOutcome.of(() -> scene.withWorld(scene.world().withDomes(
-                scene.world().domes().stream().filter(dome -> dome != dome(scene, name)).toList())));
+        return EditOutcome.of(() -> scene.withWorld(scene.world().withNamed(
+                scene.world().named().stream().filter(dome -> dome != dome(scene, name)).toList())));
     }
 
     /**

@@ -38,10 +38,8 @@ public sealed interface MixerChannel {
             all.add(new OfLightGroup(bank.name()));
             all.addAll(members(rig, bank.name()));
         }
-        if (Contribution.ENVIRONMENT.isIn(scene)) {
-            all.add(ENVIRONMENT);
-        }
-        scene.world().domes().forEach(dome -> all.add(new OfContribution(new Contribution.OfDome(dome.name()))));
+        scene.world().domes().stream().map(dome -> new Contribution.OfDome(dome.name())).filter(dome -> dome.isIn(scene))
+                .forEach(dome -> all.add(new OfContribution(dome)));
         return all;
     }
 

@@ -46,7 +46,7 @@ record PictureKey(ContentHash text, ContentHash content) {
         Map<ContentDigest.Content, ContentHash> known = new IdentityHashMap<>();
         var all = new ContentDigest();
         Stream.of(contents(scene.materials(), MaterialAttribute.ALL), contents(scene.lights(), LightAttribute.ALL),
-                contents(List.of(scene.world()), World.ATTRIBUTES), contents(scene.world().domes(), Dome.ATTRIBUTES), meshes(scene.nodes()))
+                contents(List.of(scene.world()), World.ATTRIBUTES), contents(scene.world().named(), Dome.ATTRIBUTES), meshes(scene.nodes()))
                 .flatMap(contents -> contents)
                 .forEach(content -> all.add(known.computeIfAbsent(content, ContentDigest::hash).bytes()));
         return all.hash();

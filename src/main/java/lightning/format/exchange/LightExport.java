@@ -65,7 +65,7 @@ public record LightExport(byte[] bytes, Map<String, byte[]> files, Map<String, I
                     PunctualLightExport.convert(effectiveLight, units, LightSettings.toJson(light, scene.rig(), units), notes),
                     effectiveLight.position(), effectiveLight.direction().normalized()));
         }
-        notes.add(DOMES, (int) scene.world().domes().stream().filter(d -> d.on() && d.image().isPresent()).count());
+        notes.add(DOMES, (int) scene.world().named().stream().filter(d -> d.on() && d.image().isPresent()).count());
         return new LightExport(GltfLightWriter.replaceLights(gltf, lights, progress), Map.of(), Map.copyOf(notes.counts()));
     }
 

@@ -102,7 +102,7 @@ final class DocumentPatch {
                     patchList(edits, ofKinds(blocks, BlockTypes.NODE_KEYWORDS), edited.nodes().stream().map(BlockContent::of).toList()));
         }
         added.addAll(patchList(edits, ofKinds(blocks, List.of(BlockTypes.DOME.keyword())),
-                edited.world().domes().stream().map(BlockContent::of).toList()));
+                edited.world().named().stream().map(BlockContent::of).toList()));
         added.addAll(patchList(edits, ofKinds(blocks, List.of(BlockTypes.LIGHT_GROUP.keyword())),
                 edited.rig().lightGroups().stream().map(BlockContent::of).toList()));
         added.addAll(patchList(edits, ofKinds(blocks, List.of(BlockTypes.LIGHT.keyword())),

@@ -31,7 +31,7 @@ public final class PropertyChanges {
                     .ifPresent(old -> add(NameSyntax.format(group.name()), BlockContent.of(old), BlockContent.of(group), edits));
         }
         add(PropertyEdit.WORLD, BlockContent.of(BlockTypes.WORLD, before.world()), BlockContent.of(BlockTypes.WORLD, after.world()), edits);
-        for (Dome dome : after.world().domes()) {
+        for (Dome dome : after.world().named()) {
             before.world().dome(dome.name())
                     .ifPresent(old -> add(PropertyEdit.target(dome), BlockContent.of(old), BlockContent.of(dome), edits));
         }

@@ -224,8 +224,9 @@ public final class PropertyEdit {
                     scene.picture().indirect().orElse(IndirectSettings.DEFAULT), property, value))));
             case CAMERA -> scene.withCamera(editProperty(files, BlockTypes.CAMERA, "", scene.camera(), property, value));
             case WORLD ->
-                    scene.withWorld(editProperty(SceneAssets.replacing(files, scene.world().image()), BlockTypes.WORLD, "", scene.world(),
-                            property, value).withDomes(scene.world().domes()));
+                    scene.withWorld(
+                            editProperty(SceneAssets.replacing(files, scene.world().own().image()), BlockTypes.WORLD, "", scene.world(),
+                                    property, value).withNamed(scene.world().named()));
             default -> target.startsWith(DOME) ? setDome(scene, NameSyntax.parse(target.substring(DOME.length())), property, value, files)
                     : target.startsWith(MATERIAL)
                             ? setMaterial(scene, NameSyntax.parse(target.substring(MATERIAL.length())), property, value, files)
@@ -254,9 +255,9 @@ public final class PropertyEdit {
                         scene.stage()).build(blocks);
         throwIfAny(problems);
         LightRig addedRig = added.orElseThrow().rig();
-        List<Dome> addedDomes = added.orElseThrow().world().domes();
+        List<Dome> addedDomes = added.orElseThrow().world().named();
         if (!addedDomes.isEmpty()) {
-            return scene.withWorld(scene.world().withDomes(Stream.concat(scene.world().domes().stream(), addedDomes.stream()).toList()));
+            return scene.withWorld(scene.world().withNamed(Stream.concat(scene.world().named().stream(), addedDomes.stream()).toList()));
         }
         return blocks.getFirst().type == BlockTypes.LIGHT_GROUP ? scene.withRig(scene.rig().addLightGroup(addedRig.lightGroups().getLast()))
                 : scene.withLights(Stream.concat(scene.lights().stream(), addedRig.lights().stream()).toList());
@@ -274,10 +275,10 @@ public final class PropertyEdit {
             return scene.withRig(scene.rig().removeLightGroup(name));
         }
         if (scene.world().dome(name).isPresent()) {
-            return scene.withWorld(scene.world().withDomes(scene.world().domes().stream().filter(d -> !d.name().equals(name)).toList()));
+            return scene.withWorld(scene.world().withNamed(scene.world().named().stream().filter(d -> !d.name().equals(name)).toList()));
         }
         List<String> names = Stream.of(scene.lights().stream().map(Light::name), scene.rig().lightGroups().stream().map(LightGroup::name),
-                scene.world().domes().stream().map(Dome::name)).flatMap(s -> s).toList();
+                scene.world().named().stream().map(Dome::name)).flatMap(s -> s).toList();
         if (!names.contains(name)) {
             throw new IllegalArgumentException("there is no light " + Quote.of(name) + NameSuggestion.hint(name, names));
         }
@@ -327,7 +328,7 @@ public final class PropertyEdit {
             return setMaterial(scene, target, property, value, files);
         }
         List<String> knownNames = Stream.of(SCENE_TARGETS.stream(), scene.lights().stream().map(Light::name),
-                scene.rig().lightGroups().stream().map(LightGroup::name), scene.world().domes().stream().map(Dome::name),
+                scene.rig().lightGroups().stream().map(LightGroup::name), scene.world().named().stream().map(Dome::name),
                 nodeNames(scene.nodes()), scene.materials().stream().map(Material::name))
                 .flatMap(s -> s).filter(k -> !k.equals(target))
                 .toList();
@@ -336,7 +337,7 @@ public final class PropertyEdit {
 
     private static Scene setDome(Scene scene, String name, String property, String value, AssetSource files) {
         Dome dome = scene.world().dome(name).orElseThrow(() -> new IllegalArgumentException("there is no dome " + Quote.of(name)
-                + NameSuggestion.hint(name, scene.world().domes().stream().map(Dome::name).toList())));
+                + NameSuggestion.hint(name, scene.world().named().stream().map(Dome::name).toList())));
         return scene.withWorld(scene.world().withDome(name,
                 editProperty(SceneAssets.replacing(files, dome.image()), BlockTypes.DOME, name, dome, property, value)));
     }

@@ -140,7 +140,7 @@ public final class ReferencedFiles {
 
     private static Stream<String> texturesAndProfiles(Scene scene) {
         return Stream.of(files(scene.materials(), MaterialAttribute.ALL), files(scene.lights(), LightAttribute.ALL),
-                files(List.of(scene.world()), World.ATTRIBUTES), files(scene.world().domes(), Dome.ATTRIBUTES)).flatMap(names -> names);
+                files(List.of(scene.world()), World.ATTRIBUTES), files(scene.world().named(), Dome.ATTRIBUTES)).flatMap(names -> names);
     }
 
     private static <T> Stream<String> files(List<T> records, List<? extends SceneAttribute<T, ?>> attributes) {

@@ -85,7 +85,7 @@ record SceneAssets(Scene scene, Optional<Path> folder, Optional<Environment> rep
 
     @Override
     public EnvironmentMap environment(String file) {
-        return Stream.concat(scene.world().environment().stream(), scene.world().domes().stream().flatMap(d -> d.image().stream()))
+        return Stream.concat(scene.world().environment().stream(), scene.world().named().stream().flatMap(d -> d.image().stream()))
                 .filter(p -> p.file().equals(file)).map(Environment::map).findFirst()
                 .orElseGet(() -> read("environment", file, f -> new EnvironmentFolder(f).load(file, otherEnvironments(), note -> {})));
     }

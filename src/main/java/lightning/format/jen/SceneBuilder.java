@@ -115,7 +115,7 @@ final class SceneBuilder {
             lights.forEach(light -> checkPlace(light, stage, groups));
         }
         return problems.isEmpty() ? Optional.of(new Scene(picture.orElse(PictureSettings.DEFAULT), camera.orElse(Camera.DEFAULT),
-                world.orElse(World.DEFAULT).withDomes(domes), stage, rig)) : Optional.empty();
+                world.orElse(World.DEFAULT).withNamed(domes), stage, rig)) : Optional.empty();
     }
 
     private static List<Block> blocksOfType(List<Block> blocks, BlockType<?> type) {

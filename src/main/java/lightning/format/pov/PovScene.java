@@ -64,11 +64,12 @@ public final class PovScene {
             environments.put(file, p.map());
             // POV-Ray's image starts at the x axis and runs toward z; ours starts a quarter earlier, with its middle at −z.
             body.append("sky_sphere {\n  pigment { image_map { hdr \"").append(file)
-                    .append("\" map_type 1 interpolate 2 } }\n  ").append(rotation(scene.world().dome())).append("\n  emission rgb ")
-                    .append(scene.world().intensity())
+                    .append("\" map_type 1 interpolate 2 } }\n  ").append(rotation(scene.world().own().rotation()))
+                    .append("\n  emission rgb ")
+                    .append(scene.world().own().intensity())
                     .append("\n}\n");
         });
-        if (scene.world().domes().stream().anyMatch(d -> d.on() && d.image().isPresent())) {
+        if (scene.world().named().stream().anyMatch(d -> d.on() && d.image().isPresent())) {
             warnings.add("domes are exported as sample lights, their images are left out");
         }
         if (scene.picture().indirect().isPresent()) {

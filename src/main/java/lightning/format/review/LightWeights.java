@@ -59,8 +59,7 @@ public final class LightWeights {
                     .with(group.withOn(true).withSolo(false).withIntensity(intensity.applyAsDouble(group.intensity()))));
         }
         World world = changed.world();
-        return changed.withWorld(world.withSolo(false).withIntensity(intensity.applyAsDouble(world.intensity()))
-                .withDomes(world.domes().stream()
-                        .map(dome -> dome.withOn(true).withSolo(false).withIntensity(intensity.applyAsDouble(dome.intensity()))).toList()));
+        return changed.withWorld(world.withDomes(world.domes().stream()
+                .map(dome -> dome.withOn(true).withSolo(false).withIntensity(intensity.applyAsDouble(dome.intensity()))).toList()));
     }
 }

@@ -76,7 +76,7 @@ public final class ReviewPage {
 
     /** Returns what an environment is in pages: the world's own, or a dome. */
     public static String environment(Contribution part) {
-        return part instanceof Contribution.OfDome ? "dome" : "world";
+        return part.equals(Contribution.ENVIRONMENT) ? "world" : "dome";
     }
 
     private static ObjectNode common(Optional<Language> language) {

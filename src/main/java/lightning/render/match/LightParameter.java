@@ -7,6 +7,7 @@ import java.util.function.ToDoubleFunction;
 import lightning.base.math.Vec3;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
+import lightning.scene.World;
 import lightning.scene.light.Beam;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
@@ -54,10 +55,10 @@ record LightParameter(Contribution light, double scale, double min, double max, 
         for (Contribution part : lights) {
             if (part.light(scene).isPresent()) {
                 addLight(scene, part.light(scene).get(), settings, parameters);
-            } else if (part instanceof Contribution.OfEnvironment && settings.changes().contains(MatchChange.ROTATION)) {
-                double rotation = scene.world().rotation();
+            } else if (part.equals(Contribution.ENVIRONMENT) && settings.changes().contains(MatchChange.ROTATION)) {
+                double rotation = World.ROTATION.get(scene.world());
                 parameters.add(new LightParameter(part, ROTATION_SCALE, -HALF_TURN, HALF_TURN, true,
-                        (s, v) -> s.withWorld(s.world().withRotation(withinLimits(rotation + v)))));
+                        (s, v) -> s.withWorld(World.ROTATION.with(s.world(), withinLimits(rotation + v)))));
             }
         }
         return List.copyOf(parameters);

@@ -4,6 +4,7 @@ import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
+import lightning.scene.World;
 import lightning.scene.light.Light;
 import lightning.scene.value.SceneLimits;
 
@@ -18,7 +19,7 @@ public final class MatchedScene {
      */
     public static Scene of(Scene scene, MatchResult result) {
         Scene matched = result.moved().map(moved -> scene.withLights(moved.lights())
-                .withWorld(scene.world().withRotation(moved.world().rotation()))).orElse(scene);
+                .withWorld(World.ROTATION.copy(moved.world(), scene.world()))).orElse(scene);
         for (LightFactor factor : result.factors()) {
             Contribution part = factor.light();
             Optional<Light> light = part.light(matched);

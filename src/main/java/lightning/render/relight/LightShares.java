@@ -76,7 +76,7 @@ public final class LightShares {
         List<Light> lights = scene.lights().stream().map(light -> scene.rig().effectiveLight(light).withLightGroup("").withColor(Rgb.WHITE)
                 .withIntensity(1).withOn(true).withSolo(false)).toList();
         World world = scene.world();
-        return scene.withRig(LightRig.of(lights)).withWorld(world.withIntensity(1).withSolo(false).withAmbience(1)
+        return scene.withRig(LightRig.of(lights)).withWorld(world.withAmbience(1)
                 .withDomes(world.domes().stream().map(dome -> dome.withIntensity(1).withOn(true).withSolo(false)).toList()));
     }
 

@@ -61,7 +61,7 @@ record EffectUsers(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
     /** Returns the file of the world's environment and the names of the domes that are on. */
     Stream<String> environments() {
         return Stream.concat(scene.world().environment().stream().map(Environment::file),
-                scene.world().domes().stream().filter(d -> d.on() && d.image().isPresent()).map(Dome::name));
+                scene.world().named().stream().filter(d -> d.on() && d.image().isPresent()).map(Dome::name));
     }
 
     /** Returns the names of light groups that change any light. */

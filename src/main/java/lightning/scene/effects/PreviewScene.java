@@ -98,7 +98,7 @@ public final class PreviewScene {
             lights.addAll(added);
         }
         World world = scene.world();
-        return scene.withWorld(world.withGain(0).withDomes(world.domes().stream().map(d -> d.withGain(0)).toList())).withLights(lights);
+        return scene.withWorld(world.withDomes(world.domes().stream().map(d -> d.withGain(0)).toList())).withLights(lights);
     }
 
     private static int depth(Scene scene) {

@@ -37,7 +37,7 @@ final class FrameEvaluator {
                     scene.rig().lightGroups().stream().map(this::animateLightGroup).toList()));
         }
         if (has(TrackTarget.Kind.DOME)) {
-            result = result.withWorld(scene.world().withDomes(scene.world().domes().stream().map(this::dome).toList()));
+            result = result.withWorld(scene.world().withNamed(scene.world().named().stream().map(this::dome).toList()));
         }
         return has(TrackTarget.Kind.NODE) ? result.withNodes(nodes(scene.nodes())) : result;
     }

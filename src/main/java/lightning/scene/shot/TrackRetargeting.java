@@ -72,7 +72,7 @@ public final class TrackRetargeting {
             case CAMERA -> List.of("");
             case LIGHT -> scene.lights().stream().map(Light::name).toList();
             case LIGHT_GROUP -> scene.rig().lightGroups().stream().map(LightGroup::name).toList();
-            case DOME -> scene.world().domes().stream().map(Dome::name).toList();
+            case DOME -> scene.world().named().stream().map(Dome::name).toList();
             case NODE -> scene.nodes().stream().flatMap(TrackRetargeting::names).toList();
         };
     }

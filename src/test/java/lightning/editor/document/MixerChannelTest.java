@@ -22,15 +22,15 @@ class MixerChannelTest {
         float[] rgb = new float[8 * 4 * 3];
         Arrays.fill(rgb, 0.5f);
         World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("sky.hdr", new EnvironmentMap(8, 4, rgb))))
-                .withIntensity(intensity).withGain(gain);
+                .withOwn(own -> own.withIntensity(intensity).withGain(gain));
         return NewScene.create(PictureArea.DEFAULT).scene().withLights(List.of(Light.of("key", LightType.POINT))).withWorld(world);
     }
 
     @Test
     void mutedEnvironment_keepsItsImage() {
         Scene muted = ENVIRONMENT.with(scene(2, 1), v -> v.withOn(false));
-        assertThat(muted.world().intensity()).isEqualTo(2);
-        assertThat(muted.world().lightIntensity()).isZero();
+        assertThat(muted.world().own().intensity()).isEqualTo(2);
+        assertThat(muted.world().own().lightIntensity()).isZero();
         assertThat(ENVIRONMENT.values(muted).on()).isFalse();
         assertThat(ENVIRONMENT.isShining(muted)).isFalse();
         assertThat(ENVIRONMENT.with(muted, v -> v.withOn(true)).world()).isEqualTo(scene(2, 1).world());
@@ -67,13 +67,13 @@ class MixerChannelTest {
     @Test
     void dome_isFadedMutedAndSoloed() {
         Scene own = scene(1, 1);
-        Dome dome = Dome.of("studio").withImage(own.world().image());
-        Scene scene = own.withWorld(own.world().withDomes(List.of(dome)));
+        Dome dome = Dome.of("studio").withImage(own.world().own().image());
+        Scene scene = own.withWorld(own.world().withNamed(List.of(dome)));
         MixerChannel channel = new MixerChannel.OfContribution(new Contribution.OfDome("studio"));
         assertThat(MixerChannel.channelsOf(scene)).endsWith(ENVIRONMENT, channel);
-        assertThat(channel.with(scene, v -> v.withIntensity(3)).world().domes()).containsExactly(dome.withIntensity(3));
+        assertThat(channel.with(scene, v -> v.withIntensity(3)).world().named()).containsExactly(dome.withIntensity(3));
         Scene muted = channel.with(scene, v -> v.withOn(false));
-        assertThat(muted.world().domes()).containsExactly(dome.withOn(false));
+        assertThat(muted.world().named()).containsExactly(dome.withOn(false));
         assertThat(channel.isShining(muted)).isFalse();
         assertThat(ENVIRONMENT.isShining(muted)).isTrue();
         Scene solo = channel.with(scene, v -> v.withSolo(true));

@@ -139,14 +139,14 @@ class UsdDomeTest {
     void severalDomeLights_areTheEnvironmentAndDomes() throws Exception {
         World world = imported().scene().world();
         assertThat(world.environment().orElseThrow().file()).isEqualTo("day.hdr");
-        assertThat(world.intensity()).isEqualTo(2);
-        assertThat(world.domes()).extracting(Dome::name).containsExactly("studio", "red");
-        Dome studio = world.domes().getFirst();
+        assertThat(world.own().intensity()).isEqualTo(2);
+        assertThat(world.named()).extracting(Dome::name).containsExactly("studio", "red");
+        Dome studio = world.named().getFirst();
         assertThat(studio.intensity()).isEqualTo(6);
         // The image of a dome light has +z in its middle, half a turn from that of an environment.
         assertThat(Math.IEEEremainder(studio.rotation().rotation() - 30, 360)).isCloseTo(0, Offset.offset(1e-4));
         assertThat(studio.image().orElseThrow().map().channel(2, 2, 0)).isEqualTo(0.25f);
-        EnvironmentMap red = world.domes().getLast().image().orElseThrow().map();
+        EnvironmentMap red = world.named().getLast().image().orElseThrow().map();
         assertThat(List.of(red.channel(0, 0, 0), red.channel(0, 0, 1), red.channel(0, 0, 2))).containsExactly(1f, 0.5f, 0.25f);
     }
 
@@ -171,16 +171,16 @@ class UsdDomeTest {
         JenDocument document = imported();
         JenDocument edited = document.withScene(PropertyEdit.delete(document.scene(), "studio"));
         export(edited);
-        assertThat(composed().world().domes()).extracting(Dome::name).containsExactly("red");
+        assertThat(composed().world().named()).extracting(Dome::name).containsExactly("red");
     }
 
     @Test
     void newDome_isDefined() throws Exception {
         JenDocument document = imported();
         World world = document.scene().world();
-        Dome added = world.domes().getFirst().withName("added sky").withIntensity(0.75).withRotation(DomeRotation.of(70, 5, 0));
+        Dome added = world.named().getFirst().withName("added sky").withIntensity(0.75).withRotation(DomeRotation.of(70, 5, 0));
         JenDocument edited = document.withScene(
-                document.scene().withWorld(world.withDomes(List.of(world.domes().getFirst(), world.domes().getLast(), added))));
+                document.scene().withWorld(world.withNamed(List.of(world.named().getFirst(), world.named().getLast(), added))));
         export(edited);
         // New lights come before those of the stage, so the order differs.
         assertThat(composed().world().environments()).anySatisfy(e -> {
@@ -216,9 +216,9 @@ class UsdDomeTest {
         read("lights.usda", "back.jen");
         Scene back = JenReader.read(folder.resolve("back.jen")).scene();
         World world = sky.scene().world();
-        assertThat(back.world().intensity()).isCloseTo(world.intensity(), Offset.offset(1e-6));
-        assertSameRotation(back.world().dome(), world.dome());
-        assertSamePixels(back.world().image().orElseThrow().map(), world.environment().orElseThrow().map());
+        assertThat(back.world().own().intensity()).isCloseTo(world.own().intensity(), Offset.offset(1e-6));
+        assertSameRotation(back.world().own().rotation(), world.own().rotation());
+        assertSamePixels(back.world().own().image().orElseThrow().map(), world.environment().orElseThrow().map());
         Light expected = sky.scene().rig().effectiveLights().getLast();
         Light sun = back.light("sun").orElseThrow();
         assertThat(sun.type()).isEqualTo(LightType.DIRECTIONAL);
@@ -251,6 +251,6 @@ class UsdDomeTest {
         Scene back = composed();
         assertThat(back.world().environments()).hasSize(3);
         assertThat(back.light("sun")).isPresent();
-        assertThat(back.world().image().map(e -> e.map().width())).isEqualTo(Optional.of(512));
+        assertThat(back.world().own().image().map(e -> e.map().width())).isEqualTo(Optional.of(512));
     }
 }

@@ -228,7 +228,7 @@ class UsdSparseExportTest {
         JenDocument document = imported();
         Scene scene = document.scene();
         assertThat(opinions(document.withAnimatedScene(
-                document.animatedScene().withScene(scene.withWorld(scene.world().withIntensity(0.75))))))
+                document.animatedScene().withScene(scene.withWorld(scene.world().withOwn(own -> own.withIntensity(0.75)))))))
                 .isEqualTo("/World/sky.inputs:intensity\n");
     }
 
@@ -254,7 +254,7 @@ class UsdSparseExportTest {
                             float3 xformOp:rotateZXY = (10, -150, 20)
                             uniform token[] xformOpOrder = ["xformOp:rotateZXY"]
                         }"""));
-        DomeRotation dome = imported().scene().world().dome();
+        DomeRotation dome = imported().scene().world().own().rotation();
         assertThat(List.of(dome.rotation(), dome.tilt(), dome.roll())).usingElementComparator(NEAR).containsExactly(30.0, -10.0, -20.0);
     }
 
@@ -263,7 +263,8 @@ class UsdSparseExportTest {
         JenDocument document = imported();
         Scene scene = document.scene();
         JenDocument edited = document.withAnimatedScene(
-                document.animatedScene().withScene(scene.withWorld(scene.world().withDome(DomeRotation.of(50, -20, 70)))));
+                document.animatedScene()
+                        .withScene(scene.withWorld(scene.world().withOwn(own -> own.withRotation(DomeRotation.of(50, -20, 70))))));
         Path layer = folder.resolve("lights.usda");
         Files.write(layer, LightExport.toUsd(edited.text(), edited.animatedScene(), folder.resolve("sparse.jen"), layer).bytes());
         Files.writeString(folder.resolve("sparse2.usda"), """
@@ -275,7 +276,7 @@ class UsdSparseExportTest {
                 """);
         Path again = folder.resolve("again.jen");
         SceneImporter.read(folder.resolve("sparse2.usda"), again, LightUnits.CANDELA, Progress.NONE).write();
-        DomeRotation dome = JenReader.read(again).scene().world().dome();
+        DomeRotation dome = JenReader.read(again).scene().world().own().rotation();
         assertThat(List.of(dome.rotation(), dome.tilt(), dome.roll())).usingElementComparator(NEAR).containsExactly(50.0, -20.0, 70.0);
     }
 

@@ -15,6 +15,7 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
+import lightning.scene.sky.Sky;
 import lightning.scene.value.DomeRotation;
 import lightning.scene.value.SceneLimits;
 import org.junit.jupiter.api.BeforeEach;
@@ -57,10 +58,10 @@ class DomeFileTest {
     @Test
     void block_hasAllValues() throws JenException {
         Scene scene = read(BLOCK + "dome \"the east\" { environment \"east.hdr\" }").scene();
-        assertThat(scene.world().domes()).extracting(Dome::name).containsExactly("west", "the east");
-        Dome west = scene.world().domes().getFirst();
+        assertThat(scene.world().named()).extracting(Dome::name).containsExactly("west", "the east");
+        Dome west = scene.world().named().getFirst();
         assertThat(west.withImage(Optional.empty()))
-                .isEqualTo(new Dome("west", Optional.empty(), DomeRotation.of(30, 5, -3), 0.5, 2, 8, 0.25, false, true));
+                .isEqualTo(new Dome("west", Optional.empty(), Sky.NONE, DomeRotation.of(30, 5, -3), 0.5, 2, 8, 0.25, false, true));
         assertThat(west.image().orElseThrow().file()).isEqualTo("west.hdr");
         assertThat(west.image().orElseThrow().map().channel(3, 2, 1)).isEqualTo(0.5f);
     }
@@ -93,11 +94,11 @@ class DomeFileTest {
     @Test
     void edits_nameADomeWithOrWithoutItsKind() throws JenException {
         Scene scene = read("dome west { environment \"west.hdr\" }\nmaterial west {}").scene();
-        assertThat(PropertyEdit.apply(scene, "dome:west.intensity=2").world().domes().getFirst().intensity()).isEqualTo(2);
-        assertThat(PropertyEdit.apply(scene, "west.tilt=20").world().domes().getFirst().rotation().tilt()).isEqualTo(20);
-        assertThat(PropertyEdit.apply(scene, "dome:\"west\".name=sky").world().domes().getFirst().name()).isEqualTo("sky");
-        assertThat(PropertyEdit.apply(scene, "dome:west.environment=none").world().domes().getFirst().image()).isEmpty();
-        assertThat(PropertyEdit.apply(scene, "dome:west.environment=\"east.hdr\"", folder).world().domes().getFirst().image().orElseThrow()
+        assertThat(PropertyEdit.apply(scene, "dome:west.intensity=2").world().named().getFirst().intensity()).isEqualTo(2);
+        assertThat(PropertyEdit.apply(scene, "west.tilt=20").world().named().getFirst().rotation().tilt()).isEqualTo(20);
+        assertThat(PropertyEdit.apply(scene, "dome:\"west\".name=sky").world().named().getFirst().name()).isEqualTo("sky");
+        assertThat(PropertyEdit.apply(scene, "dome:west.environment=none").world().named().getFirst().image()).isEmpty();
+        assertThat(PropertyEdit.apply(scene, "dome:west.environment=\"east.hdr\"", folder).world().named().getFirst().image().orElseThrow()
                 .file()).isEqualTo("east.hdr");
         assertThat(PropertyQuery.get(scene, "dome:west.gain")).isEqualTo("1");
         assertThat(PropertyQuery.get(scene, "west.environment")).isEqualTo("\"west.hdr\"");
@@ -106,14 +107,14 @@ class DomeFileTest {
     @Test
     void editsOfTheWorld_keepDomes() throws JenException {
         Scene scene = read(BLOCK).scene();
-        assertThat(PropertyEdit.apply(scene, "world.ambience=0.5").world().domes()).isEqualTo(scene.world().domes());
+        assertThat(PropertyEdit.apply(scene, "world.ambience=0.5").world().named()).isEqualTo(scene.world().named());
     }
 
     @Test
     void addedAndDeletedDome_leavesTheSceneAsItWas() throws JenException {
         Scene scene = read("light key point {}").scene();
         Scene added = PropertyEdit.add(scene, "dome sky { intensity 0.5 }");
-        assertThat(added.world().domes()).containsExactly(Dome.of("sky").withIntensity(0.5));
+        assertThat(added.world().named()).containsExactly(Dome.of("sky").withIntensity(0.5));
         assertThat(PropertyEdit.delete(added, "sky")).isEqualTo(scene);
     }
 
@@ -154,7 +155,7 @@ class DomeFileTest {
     void missingImage_isLeftOutWithANote() throws JenException {
         JenDocument document = read("dome sky { environment \"nort.hdr\"  gain 2 }\n");
         assertThat(document.notes()).hasSize(1).first().asString().startsWith("s.jen:2:24: dome 'sky': ").contains("nort.hdr");
-        assertThat(document.scene().world().domes()).containsExactly(Dome.of("sky").withGain(2));
+        assertThat(document.scene().world().named()).containsExactly(Dome.of("sky").withGain(2));
         assertThat(document.withScene(PropertyEdit.apply(document.scene(), "dome:sky.gain=3")).text())
                 .isEqualTo("jen 1\ndome sky { environment \"nort.hdr\"  gain 3 }\n");
     }
@@ -163,8 +164,8 @@ class DomeFileTest {
     void sameImageTwice_isReadOnce() throws JenException {
         Scene scene = read("dome a { environment \"west.hdr\" }\ndome b { environment \"east.hdr\" }\ndome c { environment \"west.hdr\" }")
                 .scene();
-        assertThat(scene.world().domes().get(2).image().orElseThrow().map())
-                .isSameAs(scene.world().domes().getFirst().image().orElseThrow().map());
+        assertThat(scene.world().named().get(2).image().orElseThrow().map())
+                .isSameAs(scene.world().named().getFirst().image().orElseThrow().map());
         assertThat(scene.world().images()).hasSize(2);
     }
 }

@@ -83,7 +83,7 @@ final class RandomScenes {
         names(scene.nodes());
         scene.lights().forEach(l -> names.add(l.name()));
         scene.rig().lightGroups().forEach(b -> names.add(b.name()));
-        scene.world().domes().forEach(d -> names.add(d.name()));
+        scene.world().named().forEach(d -> names.add(d.name()));
         Scene s = scene;
         for (int i = random.nextInt(4); i >= 0; i--) {
             s = switch (random.nextInt(8)) {
@@ -329,7 +329,7 @@ final class RandomScenes {
 
     private World world() {
         World world = chance() ? World.DEFAULT : new World(positive(1e6), color(1e6));
-        return world.withDomes(list(2, () -> dome(name())));
+        return world.withNamed(list(2, () -> dome(name())));
     }
 
     private Camera camera() {

@@ -220,7 +220,7 @@ class CompositingTest {
         List<Map<String, List<Float>>> files = new ArrayList<>();
         for (double intensity : List.of(1.0, 2.0)) {
             Path file = folder.resolve(intensity + ".exr");
-            write(lamp.withWorld(lamp.world().withDomes(List.of(JenScenes.dome("studio", intensity)))), content, Optional.empty(), file);
+            write(lamp.withWorld(lamp.world().withNamed(List.of(JenScenes.dome("studio", intensity)))), content, Optional.empty(), file);
             files.add(reds(file));
         }
         assertThat(files.getFirst().keySet()).filteredOn(name -> name.contains("environment") || name.contains("studio")).containsExactly(

@@ -69,7 +69,7 @@ class PovSceneTest {
         assertThat(text.lines().filter(line -> line.startsWith("light_source"))).hasSize(
                 (int) scene.lights().stream().filter(light -> scene.isActive(light) && light.type() != LightType.OBJECT).count()
                         + ofEnvironments);
-        boolean isTilted = scene.world().environment().isPresent() && !scene.world().dome().isUpright();
+        boolean isTilted = scene.world().environment().isPresent() && !scene.world().own().rotation().isUpright();
         assertThat(text.lines().filter(line -> line.startsWith("  matrix"))).hasSize(scene.placedShapes().size() + (isTilted ? 1 : 0));
     }
 
@@ -117,7 +117,8 @@ class PovSceneTest {
     @Property(tries = 50, edgeCases = EdgeCasesMode.NONE)
     void environment_isRotatedAsRendered(@ForAll @DoubleRange(min = -360, max = 360) double rotation) {
         EnvironmentMap environment = new EnvironmentMap(4, 1, new float[] {1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0});
-        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("a\"b.hdr", environment))).withRotation(rotation);
+        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("a\"b.hdr", environment)))
+                .withOwn(own -> own.withRotation(DomeRotation.of(rotation, 0, 0)));
         String text = PovScene.of(new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, world, List.of(), List.of(), List.of()), "x").text();
         assertThat(text).contains("hdr \"x-environment-a_b_hdr.hdr\" map_type 1");
         Matcher rotationText =
@@ -137,7 +138,7 @@ class PovSceneTest {
     void smoothEnvironment_isExportedAsLights() {
         EnvironmentMap gray =
                 new EnvironmentMap(4, 2, new float[] {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1});
-        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("gray.hdr", gray))).withLightCount(8);
+        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("gray.hdr", gray))).withOwn(own -> own.withLightCount(8));
         String text = PovScene.of(new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, world, List.of(), List.of(), List.of()), "x").text();
         assertThat(text.split("light_source", -1)).hasSize(1 + 8);
     }

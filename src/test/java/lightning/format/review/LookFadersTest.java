@@ -79,10 +79,10 @@ class LookFadersTest {
     @Test
     void environments_haveTheirOwnFaders() {
         Scene page = JenScenes.withSky(JenScenes.of("light environment point { }"));
-        page = page.withWorld(page.world().withDomes(List.of(JenScenes.dome("studio", 2))));
+        page = page.withWorld(page.world().withNamed(List.of(JenScenes.dome("studio", 2))));
         assertThat(ReviewContent.of("a", ReviewPicture.of(page), ViewTransform.DEFAULT).lightNames())
                 .containsExactly("environment", "environment 2", "studio");
-        Scene look = page.withWorld(page.world().withDomes(List.of(JenScenes.dome("studio", 1))));
+        Scene look = page.withWorld(page.world().withNamed(List.of(JenScenes.dome("studio", 1))));
         JsonNode lights = LookFaders.of(page, look).orElseThrow().get("lights");
         assertThat(lights.values()).extracting(light -> light.get("stops").asDouble()).containsExactly(0.0, 0.0, -1.0);
     }
@@ -90,7 +90,7 @@ class LookFadersTest {
     @Test
     void environmentThatASoloMutes_needsAPicture() {
         Scene page = JenScenes.withSky(JenScenes.of("light key point { }"));
-        page = page.withWorld(page.world().withDomes(List.of(JenScenes.dome("studio", 2))));
-        assertThat(LookFaders.of(page, page.withWorld(page.world().withSolo(true)))).isEmpty();
+        page = page.withWorld(page.world().withNamed(List.of(JenScenes.dome("studio", 2))));
+        assertThat(LookFaders.of(page, page.withWorld(page.world().withOwn(own -> own.withSolo(true))))).isEmpty();
     }
 }

@@ -119,9 +119,10 @@ class ReviewPageTest {
     void fadersOfEnvironments_areSaved() throws Exception {
         Path page = folder.resolve("page.html");
         Scene lamp = JenScenes.withSky(PageFixture.scene());
-        Scene scene = lamp.renameLight("sun", "environment").withWorld(lamp.world().withDomes(List.of(JenScenes.dome("studio", 2))));
+        Scene scene = lamp.renameLight("sun", "environment").withWorld(lamp.world().withNamed(List.of(JenScenes.dome("studio", 2))));
         write(scene, ViewTransform.DEFAULT, page);
-        Scene edited = scene.withWorld(scene.world().withIntensity(0.5).withDomes(List.of(JenScenes.dome("studio", 4))));
+        Scene edited =
+                scene.withWorld(scene.world().withOwn(own -> own.withIntensity(0.5)).withNamed(List.of(JenScenes.dome("studio", 4))));
         try (Browser browser = Browser.open(page, folder, 1280, 800)) {
             PageFixture.setFader(browser, "environment 2", -1);
             PageFixture.setFader(browser, "studio", 1);

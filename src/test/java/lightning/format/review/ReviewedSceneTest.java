@@ -38,36 +38,36 @@ class ReviewedSceneTest {
     void environmentOfAPage_isNeverALight() {
         Scene changed = reviewed(JenScenes.withSky(DARK), true, 1, false);
         assertThat(changed.light("environment").orElseThrow().intensity()).isEqualTo(3);
-        assertThat(changed.world().intensity()).isEqualTo(2);
+        assertThat(changed.world().own().intensity()).isEqualTo(2);
     }
 
     /** Files of earlier versions have the name alone. */
     @Test
     void nameWithoutSuchALight_isTheEnvironment() {
-        assertThat(reviewed(withoutLamp(JenScenes.withSky(DARK)), false, 1, false).world().intensity()).isEqualTo(2);
+        assertThat(reviewed(withoutLamp(JenScenes.withSky(DARK)), false, 1, false).world().own().intensity()).isEqualTo(2);
     }
 
     /** Pages of earlier versions have one fader for all environments. */
     @Test
     void faderOfAnEarlierPage_changesAllEnvironments() {
         Scene sky = JenScenes.withSky(DARK);
-        Scene changed = reviewed(sky.withWorld(sky.world().withDomes(List.of(JenScenes.dome("a", 2)))), true, 1, false);
-        assertThat(changed.world().intensity()).isEqualTo(2);
+        Scene changed = reviewed(sky.withWorld(sky.world().withNamed(List.of(JenScenes.dome("a", 2)))), true, 1, false);
+        assertThat(changed.world().own().intensity()).isEqualTo(2);
         assertThat(changed.world().dome("a").orElseThrow().intensity()).isEqualTo(4);
     }
 
     @Test
     void faderOfADome_changesItAlone() {
         Scene sky = JenScenes.withSky(DARK);
-        Scene both = sky.withWorld(sky.world().withDomes(List.of(JenScenes.dome("a", 2), JenScenes.dome("b", 1))));
+        Scene both = sky.withWorld(sky.world().withNamed(List.of(JenScenes.dome("a", 2), JenScenes.dome("b", 1))));
         Scene changed = reviewed(both, new Contribution.OfDome("a"), false, 1, true);
         assertThat(changed.world())
-                .isEqualTo(both.world().withDomes(List.of(JenScenes.dome("a", 4).withSolo(true), JenScenes.dome("b", 1))));
+                .isEqualTo(both.world().withNamed(List.of(JenScenes.dome("a", 4).withSolo(true), JenScenes.dome("b", 1))));
     }
 
     @Test
     void soloOfDomes_darkensTheLights() {
-        Scene scene = withoutLamp(DARK.withWorld(DARK.world().withDomes(List.of(JenScenes.dome("a", 2), JenScenes.dome("b", 1)))));
+        Scene scene = withoutLamp(DARK.withWorld(DARK.world().withNamed(List.of(JenScenes.dome("a", 2), JenScenes.dome("b", 1)))));
         Scene changed = reviewed(scene, true, 0, true);
         assertThat(changed.isActive(changed.light("key").orElseThrow())).isFalse();
         assertThat(changed.rig().isEnvironmentActive(0)).isTrue();
@@ -76,7 +76,7 @@ class ReviewedSceneTest {
 
     @Test
     void soloOfAnEnvironmentAndADome_darkensNeither() {
-        World world = JenScenes.withSky(DARK).world().withDomes(List.of(JenScenes.dome("a", 2)));
+        World world = JenScenes.withSky(DARK).world().withNamed(List.of(JenScenes.dome("a", 2)));
         Scene changed = reviewed(withoutLamp(DARK.withWorld(world)), true, 0, true);
         assertThat(changed.isActive(changed.light("key").orElseThrow())).isFalse();
         assertThat(changed.rig().isEnvironmentActive(0)).isTrue();

@@ -289,7 +289,7 @@ class LightMatchTest {
     void environmentOfAntialiasedPicture_isMatched() {
         Scene studio = JenScenes.withSky(StudioScene.withFourLights(40, 32));
         Scene scene = studio.withPicture(studio.picture().withSampling(new SamplingSettings(AntialiasMode.EVERY, 2)));
-        MatchResult result = match(scene, film(scene.withWorld(scene.world().withIntensity(3))), MatchSettings.DEFAULT);
+        MatchResult result = match(scene, film(scene.withWorld(scene.world().withOwn(own -> own.withIntensity(3)))), MatchSettings.DEFAULT);
         assertThat(result.factors()).allSatisfy(
                 f -> assertThat(f.red()).isCloseTo(f.light().equals(Contribution.ENVIRONMENT) ? 3 : 1, within(1e-3)));
     }
@@ -299,8 +299,8 @@ class LightMatchTest {
         Scene lamp = JenScenes.withSky(JenScenes.of("picture { size 40 32 }  camera { from 0 2 6  to 0 1 0 }  plane floor { }"
                 + "  sphere ball { at 0 1 0 }  light environment point { at 0 3 1 }"));
         Dome studio = JenScenes.dome("studio", 1).withRotation(DomeRotation.NONE.withTilt(150));
-        Scene scene = lamp.withWorld(lamp.world().withDomes(List.of(studio)));
-        Scene reference = scene.withWorld(scene.world().withIntensity(0.5).withDomes(List.of(studio.withIntensity(3))));
+        Scene scene = lamp.withWorld(lamp.world().withNamed(List.of(studio)));
+        Scene reference = scene.withWorld(scene.world().withOwn(own -> own.withIntensity(0.5)).withNamed(List.of(studio.withIntensity(3))));
         MatchResult result = match(scene, film(reference), MatchSettings.DEFAULT);
         assertThat(result.factors()).extracting(f -> f.light().name(scene)).containsExactly("environment", "environment 2", "studio");
         assertThat(result.factors().get(0).red()).isCloseTo(1, within(0.01));
@@ -334,10 +334,11 @@ class LightMatchTest {
         Scene studio = JenScenes.withSky(StudioScene.withFourLights(40, 32));
         Scene scene = studio.renameLight("fill", "environment");
         Light lamp = scene.light("environment").orElseThrow();
-        Scene changed = scene.withLight(lamp.withIntensity(2 * lamp.intensity())).withWorld(scene.world().withIntensity(3));
+        Scene changed =
+                scene.withLight(lamp.withIntensity(2 * lamp.intensity())).withWorld(scene.world().withOwn(own -> own.withIntensity(3)));
         Scene matched = MatchedScene.of(scene, match(scene, film(changed), MatchSettings.DEFAULT));
         assertThat(matched.light("environment").orElseThrow().intensity()).isCloseTo(2 * lamp.intensity(), within(1e-3));
-        assertThat(matched.world().intensity()).isCloseTo(3, within(1e-3));
+        assertThat(matched.world().own().intensity()).isCloseTo(3, within(1e-3));
     }
 
     @Test

@@ -21,6 +21,7 @@ import lightning.scene.Scene;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.light.Light;
+import lightning.scene.value.DomeRotation;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
@@ -84,9 +85,9 @@ class LightSearchTest {
     void turnedEnvironment_comesBack(@ForAll long seed) {
         Scene scene = outdoors();
         double rotation = 360 * new Random(seed).nextDouble() - 180;
-        Scene reference = scene.withWorld(scene.world().withRotation(rotation).withIntensity(2));
+        Scene reference = scene.withWorld(scene.world().withOwn(own -> own.withRotation(DomeRotation.of(rotation, 0, 0)).withIntensity(2)));
         MatchResult result = match(scene, reference, MatchChange.ROTATION, Optional.empty(), Progress.NONE);
-        double difference = matched(scene, result).world().rotation() - rotation;
+        double difference = matched(scene, result).world().own().rotation().rotation() - rotation;
         assertThat(Math.IEEEremainder(difference, 360)).isCloseTo(0, within(2.0));
     }
 

@@ -44,11 +44,10 @@ public final class ContributionScene {
 
     /** Returns a world with other environments dark, and this one's light off if another's solo mutes it. */
     private static World withEnvironment(World world, Scene scene, Contribution contribution) {
-        World dark = world.withIntensity(0).withDomes(world.domes().stream().map(dome -> dome.withIntensity(0)).toList());
+        World dark = world.withDomes(world.domes().stream().map(dome -> dome.withIntensity(0)).toList());
         int index = contribution.environmentIndex(scene);
         boolean isMuted = index >= 0 && !scene.rig().isEnvironmentActive(index);
         return switch (contribution) {
-            case Contribution.OfEnvironment _ -> dark.withIntensity(world.intensity()).withGain(isMuted ? 0 : world.gain());
             case Contribution.OfDome(String name) -> {
                 Dome dome = world.dome(name).orElseThrow();
                 yield dark.withDome(name, dome.withGain(isMuted ? 0 : dome.gain()));

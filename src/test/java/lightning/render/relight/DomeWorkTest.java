@@ -50,7 +50,7 @@ class DomeWorkTest {
     /** Returns a studio with domes alone: no other light, no ambience and no color behind it. */
     private static Scene scene(Dome... domes) {
         Scene studio = StudioScene.of(LightType.POINT);
-        return studio.withLights(List.of()).withWorld(studio.world().withAmbience(0).withDomes(List.of(domes)));
+        return studio.withLights(List.of()).withWorld(studio.world().withAmbience(0).withNamed(List.of(domes)));
     }
 
     private static Dome dome(String name, Environment image) {
@@ -98,8 +98,8 @@ class DomeWorkTest {
     void singleDome_equalsTheEnvironmentOfTheWorldInEveryBit() {
         Dome dome = dome("sky", SUNNY).withRotation(DomeRotation.of(30, 10, 5)).withIntensity(1.3).withGain(0.7).withLightCount(5)
                 .withSoftness(0.4);
-        World own = World.DEFAULT.withAmbience(0).withImage(dome.image()).withDome(dome.rotation()).withIntensity(1.3).withGain(0.7)
-                .withLightCount(5).withSoftness(0.4);
+        World own = World.DEFAULT.withAmbience(0).withOwn(it -> it.withImage(dome.image()).withRotation(dome.rotation()).withIntensity(1.3)
+                .withGain(0.7).withLightCount(5).withSoftness(0.4));
         Scene scene = scene(dome);
         FilmAssert.assertSameBits(film(scene), film(scene.withWorld(own)), "dome-single");
     }
@@ -114,8 +114,8 @@ class DomeWorkTest {
     @Test
     void domeAndOwnEnvironment_addUp() {
         Scene dome = scene(dome("west", WEST));
-        Scene own = scene().withWorld(scene().world().withImage(Optional.of(EAST)));
-        assertSum(film(own.withWorld(own.world().withDomes(dome.world().domes()))), film(own), film(dome));
+        Scene own = scene().withWorld(scene().world().withOwn(it -> it.withImage(Optional.of(EAST))));
+        assertSum(film(own.withWorld(own.world().withNamed(dome.world().named()))), film(own), film(dome));
     }
 
     @Test
@@ -194,7 +194,7 @@ class DomeWorkTest {
         try (StudioRenderer studio = new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS,
                 scene(dome("a", SUNNY), dome("b", WEST)))) {
             World world = studio.scene().world();
-            UpdateResult update = studio.render(studio.scene().withWorld(world.withDomes(world.domes().subList(0, 1))));
+            UpdateResult update = studio.render(studio.scene().withWorld(world.withNamed(world.named().subList(0, 1))));
             assertThat(update.rays().total()).isZero();
             FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(studio.scene()).trace(), "dome-removed");
         }
@@ -208,7 +208,7 @@ class DomeWorkTest {
             LightShares shares = LightShares.of(renderer.cache(), RenderOptions.DEFAULT, Progress.NONE);
             assertThat(shares.of(new Contribution.OfDome("a"))).isCloseTo(0.25, Offset.offset(1e-5));
             assertThat(shares.of(new Contribution.OfDome("b"))).isCloseTo(0.75, Offset.offset(1e-5));
-            Scene brighter = scene.withWorld(scene.world().withDome("a", scene.world().domes().getFirst().withIntensity(3)));
+            Scene brighter = scene.withWorld(scene.world().withDome("a", scene.world().named().getFirst().withIntensity(3)));
             assertThat(shares.in(brighter).orElseThrow().of(new Contribution.OfDome("a"))).isCloseTo(0.5, Offset.offset(1e-5));
         }
     }

@@ -22,6 +22,7 @@ import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
+import lightning.scene.value.DomeRotation;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -43,7 +44,7 @@ class EnvironmentWorkTest {
         Scene scene = StudioScene.of(LightType.POINT);
         studio = new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS,
                 scene.withWorld(scene.world().withEnvironment(Optional.of(new Environment("sky.hdr", new EnvironmentMap(64, 32, rgb))))
-                        .withSoftness(0)));
+                        .withOwn(own -> own.withSoftness(0))));
     }
 
     @AfterEach
@@ -68,7 +69,7 @@ class EnvironmentWorkTest {
     @Test
     void environmentIntensity_castsNoRays() {
         for (double intensity : new double[] {2, 0.5, 0, 1}) {
-            UpdateResult update = render(world().withIntensity(intensity));
+            UpdateResult update = render(world().withOwn(own -> own.withIntensity(intensity)));
             assertNoRay(update);
             assertThat(update.rowsTouched()).isZero();
         }
@@ -78,7 +79,7 @@ class EnvironmentWorkTest {
     @Test
     void environmentGain_castsNoRays() {
         for (double gain : new double[] {2, 0.5, 0, 1}) {
-            UpdateResult update = render(world().withGain(gain));
+            UpdateResult update = render(world().withOwn(own -> own.withGain(gain)));
             assertNoRay(update);
             assertThat(update.rowsTouched()).isZero();
         }
@@ -86,24 +87,24 @@ class EnvironmentWorkTest {
 
     @Test
     void solo_darkensOtherLightsWithoutRays() {
-        assertNoRay(render(world().withSolo(true)));
+        assertNoRay(render(world().withOwn(own -> own.withSolo(true))));
         assertThat(studio.scene().isActive(studio.scene().lights().getFirst())).isFalse();
-        assertNoRay(render(world().withIntensity(0)));
+        assertNoRay(render(world().withOwn(own -> own.withIntensity(0))));
         assertThat(studio.scene().isActive(studio.scene().lights().getFirst())).isTrue();
-        assertNoRay(render(world().withIntensity(1).withGain(0)));
+        assertNoRay(render(world().withOwn(own -> own.withIntensity(1).withGain(0))));
         assertThat(studio.scene().isActive(studio.scene().lights().getFirst())).isTrue();
-        assertNoRay(render(world().withGain(1)));
+        assertNoRay(render(world().withOwn(own -> own.withGain(1))));
         assertThat(studio.scene().isActive(studio.scene().lights().getFirst())).isFalse();
-        assertNoRay(render(world().withSolo(false)));
+        assertNoRay(render(world().withOwn(own -> own.withSolo(false))));
     }
 
     /** A solo light next to a solo environment shines too; alone it darkens the environment. */
     @Test
     void soloLight_staysOnWithASoloEnvironment() {
         Scene scene = studio.scene();
-        Scene both = scene.withWorld(world().withSolo(true)).withLight(scene.lights().getFirst().withSolo(true));
+        Scene both = scene.withWorld(world().withOwn(own -> own.withSolo(true))).withLight(scene.lights().getFirst().withSolo(true));
         assertThat(both.rig().effectiveLights()).allMatch(both::isActive);
-        Scene light = both.withWorld(both.world().withSolo(false));
+        Scene light = both.withWorld(both.world().withOwn(own -> own.withSolo(false)));
         assertThat(light.rig().effectiveLights()).filteredOn(light::isActive).extracting(Light::name)
                 .containsExactly(scene.lights().getFirst().name());
     }
@@ -115,14 +116,14 @@ class EnvironmentWorkTest {
         RenderOptions options = new RenderOptions(Accuracy.RATIO, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1);
         try (Renderer renderer = new Renderer(options)) {
             renderer.render(scene, Progress.NONE);
-            renderer.render(scene.withWorld(scene.world().withRotation(70)), Progress.NONE);
+            renderer.render(scene.withWorld(scene.world().withOwn(own -> own.withRotation(DomeRotation.of(70, 0, 0)))), Progress.NONE);
             assertThat(renderer.cache().indirect()).isNotNull();
         }
     }
 
     @Test
     void rotatedEnvironment_castsOnlyItsShadowRays() {
-        UpdateResult turned = render(world().withRotation(40));
+        UpdateResult turned = render(world().withOwn(own -> own.withRotation(DomeRotation.of(40, 0, 0))));
         assertThat(StudioRenderer.layers(turned)).first().isEqualTo(new LightUpdate.Keep());
         assertThat(StudioRenderer.layers(turned)).hasSize(1 + SUNS)
                 .filteredOn(update -> update.equals(new LightUpdate.FullRecompute(false))).hasSize(SUNS);
@@ -145,11 +146,11 @@ class EnvironmentWorkTest {
 
     @Test
     void softerEnvironment_castsItsShadowRays() {
-        UpdateResult softer = render(world().withSoftness(1));
+        UpdateResult softer = render(world().withOwn(own -> own.withSoftness(1)));
         assertThat(StudioRenderer.layers(softer)).first().isEqualTo(new LightUpdate.Keep());
         assertThat(softer.rays().eye() + softer.rays().mirrored()).isZero();
         assertThat(softer.rays().shadow()).isGreaterThan(facing()).isLessThan(20 * facing());
-        assertNoRay(render(world().withIntensity(3)));
+        assertNoRay(render(world().withOwn(own -> own.withIntensity(3))));
     }
 
     @Test
@@ -162,6 +163,6 @@ class EnvironmentWorkTest {
     @Test
     void parametersWithoutEnvironment_castNoRays() {
         render(world().withEnvironment(Optional.empty()));
-        assertNoRay(render(world().withRotation(70).withIntensity(3).withLightCount(9)));
+        assertNoRay(render(world().withOwn(own -> own.withRotation(DomeRotation.of(70, 0, 0)).withIntensity(3).withLightCount(9))));
     }
 }

@@ -163,13 +163,14 @@ class HardFilmsTest {
                 + "  material lamp { diffuse 0.2 0.2 0.2  bulb key  shadows none }  sphere bulb { material lamp  at 1 3 2  scale 0.1 0.1 0.1 }"
                 + "  light key point { at 1 3 2  intensity 0.6 }  light spot spot { at -2 3 1  direction 0.6 -1 -0.2  angle 30 }"));
         Scene scene = JenScenes.withSky(room);
-        Scene all = scene.withWorld(scene.world().withIntensity(0.3).withDomes(List.of(JenScenes.dome("second", 0.2)))
+        Scene all = scene.withWorld(scene.world().withOwn(own -> own.withIntensity(0.3)).withNamed(List.of(JenScenes.dome("second", 0.2)))
                 .withFog(scene.world().fog().withDensity(0.05)))
                 .withPicture(scene.picture().withIndirect(Optional.of(new IndirectSettings(2, 16, 4, true))));
         assertExact(all, List.of(light("key", l -> l.withIntensity(2)),
                 s -> s.withWorld(s.world().withDome("second", s.world().dome("second").orElseThrow().withIntensity(1.5))),
-                light("spot", l -> l.withPosition(new Vec3(-1.5, 3, 1.2))), s -> s.withWorld(s.world().withIntensity(0)),
+                light("spot", l -> l.withPosition(new Vec3(-1.5, 3, 1.2))),
+                s -> s.withWorld(s.world().withOwn(own -> own.withIntensity(0))),
                 light("key", l -> l.withPosition(new Vec3(1, 3, 1.5))), light("spot", l -> l.withOn(false)),
-                s -> s.withWorld(s.world().withIntensity(1).withAmbience(0))));
+                s -> s.withWorld(s.world().withOwn(own -> own.withIntensity(1)).withAmbience(0))));
     }
 }

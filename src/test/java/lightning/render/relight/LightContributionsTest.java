@@ -200,11 +200,11 @@ class LightContributionsTest {
         float[] rgb = new float[3 * 8 * 4];
         Arrays.fill(rgb, 0.5f);
         World around = scene.world().withAmbience(0).withEnvironment(Optional.of(new Environment("sky.hdr", new EnvironmentMap(8, 4, rgb))))
-                .withLightCount(6);
+                .withOwn(own -> own.withLightCount(6));
         Scene lit = scene.withWorld(around);
         LightContribution environment = of(lit, new LightContributions.Region(0, 0, 5, 5)).lights().getLast();
         Film picture = new ReferenceTracer(lit).trace();
-        Film filmOff = new ReferenceTracer(scene.withWorld(around.withIntensity(0))).trace();
+        Film filmOff = new ReferenceTracer(scene.withWorld(World.INTENSITY.with(around, 0.0))).trace();
         assertThat(environment.light()).isEqualTo(Contribution.ENVIRONMENT);
         assertThat(environment.shines()).isTrue();
         assertThat(environment.changeWhenOff()).isEqualTo(FilmChange.between(picture, filmOff, ViewTransform.DEFAULT));
@@ -212,7 +212,8 @@ class LightContributionsTest {
         assertThat(environment.imageShare()).isCloseTo(luminance(alone) / luminance(picture), within(1e-5));
         assertThat(of(scene, new LightContributions.Region(0, 0, 5, 5)).lights()).hasSameSizeAs(scene.lights());
         // Lights that its solo darkens stay dark while its share is measured.
-        LightContribution solo = of(scene.withWorld(around.withSolo(true)), new LightContributions.Region(0, 0, 5, 5)).lights().getLast();
+        LightContribution solo =
+                of(scene.withWorld(World.SOLO.with(around, true)), new LightContributions.Region(0, 0, 5, 5)).lights().getLast();
         assertThat(solo.imageShare()).isCloseTo(1, within(1e-6));
     }
 
@@ -221,7 +222,7 @@ class LightContributionsTest {
     void environments_haveTheirOwnShares() {
         Scene scene = JenScenes.withSky(JenScenes.of("picture { size 20 16 }  camera { from 0 1 6  to 0 1 0 }  world { ambience 0 }"
                 + "  sphere ball { at 0 1 0 }  light environment point { at 0 3 1 }"));
-        Scene lit = scene.withWorld(scene.world().withDomes(List.of(JenScenes.dome("studio", 2))));
+        Scene lit = scene.withWorld(scene.world().withNamed(List.of(JenScenes.dome("studio", 2))));
         List<LightContribution> found = of(lit, new LightContributions.Region(0, 0, 5, 5)).lights();
         assertThat(found).extracting(one -> one.light().name(lit)).containsExactly("environment", "environment 2", "studio");
         assertThat(found.get(2).imageShare()).isCloseTo(2 * found.get(1).imageShare(), within(1e-5));

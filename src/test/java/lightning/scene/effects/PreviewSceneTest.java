@@ -119,7 +119,7 @@ class PreviewSceneTest {
         Scene scene = ball(Material.of("paper").withAmbient(Rgb.BLACK).withDiffuse(new Rgb(1, 1, 1)), bright);
         assertThat(middle(scene).g()).isGreaterThan(10);
         assertThat(middle(new PreviewScene().of(scene)).g()).isBetween(0.6, 1.0);
-        assertThat(new PreviewScene().of(scene).world().intensity()).as("image of the environment").isEqualTo(1);
+        assertThat(new PreviewScene().of(scene).world().own().intensity()).as("image of the environment").isEqualTo(1);
     }
 
     /** A floor below a ball and a lamp: the point in the ball's shadow gets the environment's light only, which nothing shadows. */
@@ -127,7 +127,7 @@ class PreviewSceneTest {
     void environment_lightsWithoutShadows_andSelectedLightHasItsOwn() {
         float[] rgb = new float[3 * 8 * 4];
         Arrays.fill(rgb, 0.2f);
-        World sky = World.DEFAULT.withAmbience(0).withLightCount(8)
+        World sky = World.DEFAULT.withAmbience(0).withOwn(own -> own.withLightCount(8))
                 .withEnvironment(Optional.of(new Environment("sky.hdr", new EnvironmentMap(8, 4, rgb))));
         Material paper = Material.of("paper").withAmbient(Rgb.BLACK).withDiffuse(new Rgb(1, 1, 1));
         Light lamp = Light.of("environment 3", LightType.POINT).withPosition(new Vec3(0, 4, 0));

@@ -28,7 +28,7 @@ record DomeBlend(SoloState from, SoloState to, double t, boolean keepsSolos) {
     List<Dome> domes(UnaryOperator<String> freeName, BinaryOperator<Dome> numbers, DoubleBinaryOperator lerp) {
         List<Dome> domes = new ArrayList<>();
         List<Dome> added = new ArrayList<>();
-        for (Dome first : from.lighting().world().domes()) {
+        for (Dome first : from.lighting().world().named()) {
             Optional<Dome> last = to.lighting().world().dome(first.name());
             if (last.isPresent() && last.get().image().equals(first.image())) {
                 domes.add(interpolated(first, last.get(), numbers, lerp).withName(name(first, freeName)));
@@ -37,7 +37,7 @@ record DomeBlend(SoloState from, SoloState to, double t, boolean keepsSolos) {
                 last.ifPresent(dome -> added.add(faded(to, dome, t).withName(freeName.apply(dome.name()))));
             }
         }
-        to.lighting().world().domes().stream().filter(dome -> from.lighting().world().dome(dome.name()).isEmpty())
+        to.lighting().world().named().stream().filter(dome -> from.lighting().world().dome(dome.name()).isEmpty())
                 .forEach(dome -> added.add(faded(to, dome, t).withName(name(dome, freeName))));
         domes.addAll(added);
         return domes;

@@ -84,8 +84,8 @@ public final class LightingBlend {
         to.rig().lightGroups().forEach(toLight -> takenNames.add(toLight.name()));
         from.rig().lights().forEach(l -> takenNames.add(l.name()));
         to.rig().lights().forEach(l -> takenNames.add(l.name()));
-        from.world().domes().forEach(dome -> takenNames.add(dome.name()));
-        to.world().domes().forEach(dome -> takenNames.add(dome.name()));
+        from.world().named().forEach(dome -> takenNames.add(dome.name()));
+        to.world().named().forEach(dome -> takenNames.add(dome.name()));
         for (Light fromLight : from.rig().lights()) {
             Optional<Light> toLight = to.rig().light(fromLight.name());
             if (toLight.isPresent() && canInterpolate(fromLight, toLight.get())) {
@@ -102,7 +102,7 @@ public final class LightingBlend {
         lights.addAll(added);
         List<Dome> domes =
                 new DomeBlend(fromSolos, toSolos, t, keepsSolos).domes(name -> freeName(name, takenNames), this::numbers, this::lerp);
-        return new Lighting(world().withDomes(domes), LightRig.of(lights, lightGroups()));
+        return new Lighting(world().withNamed(domes), LightRig.of(lights, lightGroups()));
     }
 
     private List<LightGroup> lightGroups() {
@@ -245,32 +245,31 @@ public final class LightingBlend {
     }
 
     private World world() {
-        World first = from.world();
-        World last = to.world();
-        World world = first.withSolo(keepsSolos && fromSolos.solos().contains(Contribution.ENVIRONMENT));
+        World world = from.world();
         for (SceneAttribute<World, ?> attribute : World.ATTRIBUTES) {
-            world = interpolateAttribute(attribute, world, first, last);
+            world = interpolateAttribute(attribute, world, from.world(), to.world());
         }
+        Dome first = from.world().own();
+        Dome last = to.world().own();
         double fromGain = environmentGain(fromSolos);
         double toGain = environmentGain(toSolos);
+        boolean isSolo = keepsSolos && fromSolos.solos().contains(Contribution.ENVIRONMENT);
         if (hasSameEnvironment) {
             // Image and light are linear: a dark image has no say in the gain.
-            double fromLight = first.intensity() * fromGain;
-            double toLight = last.intensity() * toGain;
-            double gain = world.intensity() == 0 ? lerp(fromGain, toGain) : lerp(fromLight, toLight) / world.intensity();
-            return world.withGain(Math.clamp(gain, Math.min(fromGain, toGain), Math.max(fromGain, toGain)));
+            double intensity = world.own().intensity();
+            double gain = intensity == 0 ? lerp(fromGain, toGain)
+                    : lerp(first.intensity() * fromGain, last.intensity() * toGain) / intensity;
+            double limited = Math.clamp(gain, Math.min(fromGain, toGain), Math.max(fromGain, toGain));
+            return world.withOwn(own -> own.withGain(limited).withSolo(isSolo));
         }
-        World environmentSource = t < 0.5 ? first : last;
-        return world.withImage(environmentSource.image()).withSky(environmentSource.sky()).withDome(environmentSource.dome())
-                .withLightCount(environmentSource.lightCount())
-                .withSoftness(environmentSource.softness())
-                .withIntensity(environmentSource.intensity() * Math.abs(1 - 2 * t))
-                .withGain(t < 0.5 ? fromGain : toGain);
+        Dome shown = t < 0.5 ? first : last;
+        return world.withOwn(_ -> shown.withIntensity(shown.intensity() * Math.abs(1 - 2 * t)).withGain(t < 0.5 ? fromGain : toGain)
+                .withSolo(isSolo));
     }
 
     /** Returns the gain of an end's environment; 0 if solos mute it and do not stay. */
     private double environmentGain(SoloState end) {
-        World world = end.lighting().world();
-        return !keepsSolos && world.environment().isPresent() && end.isMuted(Contribution.ENVIRONMENT) ? 0 : world.gain();
+        Dome own = end.lighting().world().own();
+        return !keepsSolos && own.isPresent() && end.isMuted(Contribution.ENVIRONMENT) ? 0 : own.gain();
     }
 }

@@ -3,7 +3,6 @@ package lightning.editor.document.cue;
 import java.util.HashSet;
 import java.util.Set;
 import lightning.scene.Contribution;
-import lightning.scene.World;
 import lightning.scene.light.Light;
 
 /**
@@ -13,14 +12,10 @@ import lightning.scene.light.Light;
  */
 record SoloState(Lighting lighting, Set<Contribution> solos) {
     static SoloState of(Lighting lighting) {
-        World world = lighting.world();
         Set<Contribution> solos = new HashSet<>();
         lighting.rig().lights().stream().filter(l -> lighting.rig().effectiveLight(l).solo() && lighting.rig().effectiveLight(l).on())
                 .forEach(l -> solos.add(Contribution.of(l)));
-        if (world.solo() && world.lightIntensity() > 0) {
-            solos.add(Contribution.ENVIRONMENT);
-        }
-        world.domes().stream().filter(d -> d.solo() && d.lightIntensity() > 0)
+        lighting.world().domes().stream().filter(d -> d.solo() && d.lightIntensity() > 0)
                 .forEach(d -> solos.add(new Contribution.OfDome(d.name())));
         return new SoloState(lighting, Set.copyOf(solos));
     }

@@ -174,8 +174,8 @@ final class MixerStrip extends VBox {
 
     private void toggleMute() {
         boolean on = !mute.isSelected();
-        model.editSelected(channel, (scene, c) -> c.with(on && c.equals(MixerChannel.ENVIRONMENT) && scene.world().gain() == 0
-                ? scene.withWorld(scene.world().withGain(model.environmentGain())) : scene, v -> v.withOn(on)), null);
+        model.editSelected(channel, (scene, c) -> c.with(on && c.equals(MixerChannel.ENVIRONMENT) && scene.world().own().gain() == 0
+                ? scene.withWorld(scene.world().withOwn(own -> own.withGain(model.environmentGain()))) : scene, v -> v.withOn(on)), null);
         show(model.editor().scene());
     }
 
@@ -205,8 +205,8 @@ final class MixerStrip extends VBox {
         }
         FaderValues values = channel.values(scene);
         double v = values.intensity();
-        if (channel.equals(MixerChannel.ENVIRONMENT) && scene.world().gain() > 0) {
-            model.setEnvironmentGain(scene.world().gain());
+        if (channel.equals(MixerChannel.ENVIRONMENT) && scene.world().own().gain() > 0) {
+            model.setEnvironmentGain(scene.world().own().gain());
         }
         double stopsValue = MixerEdits.stops(v);
         fader.show(stopsValue);

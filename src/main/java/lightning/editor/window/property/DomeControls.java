@@ -124,7 +124,7 @@ final class DomeControls extends VBox {
         if (state == null) {
             return;
         }
-        List<Dome> domes = state.scene().world().domes();
+        List<Dome> domes = state.scene().world().named();
         List<String> names = domes.stream().map(Dome::name).toList();
         if (!names.equals(shown)) {
             showNames(names);

@@ -13,6 +13,7 @@ import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.SceneEditor;
 import lightning.format.jen.asset.FileKind;
 import lightning.scene.Scene;
+import lightning.scene.World;
 import lightning.scene.asset.Environment;
 
 /** Adds environments from files, which are read in the background. */
@@ -37,7 +38,7 @@ public final class DomeFiles {
     /** Returns the scene with an image as its environment if it has none, otherwise as a dome. */
     private static EditOutcome added(Scene scene, Environment image) {
         return scene.world().hasEnvironment() ? DomeEdits.add(scene, image)
-                : EditOutcome.of(() -> scene.withWorld(scene.world().withImage(Optional.of(image))));
+                : EditOutcome.of(() -> scene.withWorld(World.ENVIRONMENT.with(scene.world(), Optional.of(image))));
     }
 
     /**

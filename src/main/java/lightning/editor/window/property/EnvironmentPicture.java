@@ -67,7 +67,7 @@ final class EnvironmentPicture extends Region {
             requestFocus();
             gesture = new Object();
             pressX = event.getX();
-            startRotation = editor.scene().world().rotation();
+            startRotation = World.ROTATION.get(editor.scene().world());
             event.consume();
         }
     }
@@ -86,14 +86,14 @@ final class EnvironmentPicture extends Region {
             gesture = null;
             event.consume();
         } else if (event.getCode() == KeyCode.LEFT || event.getCode() == KeyCode.RIGHT) {
-            rotate(editor.scene().world().rotation() + (event.getCode() == KeyCode.LEFT ? KEY_STEP : -KEY_STEP));
+            rotate(World.ROTATION.get(editor.scene().world()) + (event.getCode() == KeyCode.LEFT ? KEY_STEP : -KEY_STEP));
             event.consume();
         }
     }
 
     private void rotate(double degrees) {
         double wrapped = degrees - 360 * Math.floor((degrees + 180) / 360);
-        editor.editOrReport(scene -> EditOutcome.of(() -> scene.withWorld(scene.world().withRotation(wrapped))), gesture);
+        editor.editOrReport(scene -> EditOutcome.of(() -> scene.withWorld(World.ROTATION.with(scene.world(), wrapped))), gesture);
     }
 
     private void show(Optional<World> world) {
@@ -105,7 +105,7 @@ final class EnvironmentPicture extends Region {
                 left.setImage(PixelImage.of(WIDTH, HEIGHT, pixels(newMap)));
                 right.setImage(left.getImage());
             }
-            double turns = world.orElseThrow().rotation() / 360;
+            double turns = World.ROTATION.get(world.orElseThrow()) / 360;
             double shift = Math.rint((turns - Math.floor(turns)) * WIDTH);
             left.setLayoutX(-shift);
             right.setLayoutX(WIDTH - shift);

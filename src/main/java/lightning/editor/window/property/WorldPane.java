@@ -66,7 +66,7 @@ final class WorldPane extends VBox {
         solo.setTooltip(new Tooltip(Messages.tr("Mute all lights that are not solo")));
         solo.setOnAction(_ -> {
             boolean isSolo = solo.isSelected();
-            editor.editOrReport(scene -> EditOutcome.of(() -> scene.withWorld(scene.world().withSolo(isSolo))));
+            editor.editOrReport(scene -> EditOutcome.of(() -> scene.withWorld(World.SOLO.with(scene.world(), isSolo))));
         });
         backgroundRows = new VBox(SectionLayout.caption(Messages.tr("Background")), background);
         environmentRows = new VBox(number(NumericParameter.ENVIRONMENT_INTENSITY), number(NumericParameter.ENVIRONMENT_GAIN),
@@ -146,7 +146,7 @@ final class WorldPane extends VBox {
         fog.show(state.scene().world().fog());
         sky.show(state.scene().world().sky());
         setShown(imageField, !state.scene().world().sky().on());
-        solo.setSelected(state.scene().world().solo());
+        solo.setSelected(state.scene().world().own().solo());
     }
 
     /** Shows a part only while it has an effect. */

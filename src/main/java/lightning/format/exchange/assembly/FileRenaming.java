@@ -31,7 +31,7 @@ record FileRenaming(UnaryOperator<String> newName) {
                 .withMaterials(scene.materials().stream().map(m -> rename(m, MaterialAttribute.ALL)).toList())
                 .withLights(scene.lights().stream().map(l -> rename(l, LightAttribute.ALL)).toList())
                 .withWorld(rename(scene.world(), World.ATTRIBUTES)
-                        .withDomes(scene.world().domes().stream().map(d -> rename(d, Dome.ATTRIBUTES)).toList()));
+                        .withNamed(scene.world().named().stream().map(d -> rename(d, Dome.ATTRIBUTES)).toList()));
     }
 
     private List<SceneNode> nodes(List<SceneNode> nodes) {

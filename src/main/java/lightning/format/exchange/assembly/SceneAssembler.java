@@ -101,11 +101,11 @@ public final class SceneAssembler {
 
     /** Adds a further environment; notes it if there are too many. */
     public void addDome(Dome dome) {
-        if (world.domes().size() == SceneLimits.MAX_DOMES) {
+        if (world.named().size() == SceneLimits.MAX_DOMES) {
             notes.add("domes after the first " + SceneLimits.MAX_DOMES);
             return;
         }
-        world = world.withDomes(Stream.concat(world.domes().stream(), Stream.of(dome)).toList());
+        world = world.withNamed(Stream.concat(world.named().stream(), Stream.of(dome)).toList());
     }
 
     /** Returns the name of the scene file without its ending. */

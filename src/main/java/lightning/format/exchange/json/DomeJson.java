@@ -15,9 +15,9 @@ public final class DomeJson {
 
     /** Writes the domes of a world, if it has any. */
     public static void write(ObjectNode out, World world) {
-        if (!world.domes().isEmpty()) {
+        if (!world.named().isEmpty()) {
             ArrayNode domes = out.putArray(KEY);
-            world.domes().forEach(dome -> AttributeJson.write(domes.addObject().put("name", dome.name()), dome, Dome.ATTRIBUTES));
+            world.named().forEach(dome -> AttributeJson.write(domes.addObject().put("name", dome.name()), dome, Dome.ATTRIBUTES));
         }
     }
 

@@ -51,40 +51,35 @@ public record UsdDomeExport(UsdLayer layer, UsdPrimWriter writer, ConversionNote
      */
     public void add(Scene scene, String skyImage) throws IOException {
         World world = scene.world();
-        Optional<UsdPaths.Dome> own = writer.paths().dome();
-        if (world.sky().on()) {
-            write(own, "environment", new Values(world.intensity(), world.dome()), UsdLayer.asset("./" + skyImage), true);
-            notes.add("discs of suns, which are distant lights", world.sky().sun() > 0 ? 1 : 0);
-        } else if (world.image().isPresent()) {
-            String file = world.image().get().file();
-            write(own, "environment", new Values(world.intensity(), world.dome()), writer.asset(FileKind.ENVIRONMENT, file),
-                    isOther(own, file));
-        } else {
-            own.ifPresent(this::remove);
+        add(world.own(), skyImage);
+        for (Dome dome : world.named()) {
+            add(dome, skyImage);
         }
-        notes.add("light gain of the environment", world.environment().isPresent() && world.gain() != 1 ? 1 : 0);
-        for (Dome dome : world.domes()) {
-            add(dome);
+        if (!world.own().isPresent()) {
+            writer.paths().dome().ifPresent(this::remove);
         }
         for (Map.Entry<String, UsdPaths.Dome> original : writer.paths().domes().entrySet()) {
-            if (world.dome(original.getKey()).filter(d -> d.image().isPresent()).isEmpty()) {
+            if (world.dome(original.getKey()).filter(Dome::isPresent).isEmpty()) {
                 remove(original.getValue());
             }
         }
         noteSolos(scene);
     }
 
-    private void add(Dome dome) throws IOException {
-        if (dome.image().isEmpty()) {
-            notes.add("domes without an image");
+    private void add(Dome dome, String skyImage) throws IOException {
+        if (!dome.isPresent()) {
+            notes.add("domes without an image", dome.isOwn() ? 0 : 1);
             return;
         }
-        Optional<UsdPaths.Dome> original = Optional.ofNullable(writer.paths().domes().get(dome.name()));
-        String file = dome.image().get().file();
-        write(original, dome.name(), new Values(dome.on() ? dome.intensity() : 0, dome.rotation()),
-                writer.asset(FileKind.ENVIRONMENT, file), isOther(original, file));
+        Optional<UsdPaths.Dome> original =
+                dome.isOwn() ? writer.paths().dome() : Optional.ofNullable(writer.paths().domes().get(dome.name()));
+        boolean isSky = dome.sky().on();
+        String file = isSky ? "" : dome.image().orElseThrow().file();
+        write(original, dome.isOwn() ? "environment" : dome.name(), new Values(dome.on() ? dome.intensity() : 0, dome.rotation()),
+                isSky ? UsdLayer.asset("./" + skyImage) : writer.asset(FileKind.ENVIRONMENT, file), isSky || isOther(original, file));
+        notes.add("discs of suns, which are distant lights", isSky && dome.sky().sun() > 0 ? 1 : 0);
         notes.add("domes that are off, written with an intensity of 0", dome.on() ? 0 : 1);
-        notes.add("light gain of domes", dome.gain() == 1 ? 0 : 1);
+        notes.add(dome.isOwn() ? "light gain of the environment" : "light gain of domes", dome.gain() == 1 ? 0 : 1);
     }
 
     private void noteSolos(Scene scene) {

@@ -64,7 +64,7 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
             assembler.addDome(Dome.of(name).withImage(Optional.of(environment)).withRotation(rotation).withIntensity(strength));
             UsdPaths.addDome(assembler, in, ratio, rotation, strength, environment.file(), name);
         } else {
-            assembler.world = before.withEnvironment(Optional.of(environment)).withDome(rotation).withIntensity(strength);
+            assembler.world = before.withOwn(own -> own.withImage(Optional.of(environment)).withRotation(rotation).withIntensity(strength));
             UsdPaths.addDome(assembler, in, ratio, rotation, strength, environment.file());
         }
     }

@@ -125,7 +125,7 @@ public final class UsdImport {
         for (int i = 0; i < lights.size(); i++) {
             JsonValue in = lights.element(i);
             if (in.get("type").text().orElse("").startsWith("DomeLight")) {
-                if (assembler.world.domes().size() < SceneLimits.MAX_DOMES) {
+                if (assembler.world.named().size() < SceneLimits.MAX_DOMES) {
                     new UsdDomeImport(assembler, upright, hasZUp).add(in);
                     assembler.notes.add("animation of dome lights", in.get("frames").size() > 0 ? 1 : 0);
                 } else {

@@ -47,12 +47,13 @@ class LightingBlendTest {
 
     @Test
     void sunOfSky_movesAtItsBrightness() {
-        World morning = World.DEFAULT.withSky(Sky.NONE.with(sky -> sky.on(true).elevation(10).azimuth(90))).withIntensity(2);
+        World morning =
+                World.DEFAULT.withSky(Sky.NONE.with(sky -> sky.on(true).elevation(10).azimuth(90))).withOwn(own -> own.withIntensity(2));
         World noon = morning.withSky(morning.sky().with(sky -> sky.elevation(50).azimuth(180)));
         LightRig rig = LightRig.of(List.of(KEY));
         World between = LightingBlend.blend(new Lighting(morning, rig), new Lighting(noon, rig), 0.25).world();
         assertThat(between.sky()).isEqualTo(morning.sky().with(sky -> sky.elevation(20).azimuth(112.5)));
-        assertThat(between.intensity()).isEqualTo(2);
+        assertThat(between.own().intensity()).isEqualTo(2);
     }
 
     @Provide
@@ -168,7 +169,7 @@ class LightingBlendTest {
 
     /** Returns a lighting with an environment of intensity 2. */
     private static Lighting withEnvironment(boolean isSolo, float value, Light... lights) {
-        World world = World.DEFAULT.withEnvironment(Optional.of(environment(value))).withIntensity(2).withSolo(isSolo);
+        World world = World.DEFAULT.withEnvironment(Optional.of(environment(value))).withOwn(own -> own.withIntensity(2).withSolo(isSolo));
         return Lighting.of(scene(new Lighting(world, LightRig.of(List.of(lights)))));
     }
 
@@ -179,7 +180,7 @@ class LightingBlendTest {
     /** Returns the factor of the environment's light; 0 if it is muted. */
     private static double environmentLight(Scene scene) {
         LightRig rig = scene.rig();
-        return rig.isActive(rig.effectiveLights().getLast()) ? scene.world().lightIntensity() : 0;
+        return rig.isActive(rig.effectiveLights().getLast()) ? scene.world().own().lightIntensity() : 0;
     }
 
     private static double weight(Scene scene, String light) {
@@ -192,7 +193,7 @@ class LightingBlendTest {
         Lighting b = withEnvironment(false, 1, KEY.withSolo(true).withIntensity(3), FILL.withIntensity(5));
         Scene scene = blendScene(a, b, 0.25);
         assertThat(environmentLight(scene)).isZero();
-        assertThat(scene.world().intensity()).as("of the background").isEqualTo(2);
+        assertThat(scene.world().own().intensity()).as("of the background").isEqualTo(2);
         assertThat(weight(scene, "key")).isEqualTo(1.5);
         assertThat(weight(scene, "fill")).isZero();
         assertThat(scene.lights()).extracting(Light::solo).containsExactly(true, false);
@@ -204,7 +205,7 @@ class LightingBlendTest {
         Scene scene = blendScene(withEnvironment(false, 1, KEY.withSolo(true), FILL), withEnvironment(false, 1, KEY, FILL.withSolo(true)),
                 0.25);
         assertThat(environmentLight(scene)).isZero();
-        assertThat(scene.world().intensity()).isEqualTo(2);
+        assertThat(scene.world().own().intensity()).isEqualTo(2);
         assertThat(weight(scene, "key")).isEqualTo(0.75);
         assertThat(weight(scene, "fill")).isEqualTo(0.25);
     }
@@ -217,7 +218,7 @@ class LightingBlendTest {
         assertThat(environmentLight(scene)).isEqualTo(0.5);
         assertThat(weight(scene, "key")).isEqualTo(1);
         assertThat(weight(scene, "fill")).isEqualTo(0.25);
-        assertThat(scene.world().intensity()).as("of the background").isEqualTo(2);
+        assertThat(scene.world().own().intensity()).as("of the background").isEqualTo(2);
         assertThat(environmentLight(blendScene(none, solo, 0.25))).isEqualTo(1.5);
     }
 
@@ -227,18 +228,18 @@ class LightingBlendTest {
         Lighting none = withEnvironment(false, 1, KEY, FILL);
         for (double t : new double[] {0, 1e-9}) {
             assertThat(environmentLight(blendScene(solo, none, t))).as("light at %s", t).isCloseTo(0, within(1e-8));
-            assertThat(blendScene(solo, none, t).world().intensity()).as("image at %s", t).isCloseTo(2, within(1e-8));
+            assertThat(blendScene(solo, none, t).world().own().intensity()).as("image at %s", t).isCloseTo(2, within(1e-8));
             assertThat(environmentLight(blendScene(none, solo, t))).as("light at %s", t).isCloseTo(2, within(1e-8));
-            assertThat(blendScene(none, solo, t).world().intensity()).as("image at %s", t).isCloseTo(2, within(1e-8));
+            assertThat(blendScene(none, solo, t).world().own().intensity()).as("image at %s", t).isCloseTo(2, within(1e-8));
         }
     }
 
     @Test
     void imageAndLightOfEnvironment_areLinear() {
         Lighting a = withEnvironment(false, 1);
-        Lighting dimLight = new Lighting(a.world().withIntensity(4).withGain(0.25), a.rig());
-        Scene scene = blendScene(new Lighting(a.world().withGain(3), a.rig()), dimLight, 0.25);
-        assertThat(scene.world().intensity()).isEqualTo(2.5);
+        Lighting dimLight = new Lighting(a.world().withOwn(own -> own.withIntensity(4).withGain(0.25)), a.rig());
+        Scene scene = blendScene(new Lighting(a.world().withOwn(own -> own.withGain(3)), a.rig()), dimLight, 0.25);
+        assertThat(scene.world().own().intensity()).isEqualTo(2.5);
         assertThat(environmentLight(scene)).isCloseTo(0.75 * 6 + 0.25 * 1, within(1e-15));
     }
 
@@ -246,17 +247,17 @@ class LightingBlendTest {
     @Test
     void darkEnvironment_keepsGainOfOtherEnd() {
         Lighting a = withEnvironment(false, 1);
-        Scene scene = blendScene(new Lighting(a.world().withIntensity(0).withGain(9), a.rig()),
-                new Lighting(a.world().withGain(0.5), a.rig()), 0.25);
-        assertThat(scene.world().intensity()).isEqualTo(0.5);
-        assertThat(scene.world().gain()).isEqualTo(0.5);
+        Scene scene = blendScene(new Lighting(a.world().withOwn(own -> own.withIntensity(0).withGain(9)), a.rig()),
+                new Lighting(a.world().withOwn(own -> own.withGain(0.5)), a.rig()), 0.25);
+        assertThat(scene.world().own().intensity()).isEqualTo(0.5);
+        assertThat(scene.world().own().gain()).isEqualTo(0.5);
     }
 
     @Test
     void soloOfEnvironment_isThatOfALight() {
         Lighting solo = withEnvironment(true, 1, KEY);
         Scene same = blendScene(solo, solo, 0.5);
-        assertThat(same.world().solo()).isTrue();
+        assertThat(same.world().own().solo()).isTrue();
         assertThat(same.lights()).containsExactly(KEY);
         Scene half = blendScene(solo, withEnvironment(false, 1, KEY), 0.25);
         assertThat(environmentLight(half)).isEqualTo(2);
@@ -271,7 +272,7 @@ class LightingBlendTest {
         Lighting solo = withEnvironment(false, 1, KEY.withSolo(true), FILL);
         Lighting none = withEnvironment(false, 7, KEY, FILL);
         assertThat(environmentLight(blendScene(solo, none, 0.25))).isZero();
-        assertThat(blendScene(solo, none, 0.25).world().intensity()).isEqualTo(1);
+        assertThat(blendScene(solo, none, 0.25).world().own().intensity()).isEqualTo(1);
         assertThat(weight(blendScene(solo, none, 0.25), "fill")).isEqualTo(0.25);
         assertThat(environmentLight(blendScene(solo, none, 0.75))).isEqualTo(1);
         // At the middle both have intensity 0, where a solo of the environment has no effect.
@@ -308,7 +309,7 @@ class LightingBlendTest {
     }
 
     private static Lighting withDomes(Dome... domes) {
-        return new Lighting(World.DEFAULT.withDomes(List.of(domes)), LightRig.EMPTY);
+        return new Lighting(World.DEFAULT.withNamed(List.of(domes)), LightRig.EMPTY);
     }
 
     @Test
@@ -316,8 +317,8 @@ class LightingBlendTest {
         Dome sky = dome("sky", 1);
         Scene scene = blendScene(withDomes(sky.withRotation(DomeRotation.of(10, 0, 0))),
                 withDomes(sky.withIntensity(3).withGain(2).withRotation(DomeRotation.of(50, 20, 0))), 0.25);
-        Dome blended = scene.world().domes().getFirst();
-        assertThat(scene.world().domes()).hasSize(1);
+        Dome blended = scene.world().named().getFirst();
+        assertThat(scene.world().named()).hasSize(1);
         assertThat(blended.intensity()).isEqualTo(1.5);
         assertThat(blended.intensity() * blended.gain()).isCloseTo(0.75 + 0.25 * 6, within(1e-15));
         assertThat(blended.rotation()).isEqualTo(DomeRotation.of(20, 5, 0));
@@ -326,14 +327,14 @@ class LightingBlendTest {
     @Test
     void otherDomes_fadeOutAndIn() {
         Scene scene = blendScene(withDomes(dome("day", 1), dome("studio", 1)), withDomes(dome("night", 2), dome("studio", 3)), 0.25);
-        assertThat(scene.world().domes()).extracting(Dome::name).containsExactly("day", "studio", "studio2", "night");
-        assertThat(scene.world().domes()).extracting(Dome::intensity).containsExactly(0.75, 0.75, 0.25, 0.25);
+        assertThat(scene.world().named()).extracting(Dome::name).containsExactly("day", "studio", "studio2", "night");
+        assertThat(scene.world().named()).extracting(Dome::intensity).containsExactly(0.75, 0.75, 0.25, 0.25);
     }
 
     @Test
     void domeThatIsOffAtOneEnd_fadesIn() {
         Dome sky = dome("sky", 1).withIntensity(2);
-        Dome blended = blendScene(withDomes(sky.withOn(false)), withDomes(sky), 0.25).world().domes().getFirst();
+        Dome blended = blendScene(withDomes(sky.withOn(false)), withDomes(sky), 0.25).world().named().getFirst();
         assertThat(blended.on()).isTrue();
         assertThat(blended.intensity()).isEqualTo(0.5);
     }
@@ -343,10 +344,10 @@ class LightingBlendTest {
         Dome sky = dome("sky", 1);
         Dome studio = dome("studio", 1);
         Scene scene = blendScene(withDomes(sky.withSolo(true), studio), withDomes(sky, studio), 0.25);
-        assertThat(scene.world().domes()).extracting(Dome::solo).containsExactly(false, false);
-        assertThat(scene.world().domes()).extracting(Dome::gain).containsExactly(1.0, 0.25);
-        assertThat(scene.world().domes()).extracting(Dome::intensity).containsExactly(1.0, 1.0);
-        assertThat(blendScene(withDomes(sky.withSolo(true), studio), withDomes(sky.withSolo(true), studio), 0.5).world().domes())
+        assertThat(scene.world().named()).extracting(Dome::solo).containsExactly(false, false);
+        assertThat(scene.world().named()).extracting(Dome::gain).containsExactly(1.0, 0.25);
+        assertThat(scene.world().named()).extracting(Dome::intensity).containsExactly(1.0, 1.0);
+        assertThat(blendScene(withDomes(sky.withSolo(true), studio), withDomes(sky.withSolo(true), studio), 0.5).world().named())
                 .containsExactly(sky.withSolo(true), studio);
     }
 }

@@ -406,10 +406,11 @@ class MixerPaneTest extends EditorFixture {
         Arrays.fill(rgb, 0.5f);
         var environment = new Environment("sky.hdr", new EnvironmentMap(8, 4, rgb));
         robot.interact(() -> model().editor().edit(scene -> new EditOutcome.Applied(
-                scene.withWorld(scene.world().withEnvironment(Optional.of(environment)).withIntensity(2).withGain(0.5)))));
+                scene.withWorld(
+                        scene.world().withEnvironment(Optional.of(environment)).withOwn(own -> own.withIntensity(2).withGain(0.5))))));
         Scene lit = model().editor().scene();
         click("mute-environment");
-        assertThat(model().editor().scene().world()).isEqualTo(lit.world().withGain(0));
+        assertThat(model().editor().scene().world()).isEqualTo(lit.world().withOwn(own -> own.withGain(0)));
         assertPictureShowsTheScene();
         click("mute-environment");
         assertThat(model().editor().scene()).isEqualTo(lit);

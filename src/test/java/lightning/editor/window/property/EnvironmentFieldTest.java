@@ -84,11 +84,11 @@ class EnvironmentFieldTest extends EditorFixture {
         writeEnvironmentMap("b.hdr");
         choose("a.hdr");
         waitFor("the file is read", () -> choiceText().equals("a.hdr"));
-        assertThat(world().lightCount()).isEqualTo(16);
+        assertThat(world().own().lightCount()).isEqualTo(16);
         type("environment-bright-lights", "20");
         choose("b.hdr");
         waitFor("the file is read", () -> choiceText().equals("b.hdr"));
-        assertThat(world().lightCount()).isEqualTo(20);
+        assertThat(world().own().lightCount()).isEqualTo(20);
     }
 
     private Tab tab(String id) {
@@ -101,13 +101,13 @@ class EnvironmentFieldTest extends EditorFixture {
         choose("a.hdr");
         waitFor("the file is read", () -> choiceText().equals("a.hdr"));
         click("world-solo");
-        assertThat(world().solo()).isTrue();
+        assertThat(world().own().solo()).isTrue();
         assertThat(model().editor().scene().lights()).noneMatch(model().editor().scene()::isActive);
         assertThat(tab("world-tab").getGraphic()).as("mark of the solo, also while the lights are listed").isNotNull();
         assertThat(tab("world-tab").getTooltip().getText()).contains("mutes all lights");
         assertThat(model().editor().editorStateProperty().get().undoLabel().orElse("")).startsWith("environment solo no → yes");
         click("undo");
-        assertThat(world().solo()).isFalse();
+        assertThat(world().own().solo()).isFalse();
         assertThat(tab("world-tab").getGraphic()).isNull();
         assertThat(robot.lookup("#world-solo").queryAs(CheckBox.class).isSelected()).isFalse();
     }
@@ -126,12 +126,12 @@ class EnvironmentFieldTest extends EditorFixture {
             fire(picture, MouseEvent.MOUSE_RELEASED, 172);
         });
         // A quarter of its width to the right.
-        assertThat(world().rotation()).isEqualTo(-90);
+        assertThat(world().own().rotation().rotation()).isEqualTo(-90);
         robot.push(KeyCode.LEFT);
-        assertThat(world().rotation()).isEqualTo(-85);
+        assertThat(world().own().rotation().rotation()).isEqualTo(-85);
         click("undo");
         click("undo");
-        assertThat(world().rotation()).isZero();
+        assertThat(world().own().rotation().rotation()).isZero();
     }
 
     private static void fire(Node node, EventType<MouseEvent> type, double x) {
@@ -167,14 +167,14 @@ class EnvironmentFieldTest extends EditorFixture {
         type("environment-rotation", "-30");
         type("environment-shadow-smoothing", "0.5");
         type("environment-bright-lights", "7");
-        assertThat(world().intensity()).isEqualTo(2.5);
-        assertThat(world().rotation()).isEqualTo(-30);
-        assertThat(world().lightCount()).isEqualTo(7);
-        assertThat(world().softness()).isEqualTo(0.5);
+        assertThat(world().own().intensity()).isEqualTo(2.5);
+        assertThat(world().own().rotation().rotation()).isEqualTo(-30);
+        assertThat(world().own().lightCount()).isEqualTo(7);
+        assertThat(world().own().softness()).isEqualTo(0.5);
         assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("environment bright lights 16 → 7");
         choose("None");
         waitFor("the file is removed", () -> choiceText().isEmpty());
-        assertThat(world().rotation()).as("rotation is kept").isEqualTo(-30);
+        assertThat(world().own().rotation().rotation()).as("rotation is kept").isEqualTo(-30);
     }
 
     @Test
@@ -208,11 +208,11 @@ class EnvironmentFieldTest extends EditorFixture {
         robot.push(KeyCode.F4);
         waitFor("the strip exists", () -> robot.lookup("#mute-environment").tryQuery().isPresent());
         click("mute-environment");
-        assertThat(world().gain()).isZero();
-        assertThat(world().intensity()).isEqualTo(2.5);
+        assertThat(world().own().gain()).isZero();
+        assertThat(world().own().intensity()).isEqualTo(2.5);
         click("mute-environment");
-        assertThat(world().gain()).isEqualTo(1);
+        assertThat(world().own().gain()).isEqualTo(1);
         click("solo-environment");
-        assertThat(world().solo()).isTrue();
+        assertThat(world().own().solo()).isTrue();
     }
 }

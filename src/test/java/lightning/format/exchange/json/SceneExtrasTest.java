@@ -100,8 +100,8 @@ class SceneExtrasTest {
         assertThat(scene.picture().sampling()).isEqualTo(new SamplingSettings(AntialiasMode.EDGES, 5));
         assertThat(scene.world().ambience()).isZero();
         assertThat(scene.world().environment().orElseThrow().file()).isEqualTo("sky.hdr");
-        assertThat(scene.world().rotation()).isEqualTo(-30);
-        assertThat(scene.world().intensity()).isEqualTo(2);
+        assertThat(scene.world().own().rotation().rotation()).isEqualTo(-30);
+        assertThat(scene.world().own().intensity()).isEqualTo(2);
         assertThat(scene.lights()).hasSize(2);
         Light key = scene.light("key").orElseThrow();
         assertThat(key.type()).isEqualTo(LightType.RECT);

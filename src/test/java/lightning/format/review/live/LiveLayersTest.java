@@ -74,7 +74,7 @@ class LiveLayersTest {
     @Test
     void environments_haveTheirOwnLayers() {
         Scene sky = JenScenes.withSky(scene());
-        Scene scene = sky.withWorld(sky.world().withDomes(List.of(JenScenes.dome("studio", 2), JenScenes.dome("off", 1).withOn(false))));
+        Scene scene = sky.withWorld(sky.world().withNamed(List.of(JenScenes.dome("studio", 2), JenScenes.dome("off", 1).withOn(false))));
         LiveLayers first = LiveLayers.of(cache(scene), OPTIONS, List.of(), Progress.NONE);
         assertThat(first.parts()).extracting(LiveLayers.Part::light).isEqualTo(Contribution.sources(scene));
         assertShow(first, cache(scene));

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 
 class LiveStateTest {
     private static final Scene DARK = JenScenes.of("light key point { }");
-    private static final Scene DOMES = DARK.withWorld(DARK.world().withDomes(List.of(JenScenes.dome("a", 2), JenScenes.dome("b", 0.5))));
+    private static final Scene DOMES = DARK.withWorld(DARK.world().withNamed(List.of(JenScenes.dome("a", 2), JenScenes.dome("b", 0.5))));
 
     private static Scene apply(Scene scene, LightValue value) {
         return new LiveState(List.of(value), List.of(), Optional.empty()).applyTo(scene);
@@ -31,13 +31,13 @@ class LiveStateTest {
     void physicalSky_hasAValue() {
         Scene sky = JenScenes.of("world { sky yes  intensity 0.5 }\nlight key point { }");
         assertThat(environment(sky)).isEqualTo(value("environment", 0.5, false, false));
-        assertThat(apply(sky, value("environment", 0.25, false, false)).world().intensity()).isEqualTo(0.25);
+        assertThat(apply(sky, value("environment", 0.25, false, false)).world().own().intensity()).isEqualTo(0.25);
     }
 
     @Test
     void muteOfADome_comesBack() {
         Scene muted = apply(DOMES, value("b", 0.5, true, false));
-        assertThat(muted.world().domes()).extracting(Dome::on).containsExactly(true, false);
+        assertThat(muted.world().named()).extracting(Dome::on).containsExactly(true, false);
         assertThat(environment(muted).mute()).isTrue();
         assertThat(apply(muted, value("b", 0.5, false, false))).isEqualTo(DOMES);
     }
@@ -46,7 +46,7 @@ class LiveStateTest {
     void muteOfTheEnvironment_comesBack() {
         Scene sky = JenScenes.withSky(DARK);
         Scene dark = apply(sky, value("environment", 1, true, false));
-        assertThat(dark.world().intensity()).isZero();
+        assertThat(dark.world().own().intensity()).isZero();
         assertThat(apply(dark, value("environment", 1, false, false))).isEqualTo(sky);
     }
 
@@ -63,17 +63,17 @@ class LiveStateTest {
         Scene scene = JenScenes.withSky(JenScenes.of("light environment point { intensity 3 }"));
         assertThat(LiveState.of(scene).lights()).extracting(LightValue::name).containsExactly("environment", "environment 2");
         Scene changed = apply(scene, value("environment 2", 2, false, false));
-        assertThat(changed.world().intensity()).isEqualTo(2);
+        assertThat(changed.world().own().intensity()).isEqualTo(2);
         assertThat(changed.lights()).isEqualTo(scene.lights());
     }
 
     @Test
     void environments_haveTheirOwnValues() {
-        Scene both = JenScenes.withSky(DARK).withWorld(JenScenes.withSky(DARK).world().withDomes(DOMES.world().domes()));
+        Scene both = JenScenes.withSky(DARK).withWorld(JenScenes.withSky(DARK).world().withNamed(DOMES.world().named()));
         assertThat(LiveState.of(both).lights()).extracting(LightValue::name).containsExactly("key", "environment", "a", "b");
         Scene changed = apply(both, value("a", 4, false, true));
-        assertThat(changed.world().intensity()).isEqualTo(1);
-        assertThat(changed.world().domes()).extracting(Dome::intensity).containsExactly(4.0, 0.5);
-        assertThat(changed.world().domes()).extracting(Dome::solo).containsExactly(true, false);
+        assertThat(changed.world().own().intensity()).isEqualTo(1);
+        assertThat(changed.world().named()).extracting(Dome::intensity).containsExactly(4.0, 0.5);
+        assertThat(changed.world().named()).extracting(Dome::solo).containsExactly(true, false);
     }
 }

@@ -24,6 +24,7 @@ import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.light.Contribution;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
+import lightning.scene.value.DomeRotation;
 import lightning.scene.value.Fog;
 import lightning.scene.value.ShapeGains;
 import org.junit.jupiter.api.Test;
@@ -177,12 +178,13 @@ class FilmUpdateTest {
     @CsvSource({"1.2, false", "2, true"})
     void ambienceAndEnvironmentIntensity_reweight(double v, boolean changesEdges) {
         assertReweights(update(SCENE, withWorld(world -> world.withAmbience(v))), changesEdges);
-        assertReweights(update(SCENE, withWorld(world -> world.withIntensity(v))), changesEdges);
+        assertReweights(update(SCENE, withWorld(world -> world.withOwn(own -> own.withIntensity(v)))), changesEdges);
     }
 
     @Test
     void rotatedEnvironment_changesItsTwoFilms() {
-        assertChanges(update(SCENE, withWorld(world -> world.withRotation(90))), film(FilmPart.Kind.ENVIRONMENT_LIGHT),
+        assertChanges(update(SCENE, withWorld(world -> world.withOwn(own -> own.withRotation(DomeRotation.of(90, 0, 0))))),
+                film(FilmPart.Kind.ENVIRONMENT_LIGHT),
                 film(FilmPart.Kind.ENVIRONMENT_IMAGE));
     }
 

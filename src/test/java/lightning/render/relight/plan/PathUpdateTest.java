@@ -51,7 +51,7 @@ class PathUpdateTest {
     void removedEnvironment_needsPathsOfItsOwn() {
         Scene room = IndirectScenes.all().get("environment with a sun");
         GatherSettings paths = GatherSettings.of(room).orElseThrow();
-        assertThat(paths.canServe(room.withWorld(room.world().withGain(0)))).isTrue();
+        assertThat(paths.canServe(room.withWorld(room.world().withOwn(own -> own.withGain(0))))).isTrue();
         assertThat(paths.canServe(room.withWorld(room.world().withEnvironment(Optional.empty())))).isFalse();
     }
 
