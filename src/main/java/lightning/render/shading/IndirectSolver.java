@@ -210,9 +210,9 @@ public final class IndirectSolver {
             FilmLight after = withBackground(background, share);
             run(surfels, (from, to) -> {
                 float[][][] met = new float[films.size()][3][to - from];
-                int end = before == null ? from : Math.min(to, links.points());
+                int end = Math.min(to, links.points());
                 RaySums gathered = new RaySums(kernel);
-                for (int s = from; s < end; s++) {
+                for (int s = from; before != null && s < end; s++) {
                     links.sum(s, before, gathered);
                     if (hasGlow) {
                         addGlow(structure.glow().ofSurfels(), s, gathered);
