@@ -173,12 +173,12 @@ final class BruteForceGather {
     /** Prepares the rays of a path. */
     private void aim(GatherPaths paths, int p, DirectionTable directions, int at) {
         int end = at + directions.rays();
-        directions.write(random.nextLong(), paths.nx[p], paths.ny[p], paths.nz[p], batch.directionX, batch.directionY,
+        directions.write(random.nextLong(), paths.ends.nx[p], paths.ends.ny[p], paths.ends.nz[p], batch.directionX, batch.directionY,
                 batch.directionZ, at);
         paths.reflect(p, batch.directionX, batch.directionY, batch.directionZ, at, end);
-        Arrays.fill(batch.startX, at, end, paths.px[p]);
-        Arrays.fill(batch.startY, at, end, paths.py[p]);
-        Arrays.fill(batch.startZ, at, end, paths.pz[p]);
+        Arrays.fill(batch.startX, at, end, paths.ends.px[p]);
+        Arrays.fill(batch.startY, at, end, paths.ends.py[p]);
+        Arrays.fill(batch.startZ, at, end, paths.ends.pz[p]);
     }
 
     /** Returns the luminance of the glow that {@value #BATCH_RAYS} rays from the point meet on average. */

@@ -1,18 +1,14 @@
 package lightning.render.measure;
 
 import lightning.base.math.Vec3;
+import lightning.render.gather.cell.SurfaceColumns;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.SurfacePoint;
 import org.jspecify.annotations.Nullable;
 
 /** Ends of paths from a point, with the share of the light that each sends back to it. */
 final class GatherPaths {
-    final float[] px;
-    final float[] py;
-    final float[] pz;
-    final float[] nx;
-    final float[] ny;
-    final float[] nz;
+    final SurfaceColumns ends;
     /** Normals of the surfaces, of length 1; null where a path goes on around that normal. */
     private final Vec3[] geometric;
     /** Share of the light: red, green, blue. */
@@ -20,12 +16,7 @@ final class GatherPaths {
     int count;
 
     GatherPaths(int capacity) {
-        px = new float[capacity];
-        py = new float[capacity];
-        pz = new float[capacity];
-        nx = new float[capacity];
-        ny = new float[capacity];
-        nz = new float[capacity];
+        ends = new SurfaceColumns(capacity);
         geometric = new Vec3[capacity];
         share = new float[3][capacity];
     }
@@ -51,12 +42,7 @@ final class GatherPaths {
 
     private void add(float x, float y, float z, float normalX, float normalY, float normalZ, @Nullable Vec3 normal, float red, float green,
             float blue) {
-        px[count] = x;
-        py[count] = y;
-        pz[count] = z;
-        nx[count] = normalX;
-        ny[count] = normalY;
-        nz[count] = normalZ;
+        ends.set(count, x, y, z, normalX, normalY, normalZ, -1);
         geometric[count] = normal;
         share[0][count] = red;
         share[1][count] = green;

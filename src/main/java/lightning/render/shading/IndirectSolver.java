@@ -13,7 +13,6 @@ import lightning.render.gather.ray.FilmKernel;
 import lightning.render.gather.ray.FilmLight;
 import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.RaySums;
-import lightning.render.gather.reflection.ReflectionMeans;
 import lightning.render.gather.reflection.ReflectionPaths;
 import lightning.render.gather.rim.RimLinks;
 import org.jspecify.annotations.Nullable;
@@ -148,9 +147,9 @@ public final class IndirectSolver {
         FilmLight color = FilmLight.black(films.size(), sources);
         FilmLight white = FilmLight.black(films.size(), sources);
         run(sources, (from, to) -> {
-            ReflectionMeans means = paths.links().newMeans(kernel);
+            RaySums sums = new RaySums(kernel);
             for (int p = from; p < to; p++) {
-                paths.links().writeMean(p, shown, means, color, white);
+                paths.links().writeMean(p, shown, sums, color, white);
             }
         });
         float[][][] colors = new float[films.size()][3][paths.count()];

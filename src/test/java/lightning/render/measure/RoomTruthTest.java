@@ -102,7 +102,7 @@ class RoomTruthTest {
     private static Scene scene(String room) throws Exception {
         boolean isUniform = room.endsWith("-uniform");
         Scene scene = JenReader.read(ROOMS.resolve(room.replace("-uniform", "") + ".jen")).scene();
-        return isUniform ? PropertyEdit.setEnvironment(scene, "uniform_sky.hdr", ROOMS) : scene;
+        return isUniform ? PropertyEdit.setImage(scene, scene.world().own(), "uniform_sky.hdr", ROOMS) : scene;
     }
 
     private static void assertError(String truth, Scene scene, double mean, double high, double bias) throws Exception {

@@ -2,13 +2,12 @@ package lightning.render.gather.ray;
 
 import java.util.Arrays;
 
-/** Sums of the light of some films that rays meet: red, green and blue of each. Scratch memory of one thread. */
+/** Weighted sums of the light of some films that rays meet: red, green and blue of each. Scratch memory of one thread. */
 public final class RaySums {
     private final FilmKernel kernel;
     private final float[] sum = new float[FilmLight.MAX_STRIDE];
     /** What the rays meet, in their order. */
     private int[] number = {};
-    /** A weight of 1 for each. */
     private float[] weight = {};
     /** Red, green and blue tint of each ray, if any is tinted. */
     private final float[][] tint = new float[3][];
@@ -22,8 +21,8 @@ public final class RaySums {
         return new RaySums(kernel);
     }
 
-    /** Returns room for the numbers of some rays. */
-    int[] numbers(int rays) {
+    /** Returns room for the numbers of what some rays meet. Their weights are 1 if there was less room before. */
+    public int[] numbers(int rays) {
         if (number.length < rays) {
             number = new int[rays];
             weight = new float[rays];
@@ -35,13 +34,18 @@ public final class RaySums {
         return number;
     }
 
+    /** Returns the weights of as many rays. */
+    public float[] weights() {
+        return weight;
+    }
+
     /** Returns room for the tints of as many rays: red, green and blue. */
-    float[][] tints() {
+    public float[][] tints() {
         return tint;
     }
 
-    /** Adds up the light of the first numbers, in their order for each film. */
-    void addUp(FilmLight light, int rays, boolean isTinted) {
+    /** Adds up weight · (light · tint) of the first numbers, in their order for each film. */
+    public void addUp(FilmLight light, int rays, boolean isTinted) {
         if (isTinted) {
             addUpTinted(light, rays);
         } else {
@@ -55,7 +59,7 @@ public final class RaySums {
             for (int film = 0; film < light.films(); film++) {
                 int at = light.at(number[ray], film);
                 for (int c = 0; c < 3; c++) {
-                    sum[3 * film + c] += light.values()[at + c] * tint[c][ray];
+                    sum[3 * film + c] += weight[ray] * (light.values()[at + c] * tint[c][ray]);
                 }
             }
         }

@@ -9,10 +9,10 @@ import lightning.base.work.WorkerPool;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.gather.cell.CellTable;
-import lightning.render.gather.ray.FilmKernel;
 import lightning.render.gather.ray.FilmLight;
 import lightning.render.gather.ray.PathMemory;
 import lightning.render.gather.ray.RayLinks;
+import lightning.render.gather.ray.RaySums;
 import lightning.render.gather.ray.RayTints;
 import org.jspecify.annotations.Nullable;
 
@@ -216,35 +216,35 @@ public final class ReflectionLinks {
         return number[ray];
     }
 
-    /** Returns scratch memory for the means of points. */
-    public ReflectionMeans newMeans(FilmKernel kernel) {
-        return new ReflectionMeans(raysPerPoint, kernel);
-    }
-
     /**
      * Writes the mean light that a point reflects, in the order of its rays.
      *
      * @param light of each surfel and of each cell of the sky
+     * @param sums  scratch memory for reflections alone
      * @param color receives the means with the weights that the reflectance multiplies, as {@code white} with those that no color
      *              multiplies; 0 if all weights are 0
      */
-    public void writeMean(int point, FilmLight light, ReflectionMeans scratch, FilmLight color, FilmLight white) {
+    public void writeMean(int point, FilmLight light, RaySums sums, FilmLight color, FilmLight white) {
         int from = point * raysPerPoint;
-        int colorSum = 0;
-        int whiteSum = 0;
+        System.arraycopy(number, from, sums.numbers(raysPerPoint), 0, raysPerPoint);
+        boolean isTinted = tints != null && tints.read(from, raysPerPoint, sums.tints());
+        writeMean(point, 16, light, sums, isTinted, color);
+        writeMean(point, 0, light, sums, isTinted, white);
+    }
+
+    /** @param shift of the weights in their words */
+    private void writeMean(int point, int shift, FilmLight light, RaySums sums, boolean isTinted, FilmLight to) {
+        int from = point * raysPerPoint;
+        int total = 0;
         for (int ray = from; ray < from + raysPerPoint; ray++) {
-            colorSum += weights[ray] >>> 16;
-            whiteSum += weights[ray] & 0xFFFF;
+            total += weights[ray] >>> shift & 0xFFFF;
         }
-        float colorScale = colorSum == 0 ? 0 : 1f / colorSum;
-        float whiteScale = whiteSum == 0 ? 0 : 1f / whiteSum;
+        float scale = total == 0 ? 0 : 1f / total;
         for (int k = 0; k < raysPerPoint; k++) {
-            scratch.number[k] = number[from + k];
-            scratch.colorShare[k] = (weights[from + k] >>> 16) * colorScale;
-            scratch.whiteShare[k] = (weights[from + k] & 0xFFFF) * whiteScale;
+            sums.weights()[k] = (weights[from + k] >>> shift & 0xFFFF) * scale;
         }
-        boolean isTinted = tints != null && tints.read(from, raysPerPoint, scratch.tint);
-        scratch.write(light, isTinted, point, color, white);
+        sums.addUp(light, raysPerPoint, isTinted);
+        sums.writeTo(to, point);
     }
 
     void writeTo(ColumnWriter out) throws IOException {

@@ -45,13 +45,8 @@ public final class ReflectionPoints {
     void add(SeenSurfaces from, int i, int itsMaterial, long itsSeed) {
         int p = count();
         if (p == rx.length) {
-            int length = Math.max(1024, 2 * p);
-            rx = Arrays.copyOf(rx, length);
-            ry = Arrays.copyOf(ry, length);
-            rz = Arrays.copyOf(rz, length);
-            material = Arrays.copyOf(material, length);
-            radius = Arrays.copyOf(radius, length);
-            seed = Arrays.copyOf(seed, length);
+            resize(Math.max(1024, 2 * p));
+            seed = Arrays.copyOf(seed, rx.length);
         }
         seen.add(from, i);
         float[] mirrored = new float[3];
@@ -72,12 +67,16 @@ public final class ReflectionPoints {
     void trim(int count) {
         seen.trim(count);
         sources.reserveNormals(0);
-        rx = Arrays.copyOf(rx, count);
-        ry = Arrays.copyOf(ry, count);
-        rz = Arrays.copyOf(rz, count);
-        material = Arrays.copyOf(material, count);
-        radius = Arrays.copyOf(radius, count);
+        resize(count);
         seed = new long[0];
+    }
+
+    private void resize(int length) {
+        rx = Arrays.copyOf(rx, length);
+        ry = Arrays.copyOf(ry, length);
+        rz = Arrays.copyOf(rz, length);
+        material = Arrays.copyOf(material, length);
+        radius = Arrays.copyOf(radius, length);
     }
 
     /** Writes the mirrored direction of a view that meets a normal: x, y, z. */
