@@ -16,10 +16,10 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.bench.report.DocumentCharts;
-import lightning.bench.report.IndirectCharts;
+import lightning.bench.report.IndirectDocumentCharts;
 import lightning.bench.report.IndirectTables;
 import lightning.bench.report.MarkdownTables;
-import lightning.bench.report.ModernCharts;
+import lightning.bench.report.ModernDocumentCharts;
 import lightning.bench.report.ModernTables;
 import lightning.bench.report.ReportStatements;
 import lightning.bench.result.BenchResults;
@@ -141,14 +141,14 @@ class ResultsDocumentTest {
     @Test
     @Slow
     void everyModernChart_matchesStoredRun() throws IOException {
-        assertChartsMatch("modern", ModernCharts::of);
+        assertChartsMatch("modern", ModernDocumentCharts::of);
     }
 
     /** Compares the measured build only, as {@link #everyChart_matchesStoredRun}. */
     @Test
     @Slow
     void everyIndirectChart_matchesStoredRun() throws IOException {
-        assertChartsMatch("indirect", IndirectCharts::of);
+        assertChartsMatch("indirect", IndirectDocumentCharts::of);
     }
 
     /** Checks the charts of a part that may not be stored; their file names start with its name. */

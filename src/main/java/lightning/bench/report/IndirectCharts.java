@@ -1,68 +1,21 @@
 package lightning.bench.report;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.function.ToDoubleFunction;
-import lightning.bench.result.BenchResults;
 import lightning.bench.result.IndirectAccuracy;
 import lightning.bench.result.IndirectGrowth;
 import lightning.bench.result.IndirectResults;
 import lightning.bench.result.ReflectionAccuracy;
 import lightning.bench.result.SoftShadowAccuracy;
 import lightning.bench.result.TimeSamples;
-import lightning.render.measure.ParetoFront;
 
 /** Charts of indirect light: error against time with the Pareto front, missing light against time, and growth. */
-public final class IndirectCharts {
-    static final String BOUNCES = "indirect-bounces.svg";
+final class IndirectCharts {
     private static final int WIDTH = 560;
     private static final int HEIGHT = 300;
 
     private IndirectCharts() {}
-
-    /** Returns the charts as files for documents, by file name; each names the measured build. */
-    public static Map<String, String> of(BenchResults results) {
-        Map<String, String> charts = new LinkedHashMap<>();
-        String build = "build " + results.run().commit() + ", " + results.run().date();
-        results.indirect().accuracy()
-                .forEach(scene -> charts.put(fileName(scene), ChartSvg.file(svg(scene), scene.scene() + ", " + build)));
-        if (!results.indirect().accuracy().isEmpty()) {
-            charts.put(BOUNCES, ChartSvg.file(bounces(results.indirect()), build));
-        }
-        results.indirect().reflections().stream().filter(scene -> !scene.points().isEmpty())
-                .forEach(scene -> charts.put(fileName(scene), ChartSvg.file(svg(scene), scene.scene() + ", " + build)));
-        results.indirect().softShadows()
-                .forEach(scene -> charts.put(fileName(scene), ChartSvg.file(svg(scene), scene.scene() + ", " + build)));
-        results.indirect().growth().forEach(growth -> charts.put(fileName(growth), ChartSvg.file(svg(growth), build)));
-        return charts;
-    }
-
-    static String fileName(IndirectAccuracy scene) {
-        return "indirect-error-" + word(scene.scene()) + ".svg";
-    }
-
-    static String fileName(ReflectionAccuracy scene) {
-        return "indirect-reflections-" + word(scene.scene()) + ".svg";
-    }
-
-    static String fileName(SoftShadowAccuracy scene) {
-        return "indirect-shadows-" + word(scene.scene()) + ".svg";
-    }
-
-    static String fileName(IndirectGrowth growth) {
-        return "indirect-growth-" + word(growth.along()) + ".svg";
-    }
-
-    private static String word(String text) {
-        return text.replaceAll("[^\\p{Alnum}]+", "-");
-    }
-
-    /** Returns the settings on the Pareto front, fastest first. */
-    static List<IndirectAccuracy.Point> front(IndirectAccuracy scene) {
-        return ParetoFront.of(scene.grid(), point -> point.time().median(), point -> point.error().mean());
-    }
 
     /**
      * Returns the chart of a scene: mean error against the milliseconds of the first pass; a color per number of rays, and the default is

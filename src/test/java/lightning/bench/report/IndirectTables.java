@@ -27,23 +27,23 @@ public final class IndirectTables {
         tables.put("indirect findings", () -> IndirectFindings.list(this.results));
         tables.put("indirect targets", () -> IndirectTargets.table(this.results));
         tables.put("indirect charts", () -> images("Error against time", this.results.accuracy().stream(), IndirectAccuracy::scene,
-                IndirectCharts::fileName));
+                IndirectDocumentCharts::fileName));
         tables.put("indirect errors", this::errors);
         tables.put("reflection charts", () -> images("Error of blurred reflections against time",
                 this.results.reflections().stream().filter(scene -> !scene.points().isEmpty()), ReflectionAccuracy::scene,
-                IndirectCharts::fileName));
+                IndirectDocumentCharts::fileName));
         tables.put("reflection errors", this::reflections);
         tables.put("area light charts", () -> images("Error of area lights against time", this.results.softShadows().stream(),
-                SoftShadowAccuracy::scene, IndirectCharts::fileName));
+                SoftShadowAccuracy::scene, IndirectDocumentCharts::fileName));
         tables.put("area light errors", this::softShadows);
         tables.put("indirect bounces chart",
                 () -> this.results.accuracy().isEmpty() ? ""
-                        : "![Missing light against bounces](pictures/" + IndirectCharts.BOUNCES + ")\n");
+                        : "![Missing light against bounces](pictures/" + IndirectDocumentCharts.BOUNCES + ")\n");
         tables.put("indirect bounces", this::bounces);
         tables.put("indirect first pass", this::firstPass);
         tables.put("indirect edits", this::edits);
         tables.put("indirect growth charts", () -> images("Time against", this.results.growth().stream(), IndirectGrowth::along,
-                IndirectCharts::fileName));
+                IndirectDocumentCharts::fileName));
         tables.put("indirect growth", this::growth);
         tables.put("indirect absence", this::absence);
     }
@@ -81,7 +81,7 @@ public final class IndirectTables {
                         Integer.toString(p.spacing()), Integer.toString(p.rays()), MarkdownTables.median(p.time()),
                         Integer.toString(p.gatherPoints()), Integer.toString(p.surfels()), percent(p.error().mean()),
                         percent(p.error().median()), percent(p.error().high()), percent(p.error().bias()),
-                        IndirectCharts.front(scene).contains(p) ? "yes" : ""))));
+                        IndirectDocumentCharts.front(scene).contains(p) ? "yes" : ""))));
     }
 
     private String reflections() {

@@ -87,11 +87,11 @@ class IndirectTablesTest {
 
     @Test
     void charts_nameBuildAndLabelEachSetting() {
-        Map<String, String> charts = IndirectCharts.of(results());
-        assertThat(charts).containsOnlyKeys("indirect-error-hall.svg", IndirectCharts.BOUNCES, "indirect-growth-pixels.svg");
+        Map<String, String> charts = IndirectDocumentCharts.of(results());
+        assertThat(charts).containsOnlyKeys("indirect-error-hall.svg", IndirectDocumentCharts.BOUNCES, "indirect-growth-pixels.svg");
         assertThat(charts.values()).allMatch(svg -> svg.contains("build abc, 2026-01-31T12:00:00Z"));
         assertThat(charts.get("indirect-error-hall.svg")).contains(">8, 64<", ">16, 64<", ">16, 256<");
-        assertThat(charts.get(IndirectCharts.BOUNCES)).contains(">hall<", "20 %");
+        assertThat(charts.get(IndirectDocumentCharts.BOUNCES)).contains(">hall<", "20 %");
         assertThat(charts.get("indirect-growth-pixels.svg")).contains(">first pass, added<", ">moved light<", ">intensity<");
     }
 }

@@ -121,7 +121,7 @@ public final class ModernTables {
 
     private String charts() {
         return scenes.stream().filter(s -> !s.curves().isEmpty())
-                .map(s -> "![Time and error, " + s.scene() + "](pictures/" + ModernCharts.fileName(s) + ")\n")
+                .map(s -> "![Time and error, " + s.scene() + "](pictures/" + ModernDocumentCharts.fileName(s) + ")\n")
                 .collect(Collectors.joining());
     }
 
