@@ -25,18 +25,10 @@ public final class NumericParameter {
     private static final List<String> PREFIXES = List.of("environment ", "fog ");
     /** Ambient light of the scene. */
     public static final NumericParameter AMBIENCE = ofWorld(World.AMBIENCE);
-    /** Factor of the environment's image and light. */
-    public static final NumericParameter ENVIRONMENT_INTENSITY = ofWorld(World.INTENSITY);
-    /** Factor of the environment's light alone. */
-    public static final NumericParameter ENVIRONMENT_GAIN = ofWorld(World.GAIN);
-    /** Rotation of the environment. */
-    public static final NumericParameter ENVIRONMENT_ROTATION = ofWorld(World.ROTATION);
-    public static final NumericParameter ENVIRONMENT_TILT = ofWorld(World.TILT);
-    public static final NumericParameter ENVIRONMENT_ROLL = ofWorld(World.ROLL);
-    /** Maximum number of lights for bright parts of an environment, an integer. */
-    public static final NumericParameter ENVIRONMENT_LAMPS = ofWorld(World.LIGHT_COUNT);
-    /** Spread of each sample over its part of the environment. */
-    public static final NumericParameter ENVIRONMENT_SOFTNESS = ofWorld(World.SOFTNESS);
+    /** Numbers of the world's own environment. */
+    public static final List<NumericParameter> ENVIRONMENT =
+            Stream.of(World.INTENSITY, World.GAIN, World.ROTATION, World.TILT, World.ROLL, World.LIGHT_COUNT, World.SOFTNESS)
+                    .<NumericParameter>map(NumericParameter::ofWorld).toList();
     /** Meters per scene unit, for photometric units. */
     public static final NumericParameter METERS = ofWorld(World.METERS);
     /** Sun and air of a physical sky. */
@@ -57,10 +49,8 @@ public final class NumericParameter {
 
     /** All parameters, those of lights first. */
     public static final List<NumericParameter> ALL =
-            Stream.of(LightAttribute.ALL.stream().flatMap(a -> of(a).stream()), Stream.of(AMBIENCE, ENVIRONMENT_INTENSITY,
-                    ENVIRONMENT_GAIN, ENVIRONMENT_ROTATION, ENVIRONMENT_TILT, ENVIRONMENT_ROLL, ENVIRONMENT_LAMPS, ENVIRONMENT_SOFTNESS,
-                    METERS, DEPTH, FOG_DENSITY),
-                    SKY.stream(), FOG.stream(), FOG_CENTER.stream()).flatMap(all -> all).toList();
+            Stream.of(LightAttribute.ALL.stream().flatMap(a -> of(a).stream()), Stream.of(AMBIENCE), ENVIRONMENT.stream(),
+                    Stream.of(METERS, DEPTH, FOG_DENSITY), SKY.stream(), FOG.stream(), FOG_CENTER.stream()).flatMap(all -> all).toList();
 
     private final String id;
     private final String title;

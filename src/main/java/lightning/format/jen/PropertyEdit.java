@@ -169,11 +169,6 @@ public final class PropertyEdit {
         return setFile(scene, NameSyntax.format(light), attribute.name(), file, folder);
     }
 
-    /** Returns the scene with an environment map; empty file name for none. */
-    public static Scene setEnvironment(Scene scene, String file, Path folder) {
-        return setFile(scene, WORLD, World.ENVIRONMENT.name(), file, folder);
-    }
-
     private static Scene setFile(Scene scene, String target, String property, String file, Path folder) {
         if (file.isEmpty()) {
             return set(scene, target, property, NONE);
@@ -187,12 +182,12 @@ public final class PropertyEdit {
         return MATERIAL + NameSyntax.format(material.name());
     }
 
-    /** Returns the target that addresses a dome in an assignment. */
+    /** Returns the target that addresses an environment in an assignment. */
     public static String target(Dome dome) {
-        return DOME + NameSyntax.format(dome.name());
+        return dome.isOwn() ? WORLD : DOME + NameSyntax.format(dome.name());
     }
 
-    /** Returns the scene with the image of a dome. */
+    /** Returns the scene with the image of an environment; empty file name for none. */
     public static Scene setImage(Scene scene, Dome dome, String file, Path folder) {
         return setFile(scene, target(dome), Dome.ENVIRONMENT.name(), file, folder);
     }

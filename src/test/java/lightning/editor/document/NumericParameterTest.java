@@ -38,7 +38,7 @@ class NumericParameterTest {
                                 : a.unit().equals("stops") ? NumberUnit.STOPS : a.unit().equals("kelvin") ? NumberUnit.KELVIN
                                 : NumberUnit.FACTOR));
         assertThat(NumericParameter.of(LightAttribute.DOORS)).hasSize(4).allMatch(d -> d.measure() == NumberUnit.DEGREES);
-        assertThat(NumericParameter.ENVIRONMENT_ROTATION.measure()).isEqualTo(NumberUnit.DEGREES);
+        assertThat(NumericParameter.ENVIRONMENT.get(2).measure()).isEqualTo(NumberUnit.DEGREES);
         assertThat(NumericParameter.AMBIENCE.measure()).isEqualTo(NumberUnit.FACTOR);
     }
 

@@ -54,11 +54,12 @@ record DomeBlend(SoloState from, SoloState to, double t, boolean keepsSolos) {
     }
 
     /** Returns the light gain at an end; 0 if a solo mutes the dome and does not stay. */
-    private double gain(SoloState end, Dome dome) {
-        return !keepsSolos && end.isMuted(new Contribution.OfDome(dome.name())) ? 0 : dome.gain();
+    double gain(SoloState end, Dome dome) {
+        return !keepsSolos && dome.isPresent() && end.isMuted(new Contribution.OfDome(dome.name())) ? 0 : dome.gain();
     }
 
-    private Dome interpolated(Dome first, Dome last, BinaryOperator<Dome> numbers, DoubleBinaryOperator lerp) {
+    /** Returns the mean of a dome of both ends; parameters as above. */
+    Dome interpolated(Dome first, Dome last, BinaryOperator<Dome> numbers, DoubleBinaryOperator lerp) {
         double fromIntensity = first.on() ? first.intensity() : 0;
         double toIntensity = last.on() ? last.intensity() : 0;
         boolean isOn = first.on() || last.on();
@@ -70,6 +71,6 @@ record DomeBlend(SoloState from, SoloState to, double t, boolean keepsSolos) {
                 : lerp.applyAsDouble(fromIntensity * fromGain, toIntensity * toGain) / intensity;
         return numbers.apply(first, last).withIntensity(intensity)
                 .withGain(Math.clamp(gain, Math.min(fromGain, toGain), Math.max(fromGain, toGain)))
-                .withOn(isOn).withSolo(keepsSolos && (first.on() ? first.solo() : last.solo()));
+                .withOn(isOn).withSolo(keepsSolos && from.solos().contains(new Contribution.OfDome(first.name())));
     }
 }

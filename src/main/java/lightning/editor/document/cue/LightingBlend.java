@@ -100,9 +100,9 @@ public final class LightingBlend {
         to.rig().lights().stream().filter(toLight -> from.rig().light(toLight.name()).isEmpty())
                 .forEach(toLight -> added.add(fade(toSolos, toLight, t)));
         lights.addAll(added);
-        List<Dome> domes =
-                new DomeBlend(fromSolos, toSolos, t, keepsSolos).domes(name -> freeName(name, takenNames), this::numbers, this::lerp);
-        return new Lighting(world().withNamed(domes), LightRig.of(lights, lightGroups()));
+        DomeBlend blend = new DomeBlend(fromSolos, toSolos, t, keepsSolos);
+        List<Dome> domes = blend.domes(name -> freeName(name, takenNames), this::numbers, this::lerp);
+        return new Lighting(world(blend).withNamed(domes), LightRig.of(lights, lightGroups()));
     }
 
     private List<LightGroup> lightGroups() {
@@ -244,32 +244,18 @@ public final class LightingBlend {
         return dome;
     }
 
-    private World world() {
+    private World world(DomeBlend blend) {
         World world = from.world();
         for (SceneAttribute<World, ?> attribute : World.ATTRIBUTES) {
             world = interpolateAttribute(attribute, world, from.world(), to.world());
         }
-        Dome first = from.world().own();
-        Dome last = to.world().own();
-        double fromGain = environmentGain(fromSolos);
-        double toGain = environmentGain(toSolos);
-        boolean isSolo = keepsSolos && fromSolos.solos().contains(Contribution.ENVIRONMENT);
+        Dome numbers = world.own();
         if (hasSameEnvironment) {
-            // Image and light are linear: a dark image has no say in the gain.
-            double intensity = world.own().intensity();
-            double gain = intensity == 0 ? lerp(fromGain, toGain)
-                    : lerp(first.intensity() * fromGain, last.intensity() * toGain) / intensity;
-            double limited = Math.clamp(gain, Math.min(fromGain, toGain), Math.max(fromGain, toGain));
-            return world.withOwn(own -> own.withGain(limited).withSolo(isSolo));
+            return world.withOwn(_ -> blend.interpolated(from.world().own(), to.world().own(), (_, _) -> numbers, this::lerp));
         }
-        Dome shown = t < 0.5 ? first : last;
-        return world.withOwn(_ -> shown.withIntensity(shown.intensity() * Math.abs(1 - 2 * t)).withGain(t < 0.5 ? fromGain : toGain)
-                .withSolo(isSolo));
-    }
-
-    /** Returns the gain of an end's environment; 0 if solos mute it and do not stay. */
-    private double environmentGain(SoloState end) {
-        Dome own = end.lighting().world().own();
-        return !keepsSolos && own.isPresent() && end.isMuted(Contribution.ENVIRONMENT) ? 0 : own.gain();
+        SoloState nearer = t < 0.5 ? fromSolos : toSolos;
+        Dome shown = nearer.lighting().world().own();
+        return world.withOwn(_ -> shown.withIntensity(shown.intensity() * Math.abs(1 - 2 * t)).withGain(blend.gain(nearer, shown))
+                .withSolo(keepsSolos && fromSolos.solos().contains(Contribution.ENVIRONMENT)));
     }
 }

@@ -27,7 +27,7 @@ import lightning.scene.attribute.ValueKind;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 
-/** Field for a file asset of the selected light, the world or a dome, chosen from the files next to the scene. Reads files in the background. */
+/** Field for a file asset of the selected light or an environment, chosen from the files next to the scene. Reads files in the background. */
 final class FileField<F extends FileAsset> extends StackPane {
     private final SceneEditor editor;
     private final FileImporter files;
@@ -35,9 +35,13 @@ final class FileField<F extends FileAsset> extends StackPane {
     private final MenuButton choice;
     private final DisabledReason disabledReason;
 
-    /** Owner of the asset: the selected light, the world or a dome. */
+    /** Owner of the asset: the selected light or an environment. */
     private sealed interface Owner<F extends FileAsset> {
         SceneAttribute<?, Optional<F>> attribute();
+
+        default String title() {
+            return attribute().title();
+        }
 
         /** Returns the name of the owner; the selected light's by default. */
         default String name(SceneEditor editor) {
@@ -82,32 +86,15 @@ final class FileField<F extends FileAsset> extends StackPane {
         }
     }
 
-    private record WorldOwner(SceneAttribute<World, Optional<Environment>> attribute) implements Owner<Environment> {
-        @Override
-        public String text(EditorState now) {
-            return Messages.tr(attribute.format(now.scene().world()));
-        }
-
-        @Override
-        public Optional<String> disabledReason(EditorState now) {
-            return Optional.empty();
-        }
-
-        @Override
-        public Scene read(Scene scene, String lightName, String file, Path folder) {
-            return PropertyEdit.setEnvironment(scene, file, folder);
-        }
-
-        @Override
-        public Scene copy(Scene source, Scene target, String lightName) {
-            return target.withWorld(attribute.copy(source.world(), target.world()));
-        }
-    }
-
     private record DomeOwner(Supplier<String> dome) implements Owner<Environment> {
         @Override
         public SceneAttribute<Dome, Optional<Environment>> attribute() {
             return Dome.ENVIRONMENT;
+        }
+
+        @Override
+        public String title() {
+            return dome.get().equals(Dome.OWN) ? World.ENVIRONMENT.title() : attribute().title();
         }
 
         @Override
@@ -146,7 +133,7 @@ final class FileField<F extends FileAsset> extends StackPane {
         choice = new FileMenu(commands, files, Messages.tr("none"), fileChoice.command(), fileChoice.kind(), this::set,
                 () -> browse(fileChoice.command(), fileChoice.kind()));
         choice.setId(fileChoice.id());
-        choice.setAccessibleText(Messages.tr(owner.attribute().title()));
+        choice.setAccessibleText(Messages.tr(owner.title()));
         choice.setMaxWidth(Double.MAX_VALUE);
         getChildren().add(choice);
         disabledReason = new DisabledReason(this, choice, fileChoice.help());
@@ -167,7 +154,7 @@ final class FileField<F extends FileAsset> extends StackPane {
     /** Creates the field of the environment map. */
     static FileField<Environment> forWorld(SceneEditor editor, CommandRegistry commands, FileImporter files,
             ObservableValue<EditorState> visibleState) {
-        return new FileField<>(editor, commands, files, new WorldOwner(World.ENVIRONMENT), FileChoice.of(new ValueKind.EnvironmentKind()),
+        return new FileField<>(editor, commands, files, new DomeOwner(() -> Dome.OWN), FileChoice.of(new ValueKind.EnvironmentKind()),
                 visibleState);
     }
 

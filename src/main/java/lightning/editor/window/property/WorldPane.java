@@ -69,11 +69,9 @@ final class WorldPane extends VBox {
             editor.editOrReport(scene -> EditOutcome.of(() -> scene.withWorld(World.SOLO.with(scene.world(), isSolo))));
         });
         backgroundRows = new VBox(SectionLayout.caption(Messages.tr("Background")), background);
-        environmentRows = new VBox(number(NumericParameter.ENVIRONMENT_INTENSITY), number(NumericParameter.ENVIRONMENT_GAIN),
-                number(NumericParameter.ENVIRONMENT_ROTATION),
-                number(NumericParameter.ENVIRONMENT_TILT), number(NumericParameter.ENVIRONMENT_ROLL),
-                number(NumericParameter.ENVIRONMENT_LAMPS),
-                number(NumericParameter.ENVIRONMENT_SOFTNESS), solo);
+        environmentRows = new VBox();
+        NumericParameter.ENVIRONMENT.forEach(parameter -> environmentRows.getChildren().add(number(parameter)));
+        environmentRows.getChildren().add(solo);
         Stream.of(backgroundRows, environmentRows).forEach(rows -> rows.getStyleClass().add("section-rows"));
         exposure = new ArrowWidget(Messages.tr("Exposure"), "exposure", exposureSetting());
         exposure.setId("world-exposure");

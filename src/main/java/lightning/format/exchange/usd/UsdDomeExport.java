@@ -51,12 +51,8 @@ public record UsdDomeExport(UsdLayer layer, UsdPrimWriter writer, ConversionNote
      */
     public void add(Scene scene, String skyImage) throws IOException {
         World world = scene.world();
-        add(world.own(), skyImage);
-        for (Dome dome : world.named()) {
+        for (Dome dome : world.domes()) {
             add(dome, skyImage);
-        }
-        if (!world.own().isPresent()) {
-            writer.paths().dome().ifPresent(this::remove);
         }
         for (Map.Entry<String, UsdPaths.Dome> original : writer.paths().domes().entrySet()) {
             if (world.dome(original.getKey()).filter(Dome::isPresent).isEmpty()) {
@@ -71,8 +67,7 @@ public record UsdDomeExport(UsdLayer layer, UsdPrimWriter writer, ConversionNote
             notes.add("domes without an image", dome.isOwn() ? 0 : 1);
             return;
         }
-        Optional<UsdPaths.Dome> original =
-                dome.isOwn() ? writer.paths().dome() : Optional.ofNullable(writer.paths().domes().get(dome.name()));
+        Optional<UsdPaths.Dome> original = Optional.ofNullable(writer.paths().domes().get(dome.name()));
         boolean isSky = dome.sky().on();
         String file = isSky ? "" : dome.image().orElseThrow().file();
         write(original, dome.isOwn() ? "environment" : dome.name(), new Values(dome.on() ? dome.intensity() : 0, dome.rotation()),

@@ -18,7 +18,6 @@ import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
 import lightning.render.image.Film;
 import lightning.scene.Dome;
-import lightning.scene.World;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.asset.Texture;
@@ -58,15 +57,15 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
         DomeRotation rotation = rotation(in);
         // The intensity of the dome for one of the environment; its color and exposure stay as they are.
         double ratio = strength > 0 ? intensity / strength : 1 / stops;
-        World before = assembler.world;
-        if (before.hasEnvironment()) {
-            String name = assembler.names.unique(in.get("name").text().orElse(""), "dome");
-            assembler.addDome(Dome.of(name).withImage(Optional.of(environment)).withRotation(rotation).withIntensity(strength));
-            UsdPaths.addDome(assembler, in, ratio, rotation, strength, environment.file(), name);
+        boolean isFirst = !assembler.world.hasEnvironment();
+        String name = isFirst ? Dome.OWN : assembler.names.unique(in.get("name").text().orElse(""), "dome");
+        Dome dome = Dome.of(name).withImage(Optional.of(environment)).withRotation(rotation).withIntensity(strength);
+        if (isFirst) {
+            assembler.world = assembler.world.withOwn(_ -> dome);
         } else {
-            assembler.world = before.withOwn(own -> own.withImage(Optional.of(environment)).withRotation(rotation).withIntensity(strength));
-            UsdPaths.addDome(assembler, in, ratio, rotation, strength, environment.file());
+            assembler.addDome(dome);
         }
+        UsdPaths.addDome(assembler, in, ratio, rotation, strength, environment.file(), name);
     }
 
     private Environment image(Path place, JsonValue texture, Rgb factor) throws IOException, MeshException {

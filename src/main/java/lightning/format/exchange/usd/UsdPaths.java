@@ -3,7 +3,6 @@ package lightning.format.exchange.usd;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -20,14 +19,13 @@ import lightning.scene.value.DomeRotation;
  * @param hasZUp  true if the z axis of the stage is up
  * @param shift   time in the stage of frame 0
  * @param lights  path and type of each light, by its name
- * @param dome    the dome light that the environment of the world stands for
- * @param domes   the dome lights that other environments stand for, by their names
+ * @param domes   the dome lights that environments stand for, by their names
  * @param objects path of each shape and group, by its name
  * @param originals each light as it was imported, by its name; none of scenes that were imported by versions without them
  * @param hidden  prims above hidden lights, by their path
  * @param renamed name of each file in the stage, by its other name in the scene
  */
-public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Optional<Dome> dome, Map<String, Dome> domes,
+public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Map<String, Dome> domes,
         Map<String, String> objects,
         Map<String, UsdOriginal> originals, Map<String, String> renamed, Map<String, UsdHiddenParent> hidden) {
     private static final String UP = "usd up: ";
@@ -71,22 +69,18 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
         }
     }
 
-    /** Adds the comment of a dome light after the first. */
+    /** Adds the comment of a dome light. @param name of the environment that it stands for */
     static void addDome(SceneAssembler assembler, JsonValue in, double factor, DomeRotation rotation, double intensity, String file,
             String name) throws MeshException {
-        if (isPath(in)) {
-            assembler.closingComments.add("usd named dome: " + in.get("type").text().orElse("") + " " + path(in) + " " + factor + " "
-                    + text(rotation) + " " + intensity + " " + file + " < " + name);
+        if (!isPath(in)) {
+            return;
         }
-    }
-
-    /** Adds the comment of the first dome light. */
-    static void addDome(SceneAssembler assembler, JsonValue in, double factor, DomeRotation rotation, double intensity, String file)
-            throws MeshException {
-        if (isPath(in)) {
-            assembler.closingComments.add(
-                    "usd dome: " + in.get("type").text().orElse("") + " " + path(in) + " " + factor + " " + text(rotation) + " " + file);
+        String start = in.get("type").text().orElse("") + " " + path(in) + " " + factor + " " + text(rotation) + " ";
+        if (name.equals(lightning.scene.Dome.OWN)) {
+            assembler.closingComments.add("usd dome: " + start + file);
             assembler.closingComments.add("usd dome intensity: " + intensity);
+        } else {
+            assembler.closingComments.add("usd named dome: " + start + intensity + " " + file + " < " + name);
         }
     }
 
@@ -117,8 +111,6 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
         Map<String, UsdOriginal> originals = new HashMap<>();
         Map<String, String> renamed = new HashMap<>();
         Map<String, UsdHiddenParent> hidden = new HashMap<>();
-        OptionalDouble intensity = OptionalDouble.empty();
-        Optional<Dome> dome = Optional.empty();
         Map<String, Dome> domes = new LinkedHashMap<>();
         boolean hasZUp = false;
         int shift = 0;
@@ -136,8 +128,8 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
             } else if (object.matches()) {
                 objects.put(object.group(2), object.group(1));
             } else if (environment.matches()) {
-                dome = Optional.of(new Dome(new Prim(environment.group(1), environment.group(2)), number(environment.group(3)),
-                        rotation(environment.group(4)), environment.group(5), OptionalDouble.empty()));
+                domes.put(lightning.scene.Dome.OWN, new Dome(new Prim(environment.group(1), environment.group(2)),
+                        number(environment.group(3)), rotation(environment.group(4)), environment.group(5), OptionalDouble.empty()));
             } else if (named.matches()) {
                 domes.put(named.group(7), new Dome(new Prim(named.group(1), named.group(2)), number(named.group(3)),
                         rotation(named.group(4)), named.group(6), DecimalNumber.parse(named.group(5))));
@@ -146,15 +138,13 @@ public record UsdPaths(boolean hasZUp, int shift, Map<String, Prim> lights, Opti
             } else if (line.startsWith("# " + UsdHiddenParent.COMMENT)) {
                 UsdHiddenParent.parse(line.substring(2)).ifPresent(parent -> hidden.put(parent.path(), parent));
             } else if (strength.matches()) {
-                intensity = DecimalNumber.parse(strength.group(1));
+                domes.computeIfPresent(lightning.scene.Dome.OWN, (_, its) -> new Dome(its.prim, its.factor, its.rotation, its.file,
+                        DecimalNumber.parse(strength.group(1))));
             } else if (file.matches()) {
                 renamed.put(file.group(1), file.group(2));
             }
         }
-        OptionalDouble found = intensity;
-        return new UsdPaths(hasZUp, shift, lights, dome.map(d -> new Dome(d.prim(), d.factor(), d.rotation(), d.file(), found)), domes,
-                objects,
-                originals, renamed, hidden);
+        return new UsdPaths(hasZUp, shift, lights, domes, objects, originals, renamed, hidden);
     }
 
     /** Returns whether a file of the scene is that of the import, which may have got another name since. */

@@ -339,6 +339,14 @@ class LightingBlendTest {
         assertThat(blended.intensity()).isEqualTo(0.5);
     }
 
+    /** A solo without light mutes nothing, and must not when the dome is lit between. */
+    @Test
+    void soloOfADarkDome_staysWithoutEffect() {
+        Dome sky = dome("sky", 1);
+        Scene scene = blendScene(withDomes(sky.withIntensity(0).withSolo(true)), withDomes(sky), 0.5);
+        assertThat(scene.world().named()).extracting(Dome::solo).containsExactly(false);
+    }
+
     @Test
     void soloOfADome_fadesWhatItMutes() {
         Dome sky = dome("sky", 1);
