@@ -65,7 +65,7 @@ class DockedPanelsTest extends EditorFixture {
 
     private Bounds bounds(String query) {
         Node node = robot.lookup(query).query();
-        return node.localToScreen(node.getBoundsInLocal());
+        return ScreenBounds.of(node);
     }
 
     private Node focusOwner() {

@@ -38,7 +38,7 @@ class SmallWindowTest extends EditorFixture {
     }
 
     private static Bounds screenBounds(Node node) {
-        return node.localToScreen(node.getBoundsInLocal());
+        return ScreenBounds.of(node);
     }
 
     private Bounds window() {

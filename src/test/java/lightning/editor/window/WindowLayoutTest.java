@@ -71,7 +71,7 @@ class WindowLayoutTest extends EditorFixture {
     void largePicture_hasPreviewAsInset() {
         arrange(CanvasLayout.PICTURE_LARGE);
         FastRobot.settle();
-        assertThat(picture().localToScreen(picture().getBoundsInLocal()).contains(preview().localToScreen(preview().getBoundsInLocal())))
+        assertThat(ScreenBounds.of(picture()).contains(ScreenBounds.of(preview())))
                 .isTrue();
         assertThat(preview().getWidth() / preview().getHeight()).isBetween(1.3, 1.37);
         arrange(CanvasLayout.SIDE_BY_SIDE);

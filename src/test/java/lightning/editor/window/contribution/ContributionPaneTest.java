@@ -10,6 +10,7 @@ import javafx.scene.input.MouseButton;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.ScreenBounds;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.image.Film;
 import lightning.render.relight.LightContribution;
@@ -69,7 +70,7 @@ class ContributionPaneTest extends EditorFixture {
         click("contribution-region");
         assertThat(model().picturePointer().regionRequestProperty().get()).isNotNull();
         PictureView picture = robot.lookup("#traced-picture").query();
-        Bounds at = picture.localToScreen(picture.getBoundsInLocal());
+        Bounds at = ScreenBounds.of(picture);
         robot.interact(() -> picture.getScene().getWindow().requestFocus());
         robot.moveTo(at.getMinX() + 12, at.getCenterY() - 20).press(MouseButton.PRIMARY).moveBy(40, 30).release(MouseButton.PRIMARY);
         waitFor("the region is set", () -> text("contribution-region-text").contains("pixels at"));

@@ -16,6 +16,7 @@ import javafx.scene.input.MouseButton;
 import lightning.base.work.Progress;
 import lightning.editor.document.Command;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.ScreenBounds;
 import lightning.editor.window.widget.PictureView;
 import lightning.format.image.ImageFile;
 import lightning.render.image.Film;
@@ -86,7 +87,7 @@ class MatchPaneTest extends EditorFixture {
         open();
         click("match-darker");
         PictureView picture = robot.lookup("#match-picture").query();
-        Bounds at = picture.localToScreen(picture.getBoundsInLocal());
+        Bounds at = ScreenBounds.of(picture);
         robot.moveTo(at.getCenterX() - 60, at.getCenterY() + 30).press(MouseButton.PRIMARY).moveBy(120, 20).release(MouseButton.PRIMARY);
         waitFor("the paint is there", this::canMatch);
         click("match-run");

@@ -12,6 +12,7 @@ import javafx.scene.Scene;
 import javafx.stage.Stage;
 import lightning.editor.window.FastRobot;
 import lightning.editor.window.JavaFxRequirement;
+import lightning.editor.window.ScreenBounds;
 import lightning.editor.window.StageExtension;
 import lightning.render.measure.AccuracySetting;
 import lightning.render.measure.AccuracySweep;
@@ -52,8 +53,8 @@ class AccuracyPlotTest {
         String levels = IntStream.range(1, AccuracySetting.values().length).mapToObj(Integer::toString).collect(Collectors.joining(" "));
         Node label = robot.lookup(levels).query();
         Node plot = robot.lookup(".chart-plot-background").query();
-        Bounds shown = label.localToScreen(label.getBoundsInLocal());
-        assertThat(shown.getMinX()).isGreaterThanOrEqualTo(plot.localToScreen(plot.getBoundsInLocal()).getMinX());
+        Bounds shown = ScreenBounds.of(label);
+        assertThat(shown.getMinX()).isGreaterThanOrEqualTo(ScreenBounds.of(plot).getMinX());
         assertThat(shown.getWidth()).isGreaterThan(50);
     }
 }

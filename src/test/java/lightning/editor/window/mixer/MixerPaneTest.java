@@ -26,6 +26,7 @@ import lightning.editor.document.LightGroupEdits;
 import lightning.editor.document.MixerEdits;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.OwnEditor;
+import lightning.editor.window.ScreenBounds;
 import lightning.editor.window.widget.PercentText;
 import lightning.render.image.Film;
 import lightning.render.relight.ContributionScene;
@@ -57,7 +58,7 @@ class MixerPaneTest extends EditorFixture {
     /** Returns the center of a fader's cap for a value in stops. */
     private Point2D faderPoint(String name, double stops) {
         Fader fader = fader(name);
-        Bounds at = fader.localToScreen(fader.getBoundsInLocal());
+        Bounds at = ScreenBounds.of(fader);
         return new Point2D(at.getCenterX(), at.getMinY() + fader.capY(stops));
     }
 
@@ -319,7 +320,7 @@ class MixerPaneTest extends EditorFixture {
     @Test
     void draggedHead_reordersLights() {
         assertThat(strips()).containsExactly("lamp", "sun", "stage");
-        Bounds to = head("lamp").localToScreen(head("lamp").getBoundsInLocal());
+        Bounds to = ScreenBounds.of(head("lamp"));
         robot.moveTo(head("stage")).press(MouseButton.PRIMARY).moveBy(-20, 0).moveTo(to.getMinX() + 2, to.getCenterY())
                 .release(MouseButton.PRIMARY);
         assertThat(model().editor().scene().lights().stream().map(Light::name)).containsExactly("stage", "lamp", "sun");
@@ -340,7 +341,7 @@ class MixerPaneTest extends EditorFixture {
             model().editor().edit(scene -> LightGroupEdits.create(scene, "stage"));
         });
         assertThat(strips()).containsExactly("lamp", "group", "sun", "group2", "stage");
-        Bounds to = head("group").localToScreen(head("group").getBoundsInLocal());
+        Bounds to = ScreenBounds.of(head("group"));
         robot.moveTo(head("group2")).press(MouseButton.PRIMARY).moveBy(-20, 0).moveTo(to.getMinX() + 2, to.getCenterY())
                 .release(MouseButton.PRIMARY);
         assertThat(strips()).containsExactly("lamp", "group2", "stage", "group", "sun");
@@ -360,7 +361,7 @@ class MixerPaneTest extends EditorFixture {
         assertThat(model().editor().scene().rig().lightGroup("group").orElseThrow().intensity()).isEqualTo(2);
         assertThat(light("stage").intensity()).isEqualTo(1.5);
         assertPictureShowsTheScene();
-        Bounds to = head("stage").localToScreen(head("stage").getBoundsInLocal());
+        Bounds to = ScreenBounds.of(head("stage"));
         robot.moveTo(head("lamp")).press(MouseButton.PRIMARY).moveBy(20, 0).moveTo(to.getMaxX() - 4, to.getCenterY())
                 .release(MouseButton.PRIMARY);
         assertThat(light("lamp").lightGroup()).isEqualTo("group");

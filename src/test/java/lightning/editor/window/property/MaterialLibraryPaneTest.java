@@ -16,6 +16,7 @@ import lightning.editor.document.Command;
 import lightning.editor.document.MaterialLibrary;
 import lightning.editor.document.manipulation.Viewport;
 import lightning.editor.window.EditorFixture;
+import lightning.editor.window.ScreenBounds;
 import lightning.editor.window.preview.PreviewCanvas;
 import lightning.scene.node.Shape;
 import org.jspecify.annotations.Nullable;
@@ -44,7 +45,7 @@ class MaterialLibraryPaneTest extends EditorFixture {
     }
 
     private Point2D center(Node node) {
-        Bounds bounds = node.localToScreen(node.getBoundsInLocal());
+        Bounds bounds = ScreenBounds.of(node);
         return new Point2D(bounds.getCenterX(), bounds.getCenterY());
     }
 

@@ -28,6 +28,7 @@ import lightning.editor.document.NumericParameter;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.FastRobot;
 import lightning.editor.window.OwnEditor;
+import lightning.editor.window.ScreenBounds;
 import lightning.editor.window.model.AccuracyMode;
 import lightning.editor.window.model.WindowLayout.CanvasLayout;
 import lightning.editor.window.widget.PictureView;
@@ -54,8 +55,7 @@ class TracedPaneTest extends EditorFixture {
     /** Returns the screen position of a pixel of the traced picture. */
     private Point2D pixel(double x, double y) {
         PictureView picture = robot.lookup("#traced-picture").query();
-        Bounds all = picture.getChildrenUnmodifiable().getFirst().localToScreen(
-                picture.getChildrenUnmodifiable().getFirst().getBoundsInLocal());
+        Bounds all = ScreenBounds.of(picture.getChildrenUnmodifiable().getFirst());
         return new Point2D(all.getMinX() + (x + 0.5) * all.getWidth() / 64, all.getMinY() + (y + 0.5) * all.getHeight() / 48);
     }
 
@@ -209,8 +209,8 @@ class TracedPaneTest extends EditorFixture {
     @Test
     void prompt_isShownUntilEscape() {
         robot.interact(() -> model().commands().run(Command.PLACE_HIGHLIGHT));
-        Bounds promptBounds = robot.lookup("#prompt").query().localToScreen(robot.lookup("#prompt").query().getBoundsInLocal());
-        Bounds canvas = robot.lookup("#traced-picture").query().localToScreen(robot.lookup("#traced-picture").query().getBoundsInLocal());
+        Bounds promptBounds = ScreenBounds.of(robot.lookup("#prompt").query());
+        Bounds canvas = ScreenBounds.of(robot.lookup("#traced-picture").query());
         assertThat(canvas.contains(promptBounds)).isTrue();
         robot.push(KeyCode.ESCAPE);
         assertThat(isShown("prompt")).isFalse();
