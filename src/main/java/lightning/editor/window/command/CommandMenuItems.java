@@ -103,7 +103,10 @@ public final class CommandMenuItems {
      * they open.
      */
     public MenuItem value(Command command, String title, Runnable action) {
-        var item = new MenuItem(title, new FontIcon(command.icon()));
+        return prepared(new MenuItem(title, new FontIcon(command.icon())), command, action);
+    }
+
+    private <I extends MenuItem> I prepared(I item, Command command, Runnable action) {
         item.setMnemonicParsing(false);
         setAction(item, command, action);
         item.setDisable(!commands.isEnabled(command));
@@ -119,21 +122,15 @@ public final class CommandMenuItems {
 
     /** Creates an item as {@link #value} does, with a radio mark. */
     public MenuItem radioValue(Command command, String title, boolean isChosen, Runnable action) {
-        var item = new RadioMenuItem(title);
-        item.setMnemonicParsing(false);
-        setAction(item, command, action);
+        RadioMenuItem item = prepared(new RadioMenuItem(title), command, action);
         item.setSelected(isChosen);
-        item.setDisable(!commands.isEnabled(command));
         return item;
     }
 
     /** Creates an item as {@link #value} does, with a check mark. */
     public MenuItem checkValue(Command command, String title, boolean isChecked, Runnable action) {
-        var item = new CheckMenuItem(title);
-        item.setMnemonicParsing(false);
-        setAction(item, command, action);
+        CheckMenuItem item = prepared(new CheckMenuItem(title), command, action);
         item.setSelected(isChecked);
-        item.setDisable(!commands.isEnabled(command));
         return item;
     }
 

@@ -53,18 +53,23 @@ sealed interface SelectedProperty {
     /** Returns the item's name in text edits of a scene. */
     String target();
 
+    /** Property that is an attribute of the item. */
+    sealed interface OfAttribute extends SelectedProperty {
+        SceneAttribute<?, ?> attribute();
+
+        @Override
+        default String name() {
+            return attribute().name();
+        }
+
+        @Override
+        default String title() {
+            return attribute().title();
+        }
+    }
+
     /** Property of the selected light. */
-    record LightProperty(SceneSelection selection, LightAttribute<?> attribute) implements SelectedProperty {
-        @Override
-        public String name() {
-            return attribute.name();
-        }
-
-        @Override
-        public String title() {
-            return attribute.title();
-        }
-
+    record LightProperty(SceneSelection selection, LightAttribute<?> attribute) implements OfAttribute {
         @Override
         public Optional<String> text() {
             return Optional.ofNullable(selection.light()).map(light -> PropertyEdit.text(light, attribute));
@@ -87,17 +92,7 @@ sealed interface SelectedProperty {
     }
 
     /** Property of the material being edited. */
-    record MaterialProperty(MaterialSelection materials, MaterialAttribute<?> attribute) implements SelectedProperty {
-        @Override
-        public String name() {
-            return attribute.name();
-        }
-
-        @Override
-        public String title() {
-            return attribute.title();
-        }
-
+    record MaterialProperty(MaterialSelection materials, MaterialAttribute<?> attribute) implements OfAttribute {
         @Override
         public Optional<String> text() {
             return Optional.ofNullable(materials.material()).map(material -> PropertyEdit.text(material, attribute.name()));
