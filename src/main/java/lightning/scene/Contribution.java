@@ -110,7 +110,7 @@ public sealed interface Contribution {
     default boolean isIn(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> scene.light(name).isPresent();
-            case OfDome(String name) -> scene.world().dome(name).filter(dome -> !dome.isOwn() || dome.isPresent()).isPresent();
+            case OfDome(String name) -> scene.world().domeOrOwn(name).filter(dome -> !dome.isOwn() || dome.isPresent()).isPresent();
             case OfAmbience _,OfRest _ -> true;
         };
     }
@@ -119,7 +119,7 @@ public sealed interface Contribution {
     default boolean isShining(Scene scene) {
         return switch (this) {
             case OfLight _ -> light(scene).filter(scene::isActive).isPresent();
-            case OfDome(String name) -> scene.world().dome(name).filter(dome -> dome.lightIntensity() > 0).isPresent()
+            case OfDome(String name) -> scene.world().domeOrOwn(name).filter(dome -> dome.lightIntensity() > 0).isPresent()
                     && scene.rig().isEnvironmentActive(environmentIndex(scene));
             case OfAmbience _ -> scene.world().ambience() > 0;
             case OfRest _ -> true;
@@ -193,6 +193,6 @@ public sealed interface Contribution {
     }
 
     private static Dome existingDome(Scene scene, String name) {
-        return scene.world().dome(name).orElseThrow(() -> new IllegalArgumentException("there is no dome " + Quote.of(name)));
+        return scene.world().domeOrOwn(name).orElseThrow(() -> new IllegalArgumentException("there is no dome " + Quote.of(name)));
     }
 }

@@ -208,9 +208,14 @@ public record World(double ambience, Rgb background, List<Dome> domes, double me
         return lights;
     }
 
-    /** Returns the dome of a name; the world's own always exists. */
+    /** Returns the dome of a name that files and people use; never the world's own. */
     public Optional<Dome> dome(String name) {
-        return name.equals(Dome.OWN) ? Optional.of(own()) : domes.stream().filter(d -> d.name().equals(name)).findFirst();
+        return named().stream().filter(d -> d.name().equals(name)).findFirst();
+    }
+
+    /** Returns the dome of a name, or the world's own, which always exists. */
+    public Optional<Dome> domeOrOwn(String name) {
+        return name.equals(Dome.OWN) ? Optional.of(own()) : dome(name);
     }
 
     /**

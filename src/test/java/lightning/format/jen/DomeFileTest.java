@@ -168,4 +168,12 @@ class DomeFileTest {
                 .isSameAs(scene.world().named().getFirst().image().orElseThrow().map());
         assertThat(scene.world().images()).hasSize(2);
     }
+
+    /** The world's environment has the empty name in a scene, but no edit may use it. */
+    @Test
+    void emptyName_addressesNoEnvironment() throws JenException {
+        Scene scene = read("world { sky yes }").scene();
+        assertThatThrownBy(() -> PropertyEdit.apply(scene, "\"\".intensity=2")).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> PropertyEdit.apply(scene, "dome:\"\".intensity=2")).isInstanceOf(IllegalArgumentException.class);
+    }
 }

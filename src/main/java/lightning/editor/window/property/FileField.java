@@ -104,7 +104,7 @@ final class FileField<F extends FileAsset> extends StackPane {
 
         @Override
         public String text(EditorState now) {
-            return now.scene().world().dome(dome.get()).map(attribute()::format).map(Messages::tr).orElse(Messages.tr("none"));
+            return now.scene().world().domeOrOwn(dome.get()).map(attribute()::format).map(Messages::tr).orElse(Messages.tr("none"));
         }
 
         @Override
@@ -114,14 +114,14 @@ final class FileField<F extends FileAsset> extends StackPane {
 
         @Override
         public Scene read(Scene scene, String name, String file, Path folder) {
-            return PropertyEdit.setImage(scene, scene.world().dome(name).orElseThrow(), file, folder);
+            return PropertyEdit.setImage(scene, scene.world().domeOrOwn(name).orElseThrow(), file, folder);
         }
 
         @Override
         public Scene copy(Scene source, Scene target, String name) {
-            Dome known = target.world().dome(name)
+            Dome known = target.world().domeOrOwn(name)
                     .orElseThrow(() -> new IllegalArgumentException(Messages.tr("the dome no longer exists")));
-            return target.withWorld(target.world().withDome(name, attribute().copy(source.world().dome(name).orElseThrow(), known)));
+            return target.withWorld(target.world().withDome(name, attribute().copy(source.world().domeOrOwn(name).orElseThrow(), known)));
         }
     }
 

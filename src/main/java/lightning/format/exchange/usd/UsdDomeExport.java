@@ -55,7 +55,7 @@ public record UsdDomeExport(UsdLayer layer, UsdPrimWriter writer, ConversionNote
             add(dome, skyImage);
         }
         for (Map.Entry<String, UsdPaths.Dome> original : writer.paths().domes().entrySet()) {
-            if (world.dome(original.getKey()).filter(Dome::isPresent).isEmpty()) {
+            if (world.domeOrOwn(original.getKey()).filter(Dome::isPresent).isEmpty()) {
                 remove(original.getValue());
             }
         }
