@@ -110,8 +110,9 @@ public final class IndirectErrorMeter implements AutoCloseable {
         double[] light = new double[samples.size()];
         double[] exact = new double[light.length];
         double[] complete = new double[light.length];
+        float[][] points = requireNonNull(cache.indirect()).light().sum(cache.parts());
         for (int i = 0; i < light.length; i++) {
-            light[i] = luminance(cache, samples.get(i).pixel);
+            light[i] = luminance(cache, points, samples.get(i).pixel);
             exact[i] = samples.get(i).references[settings.bounces() - 1];
             complete[i] = samples.get(i).references[BruteForceGather.BOUNCES - 1];
         }
@@ -123,9 +124,9 @@ public final class IndirectErrorMeter implements AutoCloseable {
         return scene.withPicture(scene.picture().withIndirect(settings));
     }
 
-    private static double luminance(PixelCache cache, int pixel) {
+    /** @param points light at all points */
+    private static double luminance(PixelCache cache, float[][] points, int pixel) {
         TileLevel level = SampledPixels.level(cache, pixel);
-        float[][] points = requireNonNull(cache.indirect()).light().sum(cache.parts());
         float[] light = new float[points.length];
         requireNonNull(level.weights()).interpolate(points, SampledPixels.row(cache, level.rows(), pixel), light);
         return BruteForceGather.luminance(light[0], light[1], light[2]);

@@ -95,9 +95,11 @@ public final class IndirectSolver {
         float[][][] light = new float[films.size()][reflections == null ? 3 : 9][points];
         run(points, (from, to) -> {
             RaySums mean = new RaySums(kernel);
+            RaySums own = new RaySums(kernel);
+            RaySums others = new RaySums(kernel);
             for (int p = from; p < to; p++) {
                 links.sum(p, radiosity, mean);
-                structure.rims().add(p, links, radiosity, mean);
+                structure.rims().add(p, links, radiosity, own, others, mean);
                 addGlow(glowPaths.ofPoints(), p, mean);
                 mean.writeTo(gathered, p);
             }

@@ -16,11 +16,6 @@ public final class RaySums {
         this.kernel = kernel;
     }
 
-    /** Returns other sums. */
-    public RaySums ofSameKind() {
-        return new RaySums(kernel);
-    }
-
     /** Returns room for the numbers of what some rays meet. Their weights are 1 if there was less room before. */
     public int[] numbers(int rays) {
         if (number.length < rays) {

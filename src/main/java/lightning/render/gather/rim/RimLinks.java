@@ -79,15 +79,14 @@ public final class RimLinks {
      *
      * @param links the points' own rays
      * @param light as in {@link RayLinks#sum(int, FilmLight, RaySums)}
+     * @param own   scratch memory, as {@code others}
      * @param to    sums over the point's own rays
      */
-    public void add(int point, RayLinks links, FilmLight light, RaySums to) {
+    public void add(int point, RayLinks links, FilmLight light, RaySums own, RaySums others, RaySums to) {
         if (firstCell.length == 0 || firstCell[point] == firstCell[point + 1]) {
             return;
         }
         int added = added(point);
-        RaySums own = to.ofSameKind();
-        RaySums others = to.ofSameKind();
         for (int i = firstCell[point], ray = firstRay[point]; i < firstCell[point + 1]; i++, ray += added) {
             links.sum(point * links.raysPerPoint() + cell[i], 1, light, own);
             rays.sum(ray, added, light, others);

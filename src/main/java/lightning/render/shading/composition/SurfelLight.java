@@ -81,11 +81,12 @@ public final class SurfelLight {
     public float[] @Nullable [][] solve(FilmKernel kernel, WorkerPool workers, Progress progress) {
         float[] @Nullable [][] light = new float[parts.count()][][];
         int[] shining = chosen.stream().filter(this::shines).toArray();
+        List<IndirectSolver.Source> sources = sources(shining);
         for (int from = 0; from < shining.length; from += FilmLight.MAX_FILMS) {
-            int[] group = Arrays.copyOfRange(shining, from, Math.min(shining.length, from + FilmLight.MAX_FILMS));
-            float[][][] solved = new IndirectSolver(structure, sources(group), albedo, kernel, workers, progress).solve();
-            for (int film = 0; film < group.length; film++) {
-                light[group[film]] = solved[film];
+            List<IndirectSolver.Source> group = sources.subList(from, Math.min(shining.length, from + FilmLight.MAX_FILMS));
+            float[][][] solved = new IndirectSolver(structure, group, albedo, kernel, workers, progress).solve();
+            for (int film = 0; film < group.size(); film++) {
+                light[shining[from + film]] = solved[film];
             }
         }
         return light;
@@ -97,11 +98,11 @@ public final class SurfelLight {
                 || !parts.background(part).equals(BackgroundLight.NONE);
     }
 
-    private List<IndirectSolver.Source> sources(int[] group) {
+    private List<IndirectSolver.Source> sources(int[] films) {
         float[][] objects = structure.glow().shapes().glow(materials);
         float[][] none = new float[3][structure.surfelCount()];
         float[][] unseen = new float[3][reflects ? structure.surfelCount() : 0];
-        return Arrays.stream(group).mapToObj(part -> new IndirectSolver.Source(direct[part] == null ? none : direct[part],
+        return Arrays.stream(films).mapToObj(part -> new IndirectSolver.Source(direct[part] == null ? none : direct[part],
                 glow != null && isRest(part) ? glow : none, isRest(part) ? objects : null, seen[part] == null ? unseen : seen[part],
                 parts.background(part))).toList();
     }
