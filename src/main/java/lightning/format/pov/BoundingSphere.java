@@ -12,6 +12,8 @@ import lightning.scene.node.Solid;
  * @param radius scene units, &gt; 0
  */
 record BoundingSphere(Vec3 center, double radius) {
+    /** Radius of a scene that is one point. Distances to lights and their squares are divided by it. */
+    private static final double MIN_RADIUS = 1e-6;
 
     static BoundingSphere of(Scene scene) {
         List<PlacedShape> shapes = scene.placedShapes();
@@ -44,7 +46,8 @@ record BoundingSphere(Vec3 center, double radius) {
         }
         Vec3 minCorner = new Vec3(min[0], min[1], min[2]);
         Vec3 maxCorner = new Vec3(max[0], max[1], max[2]);
-        return new BoundingSphere(minCorner.plus(maxCorner).times(0.5), maxCorner.minus(minCorner).length() / 2);
+        return new BoundingSphere(minCorner.plus(maxCorner).times(0.5),
+                Math.max(maxCorner.minus(minCorner).length() / 2, MIN_RADIUS));
     }
 
     private static void include(Vec3 p, double[] min, double[] max) {

@@ -29,6 +29,7 @@ import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
+import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.material.BumpMapping;
 import lightning.scene.material.Material;
@@ -105,6 +106,16 @@ class PovSceneTest {
                 light key rect { width 4  height 8  samples 16  direction 0 0 -1 }
                 """, "p.jen", Path.of("")).scene();
         assertThat(PovScene.of(scene, "x").text()).contains("area_light <3.0, -0.0, 0.0>, <0.0, 6.0, 0.0>, 4, 4 jitter");
+    }
+
+    /** A mesh of one point has no extent, and a light at it no distance to it. */
+    @Test
+    void lightInASceneOfOnePoint_hasAColor() {
+        SceneNode dot = new Shape(SampleMeshes.solid(SampleMeshes.empty()), "dot", "matt", Placement.IDENTITY);
+        Light light = Light.of("key", LightType.POINT).withPosition(Vec3.ZERO).withAttenuation(new Attenuation(0, 1, 1));
+        Scene scene = new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(Material.of("matt")), List.of(dot),
+                List.of(light));
+        assertThat(PovScene.of(scene, "x").text()).doesNotContain("NaN", "Infinity");
     }
 
     @Test

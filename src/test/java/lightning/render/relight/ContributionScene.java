@@ -49,7 +49,7 @@ public final class ContributionScene {
         boolean isMuted = index >= 0 && !scene.rig().isEnvironmentActive(index);
         return switch (contribution) {
             case Contribution.OfDome(String name) -> {
-                Dome dome = world.dome(name).orElseThrow();
+                Dome dome = world.domeOrOwn(name).orElseThrow();
                 yield dark.withDome(name, dome.withGain(isMuted ? 0 : dome.gain()));
             }
             case Contribution.OfLight _,Contribution.OfAmbience _,Contribution.OfRest _ -> dark;

@@ -19,6 +19,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.EditSession;
 import lightning.sample.IndirectScenes;
+import lightning.sample.JenScenes;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.Contribution;
@@ -207,6 +208,17 @@ class ContributionTest {
             Film film = renderer.contribution(new Contribution.OfLight("panel"), Progress.NONE);
             Film traced = new TraditionalTracer(one).trace(workers, Progress.NONE).film();
             assertThat(film.hasSameBits(traced)).isTrue();
+        }
+    }
+
+    @Test
+    void environment_matchesReferenceOfItsScene() {
+        Scene scene = JenScenes.withSky(StudioScene.of(LightType.SPOT));
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(scene, Progress.NONE);
+            FilmAssert.assertSameBits(renderer.contribution(Contribution.ENVIRONMENT, Progress.NONE),
+                    new ReferenceTracer(ContributionScene.of(scene, Contribution.ENVIRONMENT)).trace(new ReferenceTracer(scene)),
+                    "environment");
         }
     }
 

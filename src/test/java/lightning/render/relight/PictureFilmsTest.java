@@ -113,7 +113,8 @@ class PictureFilmsTest {
     }
 
     private static World withoutGain(World world, Contribution environment) {
-        return environment instanceof Contribution.OfDome(String name) ? world.withDome(name, world.dome(name).orElseThrow().withGain(0))
+        return environment instanceof Contribution.OfDome(String name)
+                ? world.withDome(name, world.domeOrOwn(name).orElseThrow().withGain(0))
                 : world.withOwn(own -> own.withGain(0));
     }
 }
