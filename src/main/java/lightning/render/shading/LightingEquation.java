@@ -54,39 +54,81 @@ public final class LightingEquation {
 
     /** Moves to a row: its point and its unit normal. At distance 0 the light is straight above. */
     public void moveTo(float x, float y, float z, float nx, float ny, float nz) {
+        moveTo(x, y, z, nx, ny, nz, source.position().x(), source.position().y(), source.position().z());
+    }
+
+    /**
+     * Moves to a row, lit from a place on an area light.
+     *
+     * @param toX component x of the position of the light, or of its direction if it has no position
+     */
+    public void moveTo(float x, float y, float z, float nx, float ny, float nz, double toX, double toY, double toZ) {
         px = x;
         py = y;
         pz = z;
-        lx = source.position().x();
-        ly = source.position().y();
-        lz = source.position().z();
-        if (source.type().hasPosition()) {
-            double vx = lx - x;
-            double vy = ly - y;
-            double vz = lz - z;
-            distance = Math.sqrt(vx * vx + vy * vy + vz * vz);
-            boolean atLight = distance < MIN_DISTANCE;
-            double inverse = 1 / distance;
-            lx = atLight ? nx : vx * inverse;
-            ly = atLight ? ny : vy * inverse;
-            lz = atLight ? nz : vz * inverse;
+        if (!source.type().hasPosition()) {
+            aim(toX, toY, toZ, 1);
+            return;
         }
+        double vx = toX - x;
+        double vy = toY - y;
+        double vz = toZ - z;
+        double d = Math.sqrt(vx * vx + vy * vy + vz * vz);
+        double inverse = 1 / d;
+        if (d < MIN_DISTANCE) {
+            aim(nx, ny, nz, d);
+        } else {
+            aim(vx * inverse, vy * inverse, vz * inverse, d);
+        }
+    }
+
+    /** Sets the unit vector to the light, and its distance. */
+    public void aim(double x, double y, double z, double newDistance) {
+        lx = x;
+        ly = y;
+        lz = z;
+        distance = newDistance;
+    }
+
+    /** Returns component x of the unit vector to the light. */
+    public double x() {
+        return lx;
+    }
+
+    /** Returns component y of the unit vector to the light. */
+    public double y() {
+        return ly;
+    }
+
+    /** Returns component z of the unit vector to the light. */
+    public double z() {
+        return lz;
+    }
+
+    /** Returns the distance of the light; 1 for a directional light. */
+    public double distance() {
+        return distance;
     }
 
     /** Returns N·L; the row faces away unless this is above 0. A row behind a sample of an object faces away from it: 0. */
     public float cosine(float nx, float ny, float nz) {
-        return source.isBehind(px, py, pz) ? 0 : (float) (nx * lx + ny * ly + nz * lz);
+        return source.isBehind(px, py, pz) ? 0 : (float) lightCosine(nx, ny, nz);
     }
 
-    /** Returns −L·direction, the cosine of the angle between the cone's axis and the row, −1…1. */
-    private double axisCosine() {
-        double c = -(lx * source.axis().x() + ly * source.axis().y() + lz * source.axis().z());
+    /** Returns N·L. */
+    public double lightCosine(float nx, float ny, float nz) {
+        return nx * lx + ny * ly + nz * lz;
+    }
+
+    /** Returns −L·direction, the cosine of the angle between a light's axis and the row, −1…1. */
+    public double axisCosine(LightSource of) {
+        double c = -(lx * of.axis().x() + ly * of.axis().y() + lz * of.axis().z());
         return c < -1 ? -1 : c > 1 ? 1 : c;
     }
 
     /** Returns whether the row is in the light's cone, edge included. */
     public boolean insideCone() {
-        return !source.hasCone() || axisCosine() >= source.cosAngle();
+        return !source.hasCone() || axisCosine(source) >= source.cosAngle();
     }
 
     /**
@@ -142,7 +184,7 @@ public final class LightingEquation {
      *
      * @param alpha the width of the highlight before it is widened, above 0
      */
-    private double microfacetTerm(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
+    public double facets(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
         double hx = lx - vx;
         double hy = ly - vy;
         double hz = lz - vz;
@@ -163,7 +205,7 @@ public final class LightingEquation {
     }
 
     /** Returns (1 − V·H)⁵ with V and H normalized; 1 if H has no direction. */
-    private double schlick(float vx, float vy, float vz) {
+    public double schlick(float vx, float vy, float vz) {
         double hx = lx - vx;
         double hy = ly - vy;
         double hz = lz - vz;
@@ -182,12 +224,12 @@ public final class LightingEquation {
 
     /** Returns N·L·D·V·(1 − (1 − V·H)⁵): the specular term of a metallic material, which F0 multiplies. */
     public float metallicSpecular(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
-        return (float) (microfacetTerm(nx, ny, nz, vx, vy, vz, alpha) * (1 - schlick(vx, vy, vz)));
+        return (float) (facets(nx, ny, nz, vx, vy, vz, alpha) * (1 - schlick(vx, vy, vz)));
     }
 
     /** Returns N·L·D·V·(1 − V·H)⁵: the grazing term of a metallic material, which no color multiplies. */
     public float metallicGrazing(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
-        return (float) (microfacetTerm(nx, ny, nz, vx, vy, vz, alpha) * schlick(vx, vy, vz));
+        return (float) (facets(nx, ny, nz, vx, vy, vz, alpha) * schlick(vx, vy, vz));
     }
 
     /**
@@ -197,16 +239,17 @@ public final class LightingEquation {
      */
     public float anisotropicSpecular(float nx, float ny, float nz, float vx, float vy, float vz, float[] tangent,
             AnisotropicHighlight highlight, double alpha) {
-        return (float) (anisotropicTerm(nx, ny, nz, vx, vy, vz, tangent, highlight, alpha) * (1 - schlick(vx, vy, vz)));
+        return (float) (anisotropicFacets(nx, ny, nz, vx, vy, vz, tangent, highlight, alpha) * (1 - schlick(vx, vy, vz)));
     }
 
     /** Returns {@link #metallicGrazing} of an anisotropic material; parameters as above. */
     public float anisotropicGrazing(float nx, float ny, float nz, float vx, float vy, float vz, float[] tangent,
             AnisotropicHighlight highlight, double alpha) {
-        return (float) (anisotropicTerm(nx, ny, nz, vx, vy, vz, tangent, highlight, alpha) * schlick(vx, vy, vz));
+        return (float) (anisotropicFacets(nx, ny, nz, vx, vy, vz, tangent, highlight, alpha) * schlick(vx, vy, vz));
     }
 
-    private double anisotropicTerm(float nx, float ny, float nz, float vx, float vy, float vz, float[] t, AnisotropicHighlight highlight,
+    /** Returns N·L·D·V of an anisotropic material; parameters as above. */
+    public double anisotropicFacets(float nx, float ny, float nz, float vx, float vy, float vz, float[] t, AnisotropicHighlight highlight,
             double alpha) {
         return highlight.term(nx, ny, nz, vx, vy, vz, t[0], t[1], t[2], lx, ly, lz, widened(highlight.squareAlong(alpha)),
                 widened(highlight.squareAcross(alpha)));
@@ -226,22 +269,22 @@ public final class LightingEquation {
 
     /** Returns atten·spot·doors·fog: 1 for a directional light in clear air. */
     public float falloff() {
-        return switch (source.type()) {
-            case DIRECTIONAL -> (float) maskFactor();
-            case POINT, TUBE, OBJECT -> (float) (attenuation() * maskFactor());
-            case SPOT, RECT, DISC -> {
-                double c = axisCosine();
-                yield (float) (attenuation() * PowerFunction.pow(c > 0 ? c : 0, source.dropoff()) * maskFactor());
-            }
-        };
+        double mask = maskFactor();
+        return (float) (source.type().hasPosition() ? falloff(source, distance, axisCosine(source)) * mask : mask);
     }
 
-    /** Returns min(1 / (cc + cl·d + cq·d²), max), where 1/0 counts as max. */
-    private double attenuation() {
-        Attenuation a = source.light().distanceTerms();
-        double max = source.light().maxFalloff();
-        double factor = 1 / (a.constant() + a.linear() * distance + a.quadratic() * (distance * distance));
-        return factor < max ? factor : max;
+    /**
+     * Returns atten·spot of a light with a position, where atten is min(1 / (cc + cl·d + cq·d²), max), and 1/0 counts as max.
+     *
+     * @param d      distance
+     * @param cosine {@link #axisCosine}; unread without a cone
+     */
+    public static double falloff(LightSource light, double d, double cosine) {
+        Attenuation a = light.light().distanceTerms();
+        double max = light.light().maxFalloff();
+        double factor = 1 / (a.constant() + a.linear() * d + a.quadratic() * (d * d));
+        factor = factor < max ? factor : max;
+        return light.hasCone() ? factor * PowerFunction.pow(cosine > 0 ? cosine : 0, light.dropoff()) : factor;
     }
 
     /** Returns the cosine of the angle between a unit vector and the direction to the light. */
