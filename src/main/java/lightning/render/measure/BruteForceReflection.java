@@ -10,7 +10,7 @@ import lightning.render.gather.cell.DirectionTable;
 import lightning.render.lobe.ReflectionLobe;
 import lightning.render.shading.AnisotropicHighlight;
 import lightning.render.shading.BackgroundLight;
-import lightning.render.shading.PrincipledMaterial;
+import lightning.render.shading.Bsdf;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.NormalSteps;
@@ -67,8 +67,8 @@ final class BruteForceReflection {
             return null;
         }
         SurfacePoint at = geometry.surface(shape, ray);
-        PrincipledMaterial material = PrincipledMaterial.of(geometry.materials().material(at.material()));
-        if (material == null || material.isSmooth() || material.coat() != null || material.sheen() != null || material.isFrosted()) {
+        if (!(Bsdf.of(geometry.materials().material(at.material())) instanceof Bsdf.Principled material) || material.isSmooth()
+                || material.coat() != null || material.sheen() != null || material.isFrosted()) {
             return null;
         }
         NormalSteps normals = geometry.normalSteps(shape, ray);
@@ -99,7 +99,7 @@ final class BruteForceReflection {
     }
 
     /** Sets the lobe in the frame of the view. */
-    private void aim(PrincipledMaterial material, SurfacePoint at, double cosine, Vec3 tangent, Vec3 bitangent) {
+    private void aim(Bsdf.Principled material, SurfacePoint at, double cosine, Vec3 tangent, Vec3 bitangent) {
         double alpha = Material.alpha(at.roughness());
         AnisotropicHighlight highlight = material.highlight();
         if (highlight == null) {

@@ -14,7 +14,7 @@ import lightning.render.cache.TileLevel;
 import lightning.render.engine.choice.Engines;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.render.shading.PrincipledMaterial;
+import lightning.render.shading.Bsdf;
 import lightning.render.shading.PrincipledWeights;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.PixelRays;
@@ -97,7 +97,7 @@ public final class ReflectionErrorMeter implements AutoCloseable {
 
     private static double[] factors(Geometry geometry, Ray ray) {
         SurfacePoint at = geometry.surface(geometry.nearest(ray), ray);
-        PrincipledMaterial material = requireNonNull(PrincipledMaterial.of(geometry.materials().material(at.material())));
+        var material = (Bsdf.Principled) Bsdf.of(geometry.materials().material(at.material()));
         var weights = new PrincipledWeights();
         weights.moveTo(material, at);
         double[] factors = new double[6];

@@ -233,22 +233,10 @@ public final class LightingEquation {
     }
 
     /**
-     * Returns {@link #metallicSpecular} of an anisotropic material.
+     * Returns {@link #facets} of an anisotropic material.
      *
-     * @param tangent x, y, z
+     * @param t tangent: x, y, z
      */
-    public float anisotropicSpecular(float nx, float ny, float nz, float vx, float vy, float vz, float[] tangent,
-            AnisotropicHighlight highlight, double alpha) {
-        return (float) (anisotropicFacets(nx, ny, nz, vx, vy, vz, tangent, highlight, alpha) * (1 - schlick(vx, vy, vz)));
-    }
-
-    /** Returns {@link #metallicGrazing} of an anisotropic material; parameters as above. */
-    public float anisotropicGrazing(float nx, float ny, float nz, float vx, float vy, float vz, float[] tangent,
-            AnisotropicHighlight highlight, double alpha) {
-        return (float) (anisotropicFacets(nx, ny, nz, vx, vy, vz, tangent, highlight, alpha) * schlick(vx, vy, vz));
-    }
-
-    /** Returns N·L·D·V of an anisotropic material; parameters as above. */
     public double anisotropicFacets(float nx, float ny, float nz, float vx, float vy, float vz, float[] t, AnisotropicHighlight highlight,
             double alpha) {
         return highlight.term(nx, ny, nz, vx, vy, vz, t[0], t[1], t[2], lx, ly, lz, widened(highlight.squareAlong(alpha)),

@@ -22,17 +22,15 @@ public final class PrincipledRow {
     private final float[] f0 = new float[3];
     private final float[] square = new float[3];
 
-    /** Sets the material of the next rows. */
-    public void start(ShadingMaterial shading, HitRows rows) {
-        PrincipledMaterial principled = requireNonNull(shading.principled());
+    /** Sets the material of the next rows. @param shading properties of the same material */
+    public void start(Bsdf.Principled principled, ShadingMaterial shading, HitRows rows) {
         colors = principled.colors();
-        float[] metalF0 = requireNonNull(shading.texturedF0());
         surface.start(principled.material(), rows);
         isTextured = shading.isTextured();
         hasColorMap = principled.hasColorMap();
         for (int c = 0; c < 3; c++) {
             plainDiffuse[c] = shading.diffuse()[c];
-            plainMetalF0[c] = metalF0[c];
+            plainMetalF0[c] = shading.texturedF0()[c];
             plainSpecular[c] = shading.specular()[c];
             texels[c] = isTextured ? requireNonNull(rows.texel(c)) : texels[c];
             square[c] = principled.colors().square(c, surface, 1);

@@ -54,16 +54,16 @@ public final class PrincipledWeights {
     private float below;
 
     /** Moves to a row of a material. @param at numbers of the row */
-    public void moveTo(PrincipledMaterial m, MappedSurface at, HitRows rows, int row) {
+    public void moveTo(Bsdf.Principled m, MappedSurface at, HitRows rows, int row) {
         moveTo(m, at, rows.nx[row], rows.ny[row], rows.nz[row], rows.vx[row], rows.vy[row], rows.vz[row]);
     }
 
     /** Moves to a point. */
-    public void moveTo(PrincipledMaterial m, SurfacePoint point) {
+    public void moveTo(Bsdf.Principled m, SurfacePoint point) {
         moveTo(m, point.mapped(m.material()), point.nx(), point.ny(), point.nz(), point.vx(), point.vy(), point.vz());
     }
 
-    private void moveTo(PrincipledMaterial m, MappedSurface at, float nx, float ny, float nz, float vx, float vy, float vz) {
+    private void moveTo(Bsdf.Principled m, MappedSurface at, float nx, float ny, float nz, float vx, float vy, float vz) {
         float roughness = (float) at.roughness();
         float cosine = Math.clamp(-(nx * vx + ny * vy + nz * vz), 0, 1);
         float a = DirectionalAlbedo.ofF0(cosine, roughness);
@@ -96,7 +96,7 @@ public final class PrincipledWeights {
     }
 
     /** Returns the part of the mean light of rough lobes that F0 multiplies, or all that is reflected below fibers. */
-    public float reflected(PrincipledMaterial m) {
+    public float reflected(Bsdf.Principled m) {
         if (m.sheen() != null) {
             return (m.isSmooth() ? 0 : base * m.sheen().below(colored, grazing)) + (m.isCoatSmooth() ? 0 : coat);
         }
@@ -104,12 +104,12 @@ public final class PrincipledWeights {
     }
 
     /** Returns the part of the mean light of rough lobes that no color multiplies, or that fibers scatter. */
-    public float reflectedGrazing(PrincipledMaterial m) {
+    public float reflectedGrazing(Bsdf.Principled m) {
         return m.sheen() != null ? sheen : (m.isSmooth() ? 0 : base * grazing) + (m.isCoatSmooth() ? 0 : coat);
     }
 
     /** Returns the part of a mirrored ray's color that F0 multiplies, or all that is mirrored below fibers. */
-    public float mirrored(PrincipledMaterial m) {
+    public float mirrored(Bsdf.Principled m) {
         if (m.sheen() != null) {
             return (m.isSmooth() ? base * m.sheen().below(1 - mirrorGrazing, mirrorGrazing) : 0) + (m.isCoatSmooth() ? coat : 0);
         }
@@ -117,7 +117,7 @@ public final class PrincipledWeights {
     }
 
     /** Returns the part of a mirrored ray's color that no color multiplies. */
-    public float mirroredGrazing(PrincipledMaterial m) {
+    public float mirroredGrazing(Bsdf.Principled m) {
         return m.sheen() != null ? 0 : (m.isSmooth() ? base * mirrorGrazing : 0) + (m.isCoatSmooth() ? coat : 0);
     }
 
@@ -128,7 +128,7 @@ public final class PrincipledWeights {
      * @param coatSpecular  specular term of a surface with the roughness of the coat
      * @param coatGrazing   grazing term of such a surface
      */
-    public float coatedGrazing(PrincipledMaterial m, float grazing, float coatSpecular, float coatGrazing) {
+    public float coatedGrazing(Bsdf.Principled m, float grazing, float coatSpecular, float coatGrazing) {
         var layer = requireNonNull(m.coat());
         return base * grazing + coatWeight * ((float) layer.f0() * coatSpecular + coatGrazing);
     }
@@ -144,28 +144,28 @@ public final class PrincipledWeights {
      * @param f0     F0, including the texture
      * @param square F0F0, including the texture
      */
-    public float shine(PrincipledMaterial m, float f0, float square) {
+    public float shine(Bsdf.Principled m, float f0, float square) {
         return m.sheen() == null ? f0 + multiple * square
                 : left * ((base * (f0 * colored + grazing + multiple * square * colored) + coat) / below);
     }
 
     /** Returns the factor of Igraz in channel {@code c}. */
-    public float graze(PrincipledMaterial m, int c) {
+    public float graze(Bsdf.Principled m, int c) {
         return m.sheen() == null ? 1 : sheenColor[c];
     }
 
     /** Returns the factor of the first mean light of rough lobes, L. @param shine {@link #shine}, as {@code graze} is {@link #graze} */
-    public float first(PrincipledMaterial m, float shine, float graze) {
+    public float first(Bsdf.Principled m, float shine, float graze) {
         return shine * reflected(m) + (m.isFrosted() ? graze * reflectedGrazing(m) : 0);
     }
 
     /** Returns the factor of the second mean light in channel {@code c}: L' of rough lobes, L″ of fibers, or what passes a frosted material. */
-    public float second(PrincipledMaterial m, int c, float graze) {
+    public float second(Bsdf.Principled m, int c, float graze) {
         return !m.isFrosted() ? graze * reflectedGrazing(m) : m.sheen() == null ? requireNonNull(m.passing())[c] * diffuse : 0;
     }
 
     /** Returns the factor of the color of the mirrored ray; 0 if the material casts none. Parameters as above. */
-    public float mirror(PrincipledMaterial m, float shine, float graze) {
+    public float mirror(Bsdf.Principled m, float shine, float graze) {
         return m.isMirror() ? shine * mirrored(m) + graze * mirroredGrazing(m) : 0;
     }
 }

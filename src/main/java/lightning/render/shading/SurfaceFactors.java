@@ -2,6 +2,7 @@ package lightning.render.shading;
 
 import static java.util.Objects.requireNonNull;
 
+import lightning.base.math.Rgb;
 import lightning.render.trace.Refraction;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.material.Material;
@@ -40,31 +41,30 @@ public final class SurfaceFactors {
 
     /** @param material material of the point */
     public SurfaceFactors(SurfacePoint hit, Material material) {
-        PrincipledMaterial principled = PrincipledMaterial.of(material);
-        if (material.isClear()) {
-            setClear(hit, material);
-        } else if (principled != null) {
-            setPrincipled(hit, principled);
-        } else {
-            for (int c = 0; c < 3; c++) {
-                float kr = LightWeight.channel(material.reflective(), c);
-                diffuse[c] = hit.diffuse()[c] * (1 - kr);
-                specular[c] = hit.specular()[c];
-                mirrored[c] = kr;
-                emitted[c] = 1 - kr;
-            }
+        switch (Bsdf.of(material)) {
+            case Bsdf.Phong _,Bsdf.Metal _ -> setOpaque(hit, material.reflective());
+            case Bsdf.Principled principled -> setPrincipled(hit, principled);
+            case Bsdf.Clear clear -> setClear(hit, clear, material.reflective());
         }
     }
 
-    private void setClear(SurfacePoint hit, Material material) {
-        SurfacePoint.BackSide side = requireNonNull(hit.clearSide());
-        Transmission transmission = side.transmission();
-        fresnel = hit.reflectance();
-        new InteriorTint(transmission).write(side.insideDistance(), interior);
-        float body = bodyShare(transmission);
+    private void setOpaque(SurfacePoint hit, Rgb reflective) {
         for (int c = 0; c < 3; c++) {
-            float mirror = Refraction.mirrorShare(LightWeight.channel(material.reflective(), c), fresnel);
-            float left = (1 - mirror) * body;
+            float kr = LightWeight.channel(reflective, c);
+            diffuse[c] = hit.diffuse()[c] * (1 - kr);
+            specular[c] = hit.specular()[c];
+            mirrored[c] = kr;
+            emitted[c] = 1 - kr;
+        }
+    }
+
+    private void setClear(SurfacePoint hit, Bsdf.Clear clear, Rgb reflective) {
+        Transmission transmission = clear.transmission();
+        fresnel = hit.reflectance();
+        clear.interior().write(requireNonNull(hit.clearSide()).insideDistance(), interior);
+        for (int c = 0; c < 3; c++) {
+            float mirror = Refraction.mirrorShare(LightWeight.channel(reflective, c), fresnel);
+            float left = (1 - mirror) * clear.body();
             diffuse[c] = hit.diffuse()[c] * left * interior[c];
             specular[c] = hit.specular()[c] * interior[c];
             grazing[c] = interior[c];
@@ -74,7 +74,7 @@ public final class SurfaceFactors {
         }
     }
 
-    private void setPrincipled(SurfacePoint hit, PrincipledMaterial material) {
+    private void setPrincipled(SurfacePoint hit, Bsdf.Principled material) {
         var weights = new PrincipledWeights();
         weights.moveTo(material, hit);
         for (int c = 0; c < 3; c++) {

@@ -95,7 +95,7 @@ public interface TermKernel {
     void metallicSpeculars(HitRows rows, int from, int to, int[] rowSet, double[] alpha, float[] gloss, float[] grazing);
 
     /**
-     * Writes {@link LightingEquation#anisotropicSpecular} and {@link LightingEquation#anisotropicGrazing} of rows with tangents, as above.
+     * Writes the same terms of {@link LightingEquation#anisotropicFacets}, of rows with tangents.
      *
      * @param alpha width α of the roughness of each row
      */

@@ -220,19 +220,9 @@ public final class MaterialTable {
         return materialByRank[r];
     }
 
-    /** Returns {@link Material#isPrincipled}. */
-    public boolean isPrincipled(int m) {
-        return metalF0 != null && materials.get(m).isPrincipled();
-    }
-
-    /** Returns {@link Material#isMetallic}. */
-    public boolean isMetallic(int m) {
-        return metalF0 != null && materials.get(m).isMetallic();
-    }
-
     /** Returns whether rows of the material have specular terms. */
     public boolean isSpecular(int m) {
-        return isMetallic(m) || specular[3 * m] > 0 || specular[3 * m + 1] > 0 || specular[3 * m + 2] > 0;
+        return materials.get(m).isMetallic() || specular[3 * m] > 0 || specular[3 * m + 1] > 0 || specular[3 * m + 2] > 0;
     }
 
     /**

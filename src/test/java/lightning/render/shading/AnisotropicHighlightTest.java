@@ -43,8 +43,7 @@ class AnisotropicHighlightTest {
         float vx = (float) -view.x();
         float vy = (float) -view.y();
         float vz = (float) -view.z();
-        return (double) equation.anisotropicSpecular(0, 1, 0, vx, vy, vz, TANGENT, highlight, alpha)
-                + equation.anisotropicGrazing(0, 1, 0, vx, vy, vz, TANGENT, highlight, alpha);
+        return equation.anisotropicFacets(0, 1, 0, vx, vy, vz, TANGENT, highlight, alpha);
     }
 
     @Test

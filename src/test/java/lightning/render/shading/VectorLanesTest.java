@@ -109,7 +109,7 @@ class VectorLanesTest {
         LightSource source = lamp(random, type, rows);
         Material material = Material.of("m").withModel(ShadingModel.PRINCIPLED)
                 .withAnisotropy(new Anisotropy(random.nextBoolean() ? 1 : 0.01 + 0.9 * random.nextDouble(), 90 * random.nextGaussian()));
-        AnisotropicHighlight highlight = PrincipledMaterial.of(material).highlight();
+        AnisotropicHighlight highlight = ((Bsdf.Principled) Bsdf.of(material)).highlight();
         double[] alpha = new double[1024];
         float[] specular = new float[1024];
         float[] grazing = new float[1024];
@@ -132,10 +132,11 @@ class VectorLanesTest {
             equation.moveTo(rows.px[i], rows.py[i], rows.pz[i], rows.nx[i], rows.ny[i], rows.nz[i]);
             float[] tangent = {rows.tangentX[i], rows.tangentY[i], rows.tangentZ[i]};
             if (!isSelected || equation.cosine(rows.nx[i], rows.ny[i], rows.nz[i]) > 0) {
-                assertSameBits(specular[i], !isSelected ? -1 : equation.anisotropicSpecular(rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i],
-                        rows.vy[i], rows.vz[i], tangent, highlight, alpha[i]), "specular");
-                assertSameBits(grazing[i], !isSelected ? -2 : equation.anisotropicGrazing(rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i],
-                        rows.vy[i], rows.vz[i], tangent, highlight, alpha[i]), "grazing");
+                double facets = equation.anisotropicFacets(rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i], rows.vz[i], tangent,
+                        highlight, alpha[i]);
+                double schlick = equation.schlick(rows.vx[i], rows.vy[i], rows.vz[i]);
+                assertSameBits(specular[i], !isSelected ? -1 : (float) (facets * (1 - schlick)), "specular");
+                assertSameBits(grazing[i], !isSelected ? -2 : (float) (facets * schlick), "grazing");
             }
         }
     }

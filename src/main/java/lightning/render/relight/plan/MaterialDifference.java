@@ -22,7 +22,7 @@ record MaterialDifference(MaterialTable before, MaterialTable after) {
     }
 
     private boolean changesColor(int m) {
-        return differs(MaterialTerm.COLOR, m) || after.isPrincipled(m) && differs(MaterialTerm.HIGHLIGHT, m) || changesBulb(m)
+        return differs(MaterialTerm.COLOR, m) || after.material(m).isPrincipled() && differs(MaterialTerm.HIGHLIGHT, m) || changesBulb(m)
                 || changesModel(m) || changesTexture(m);
     }
 
@@ -32,7 +32,8 @@ record MaterialDifference(MaterialTable before, MaterialTable after) {
     }
 
     private boolean changesSpecular(int m) {
-        return changesModel(m) || before.isPrincipled(m) != after.isPrincipled(m) || before.isSpecular(m) != after.isSpecular(m)
+        return changesModel(m) || before.material(m).isPrincipled() != after.material(m).isPrincipled()
+                || before.isSpecular(m) != after.isSpecular(m)
                 || before.material(m).isAnisotropic() != after.material(m).isAnisotropic()
                 || before.material(m).f0UnderSheen() != after.material(m).f0UnderSheen()
                 || after.isSpecular(m) && (differs(MaterialTerm.HIGHLIGHT, m) || differs(MaterialTerm.HIGHLIGHT_TEXEL, m));

@@ -7,6 +7,7 @@ import java.util.BitSet;
 import java.util.EnumSet;
 import java.util.Set;
 import lightning.render.shading.BounceImages;
+import lightning.render.shading.Bsdf;
 import lightning.render.shading.FilmEmission;
 import lightning.render.shading.FilmPart;
 import lightning.render.shading.FilmParts;
@@ -173,7 +174,7 @@ final class LevelComposer {
         int start = rows.runStart(run);
         int end = rows.runEnd[run];
         boolean shines = sum != null && sum.hasSpecular && material.hasSpecular() && components.contains(LightComponent.SPECULAR);
-        boolean isGrazing = shines && requireNonNull(sum).hasGrazing && material.texturedF0() != null;
+        boolean isGrazing = shines && requireNonNull(sum).hasGrazing && material.bsdf().hasFacets();
         for (int c = 0; c < 3; c++) {
             products.start(to[c], start, end);
             if (diffuse != null && material.takesLight()) {
@@ -187,10 +188,10 @@ final class LevelComposer {
             if (mirrored != null && start < rows.reflectiveCount) {
                 products.add(factors.mirrored[c], mirrored[c]);
             }
-            if (refracted != null && material.clarity() != null) {
+            if (refracted != null && material.bsdf() instanceof Bsdf.Clear) {
                 products.add(factors.refracted()[c], refracted[c]);
             }
-            if (reflected != null && material.principled() != null && material.clarity() == null) {
+            if (reflected != null && material.bsdf() instanceof Bsdf.Principled) {
                 products.addTwo(factors.first()[c], reflected[c], factors.second()[c], reflected[3 + c]);
             }
             products.write();

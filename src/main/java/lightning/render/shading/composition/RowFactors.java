@@ -3,9 +3,8 @@ package lightning.render.shading.composition;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
-import lightning.render.shading.InteriorTint;
+import lightning.render.shading.Bsdf;
 import lightning.render.shading.LightWeight;
-import lightning.render.shading.PrincipledMaterial;
 import lightning.render.shading.PrincipledRow;
 import lightning.render.shading.PrincipledWeights;
 import lightning.render.shading.ShadingMaterial;
@@ -60,12 +59,10 @@ final class RowFactors {
 
     /** Computes the factors of the rows of a run. */
     void set(HitRows rows, int run, ShadingMaterial material) {
-        if (material.clarity() != null) {
-            setClear(rows, run, material);
-        } else if (material.principled() != null) {
-            setPrincipled(rows, run, material);
-        } else {
-            setOpaque(rows, run, material);
+        switch (material.bsdf()) {
+            case Bsdf.Phong _,Bsdf.Metal _ -> setOpaque(rows, run, material);
+            case Bsdf.Principled principled -> setPrincipled(rows, run, principled, material);
+            case Bsdf.Clear clear -> setClear(rows, run, clear, material);
         }
     }
 
@@ -75,13 +72,13 @@ final class RowFactors {
         for (int c = 0; c < 3; c++) {
             float kd = material.diffuse()[c];
             float left = 1 - material.reflective()[c];
-            float[] f0 = material.texturedF0();
+            float f0 = material.texturedF0()[c];
             if (material.isTextured()) {
-                writeTextured(requireNonNull(rows.texel(c)), start, end, kd, left, f0 == null ? 0 : f0[c], material.specular()[c],
+                writeTextured(requireNonNull(rows.texel(c)), start, end, kd, left, f0, material.specular()[c],
                         diffuse[c], specular[c]);
             } else {
                 Arrays.fill(diffuse[c], start, end, kd * left);
-                Arrays.fill(specular[c], start, end, f0 == null ? material.specular()[c] : f0[c] + material.specular()[c]);
+                Arrays.fill(specular[c], start, end, f0 + material.specular()[c]);
             }
             Arrays.fill(grazing[c], start, end, 1);
             Arrays.fill(mirrored[c], start, end, material.reflective()[c]);
@@ -97,26 +94,24 @@ final class RowFactors {
         }
     }
 
-    private void setClear(HitRows rows, int run, ShadingMaterial material) {
+    private void setClear(HitRows rows, int run, Bsdf.Clear clear, ShadingMaterial material) {
         int start = rows.runStart(run);
         int end = rows.runEnd[run];
         refracted = refracted == null ? columns() : refracted;
         share = share == null ? new float[TermKernel.MAX_ROWS] : share;
         tint = tint == null ? columns() : tint;
-        InteriorTint interior = requireNonNull(material.interior());
-        kernel.clearTerms(rows, start, end, requireNonNull(material.clarity()), interior, share, tint);
-        float body = material.bodyShare();
+        kernel.clearTerms(rows, start, end, clear.transmission(), clear.interior(), share, tint);
         for (int c = 0; c < 3; c++) {
             float kr = material.reflective()[c];
-            float kt = LightWeight.channel(material.clarity().color(), c);
+            float kt = LightWeight.channel(clear.transmission().color(), c);
             float kd = material.diffuse()[c];
             float ks = material.specular()[c];
-            float f0 = material.texturedF0() == null ? 0 : material.texturedF0()[c];
+            float f0 = material.texturedF0()[c];
             float[] texel = material.isTextured() ? requireNonNull(rows.texel(c)) : null;
             for (int i = start; i < end; i++) {
                 float mirror = Refraction.mirrorShare(kr, share[i]);
                 float passed = tint[c][i];
-                float left = (1 - mirror) * body;
+                float left = (1 - mirror) * clear.body();
                 float color = texel == null ? 1 : texel[i];
                 diffuse[c][i] = kd * color * left * passed;
                 specular[c][i] = (color * f0 + ks) * passed;
@@ -128,11 +123,10 @@ final class RowFactors {
         }
     }
 
-    private void setPrincipled(HitRows rows, int run, ShadingMaterial material) {
+    private void setPrincipled(HitRows rows, int run, Bsdf.Principled principled, ShadingMaterial material) {
         first = first == null ? columns() : first;
         second = second == null ? columns() : second;
-        PrincipledMaterial principled = requireNonNull(material.principled());
-        colors.start(material, rows);
+        colors.start(principled, material, rows);
         for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
             colors.moveTo(i);
             weights.moveTo(principled, colors.surface(), rows, i);
@@ -152,8 +146,8 @@ final class RowFactors {
 
     /** Returns the diffuse color of rows of a material, including its texture, regardless of lights. */
     void writeUnlit(HitRows rows, int run, ShadingMaterial material, float[][] to) {
-        if (material.principled() != null) {
-            colors.start(material, rows);
+        if (material.bsdf() instanceof Bsdf.Principled principled) {
+            colors.start(principled, material, rows);
             for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
                 colors.moveTo(i);
                 for (int c = 0; c < 3; c++) {

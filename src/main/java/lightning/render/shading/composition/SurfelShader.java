@@ -5,9 +5,9 @@ import static java.util.Objects.requireNonNull;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.EnumSet;
+import lightning.render.shading.Bsdf;
 import lightning.render.shading.FilmEmission;
 import lightning.render.shading.FilmParts;
-import lightning.render.shading.PrincipledMaterial;
 import lightning.render.shading.PrincipledRow;
 import lightning.render.shading.ShadingMaterial;
 import lightning.render.shading.SheenLayer;
@@ -103,8 +103,8 @@ public final class SurfelShader {
     public void writeAlbedo(HitRows rows, int[] numbers, float[][] to) {
         for (int run = 0; run < rows.runCount; run++) {
             ShadingMaterial material = materials[rows.runMaterial[run]];
-            if (material.principled() != null) {
-                writePrincipledAlbedo(rows, run, material, numbers, to);
+            if (material.bsdf() instanceof Bsdf.Principled principled) {
+                writePrincipledAlbedo(rows, run, principled, material, numbers, to);
                 continue;
             }
             for (int c = 0; c < 3; c++) {
@@ -139,20 +139,20 @@ public final class SurfelShader {
         }
     }
 
-    private void writePrincipledAlbedo(HitRows rows, int run, ShadingMaterial material, int[] numbers, float[][] albedo) {
-        principledRow.start(material, rows);
+    private void writePrincipledAlbedo(HitRows rows, int run, Bsdf.Principled principled, ShadingMaterial material, int[] numbers,
+            float[][] albedo) {
+        principledRow.start(principled, material, rows);
         for (int row = rows.runStart(run); row < rows.runEnd[run]; row++) {
             principledRow.moveTo(row);
             for (int c = 0; c < 3; c++) {
                 albedo[c][numbers[rows.parent[row]]] =
-                        principledAlbedo(requireNonNull(material.principled()), principledRow.surface(), c, principledRow.diffuse(c),
-                                principledRow.f0(c));
+                        principledAlbedo(principled, principledRow.surface(), c, principledRow.diffuse(c), principledRow.f0(c));
             }
         }
     }
 
     /** Returns one channel of the share of light that a principled surface sends back in all directions: reflections count as diffuse. */
-    private static float principledAlbedo(PrincipledMaterial material, MappedSurface at, int c, float kd, float f0) {
+    private static float principledAlbedo(Bsdf.Principled material, MappedSurface at, int c, float kd, float f0) {
         float below = kd * (1 - meanFresnel(at.largestNonmetalF0())) + meanFresnel(f0);
         return material.sheen() == null ? below : SheenLayer.meanAlbedo(at, c, below);
     }

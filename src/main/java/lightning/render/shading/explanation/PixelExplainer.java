@@ -16,6 +16,7 @@ import lightning.render.fog.FogMedium;
 import lightning.render.gather.RowWeigher;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.BackgroundShader;
+import lightning.render.shading.Bsdf;
 import lightning.render.shading.FilmEmission;
 import lightning.render.shading.FilmPart;
 import lightning.render.shading.FilmParts;
@@ -221,7 +222,7 @@ public final class PixelExplainer {
                 weighted.add(report.times(parts.get(part).weight()));
             }
         }
-        boolean isReflecting = gathered != null && gathered.length > 3 && materials.isPrincipled(hit.material());
+        boolean isReflecting = gathered != null && gathered.length > 3 && materials.material(hit.material()).isPrincipled();
         return new PointReport(hit, passedCutouts(ray, geometry.distance(shape, ray)), normals, color(films), films, ambient, glow,
                 gathered == null ? null : Arrays.copyOf(gathered, 3), isReflecting ? Arrays.copyOfRange(gathered, 3, 9) : null, weighted,
                 reflected, refracted, null);
@@ -443,8 +444,8 @@ public final class PixelExplainer {
             return new LightReport(light.light(), state, blocker, 0, 1, below, cosine, 0, 0, 0, ZERO, ZERO, ZERO, ONE, ONE,
                     light.gain(hit.primitive()));
         }
-        var terms = new SurfaceTerms(equation, hit, materials, factor);
-        float diffuse = terms.diffuse(cosine);
+        Bsdf.Terms terms = Bsdf.of(materials.material(hit.material())).terms(equation, hit, cosine, factor);
+        float diffuse = terms.diffuse();
         float specular = terms.specular();
         float grazing = terms.grazing();
         float falloff = equation.falloff();

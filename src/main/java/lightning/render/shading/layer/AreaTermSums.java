@@ -139,7 +139,7 @@ final class AreaTermSums {
     private void addGrazing(HitRows rows, float @Nullable [] falloffOrNull, int[] rowSet) {
         System.arraycopy(rowSet, 0, metallicRows, 0, RowBits.words(rows.count));
         for (int r = 0; r < rows.runCount; r++) {
-            if (!columnWriter.isMetallic(rows.runMaterial[r])) {
+            if (!columnWriter.hasFacets(rows.runMaterial[r])) {
                 RowBits.remove(metallicRows, rows.runStart(r), rows.runEnd[r]);
             }
         }

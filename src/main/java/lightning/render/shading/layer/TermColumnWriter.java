@@ -5,9 +5,9 @@ import static java.util.Objects.requireNonNull;
 import java.util.Arrays;
 import lightning.render.shading.AngularMask;
 import lightning.render.shading.AnisotropicHighlight;
+import lightning.render.shading.Bsdf;
 import lightning.render.shading.FaceHighlight;
 import lightning.render.shading.LightSource;
-import lightning.render.shading.PrincipledMaterial;
 import lightning.render.shading.PrincipledWeights;
 import lightning.render.shading.SheenLayer;
 import lightning.render.shading.TermKernel;
@@ -29,9 +29,8 @@ final class TermColumnWriter {
     private final int[] reused = RowBits.allocate();
     private final int[] recomputed = RowBits.allocate();
     private final double[] factors = new double[TermKernel.MAX_ROWS];
-    private final @Nullable PrincipledMaterial[] principledMaterials;
-    /** For each material whether its diffuse term is less than the cosine. */
-    private final boolean[] losesDiffuse;
+    /** Scattering of each material, without light that passes. */
+    private final Bsdf[] surfaces;
     private final PrincipledWeights weights = new PrincipledWeights();
     private final MappedSurface mapped = new MappedSurface();
     /** Width of the highlight of each row, or roughness of its sheen. */
@@ -49,20 +48,16 @@ final class TermColumnWriter {
         this.terms = terms;
         this.requiredWork = required;
         isDiffuseOnly = diffuseOnly;
-        principledMaterials = new PrincipledMaterial[materials.count()];
-        Arrays.setAll(principledMaterials, m -> PrincipledMaterial.of(materials.material(m)));
-        losesDiffuse = new boolean[materials.count()];
-        for (int m = 0; m < losesDiffuse.length; m++) {
-            losesDiffuse[m] = materials.isMetallic(m) && !materials.isPrincipled(m);
-        }
+        surfaces = new Bsdf[materials.count()];
+        Arrays.setAll(surfaces, m -> Bsdf.of(materials.material(m)).surface());
         showsFaces = new boolean[materials.count()];
         for (int m = 0; m < showsFaces.length; m++) {
             showsFaces[m] = FaceHighlight.isShownBy(materials.material(m));
         }
-        boolean hasWidths = Arrays.stream(principledMaterials)
-                .anyMatch(m -> m != null && (m.hasRoughnessMap() || m.hasCoatRoughnessMap() || m.highlight() != null || m.sheen() != null));
+        boolean hasWidths = Arrays.stream(surfaces).anyMatch(surface -> surface instanceof Bsdf.Principled m
+                && (m.hasRoughnessMap() || m.hasCoatRoughnessMap() || m.highlight() != null || m.sheen() != null));
         widths = new double[hasWidths ? TermKernel.MAX_ROWS : 0];
-        boolean isCoated = Arrays.stream(principledMaterials).anyMatch(m -> m != null && m.coat() != null);
+        boolean isCoated = Arrays.stream(surfaces).anyMatch(surface -> surface instanceof Bsdf.Principled m && m.coat() != null);
         coatSpecular = new float[isCoated ? TermKernel.MAX_ROWS : 0];
         coatGrazing = new float[coatSpecular.length];
         coatCosine = new float[coatSpecular.length];
@@ -79,7 +74,7 @@ final class TermColumnWriter {
     /** Replaces the cosine of metallic rows of a set by their diffuse term. */
     void writeMetallicDiffuse(HitRows rows, int[] queried, float[] column) {
         for (int r = 0; r < rows.runCount; r++) {
-            if (losesDiffuse[rows.runMaterial[r]]) {
+            if (surfaces[rows.runMaterial[r]].losesDiffuse()) {
                 terms.metallicDiffuses(rows, rows.runStart(r), rows.runEnd[r], queried, column);
             }
         }
@@ -139,39 +134,50 @@ final class TermColumnWriter {
     void writeSpeculars(HitRows rows, int[] queried, float[] column, float @Nullable [] grazing, @Nullable HighlightFactors factors) {
         for (int r = 0; r < rows.runCount; r++) {
             int material = rows.runMaterial[r];
-            if (materials.isMetallic(material)) {
-                assert grazing != null;
-                PrincipledMaterial principled = principledMaterials[material];
-                if (principled != null && principled.highlight() != null) {
-                    writeAnisotropic(rows, r, queried, principled, principled.highlight(), column, grazing);
-                } else if (principled != null && principled.hasRoughnessMap()) {
-                    writeMappedSpeculars(rows, r, queried, principled, column, grazing);
-                } else {
-                    terms.metallicSpeculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.alpha(material), column, grazing);
+            HighlightFactors itsFactors = showsFaces[material] ? factors : null;
+            switch (surfaces[material]) {
+                case Bsdf.Phong phong -> {
+                    if (isSpecular(material)) {
+                        terms.speculars(rows, rows.runStart(r), rows.runEnd[r], queried, phong.shininess(), column);
+                    }
                 }
-                HighlightFactors itsFactors = factors != null && showsFaces[material] ? factors : null;
-                if (itsFactors != null) {
-                    scaleSurface(rows, r, queried, principled, itsFactors, column, grazing);
+                case Bsdf.Metal metal -> {
+                    terms.metallicSpeculars(rows, rows.runStart(r), rows.runEnd[r], queried, metal.alpha(), column,
+                            requireNonNull(grazing));
+                    scaleSurface(rows, r, queried, false, itsFactors, column, grazing);
                 }
-                if (principled != null && principled.coat() != null) {
-                    addCoat(rows, r, queried, principled, itsFactors, column, grazing);
-                }
-                if (principled != null && principled.sheen() != null) {
-                    addSheen(rows, r, queried, principled, column, grazing);
-                }
-            } else if (isSpecular(material)) {
-                terms.speculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.shininess(material), column);
+                case Bsdf.Principled principled ->
+                        writePrincipled(rows, r, queried, principled, itsFactors, column, requireNonNull(grazing));
+                case Bsdf.Clear _ -> throw new AssertionError("a surface without light that passes");
             }
         }
     }
 
-    private void writeMappedSpeculars(HitRows rows, int run, int[] queried, PrincipledMaterial material, float[] specular,
+    private void writePrincipled(HitRows rows, int run, int[] queried, Bsdf.Principled material, @Nullable HighlightFactors factors,
+            float[] specular, float[] grazing) {
+        if (material.highlight() != null) {
+            writeAnisotropic(rows, run, queried, material, material.highlight(), specular, grazing);
+        } else if (material.hasRoughnessMap()) {
+            writeMappedSpeculars(rows, run, queried, material, specular, grazing);
+        } else {
+            terms.metallicSpeculars(rows, rows.runStart(run), rows.runEnd[run], queried, material.material().alpha(), specular, grazing);
+        }
+        scaleSurface(rows, run, queried, material.hasRoughnessMap(), factors, specular, grazing);
+        if (material.coat() != null) {
+            addCoat(rows, run, queried, material, factors, specular, grazing);
+        }
+        if (material.sheen() != null) {
+            addSheen(rows, run, queried, material, specular, grazing);
+        }
+    }
+
+    private void writeMappedSpeculars(HitRows rows, int run, int[] queried, Bsdf.Principled material, float[] specular,
             float[] grazing) {
         writeMappedWidths(rows, run, material);
         terms.metallicSpeculars(rows, rows.runStart(run), rows.runEnd[run], queried, widths, specular, grazing);
     }
 
-    private void writeMappedWidths(HitRows rows, int run, PrincipledMaterial material) {
+    private void writeMappedWidths(HitRows rows, int run, Bsdf.Principled material) {
         mapped.start(material.material(), rows);
         for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
             mapped.moveTo(i);
@@ -179,7 +185,7 @@ final class TermColumnWriter {
         }
     }
 
-    private void writeAnisotropic(HitRows rows, int run, int[] queried, PrincipledMaterial material, AnisotropicHighlight highlight,
+    private void writeAnisotropic(HitRows rows, int run, int[] queried, Bsdf.Principled material, AnisotropicHighlight highlight,
             float[] specular, float[] grazing) {
         if (material.hasRoughnessMap()) {
             writeMappedWidths(rows, run, material);
@@ -189,11 +195,10 @@ final class TermColumnWriter {
         terms.anisotropicSpeculars(rows, rows.runStart(run), rows.runEnd[run], queried, highlight, widths, specular, grazing);
     }
 
-    private void scaleSurface(HitRows rows, int run, int[] queried, @Nullable PrincipledMaterial material, HighlightFactors factors,
+    private void scaleSurface(HitRows rows, int run, int[] queried, boolean isMapped, @Nullable HighlightFactors factors,
             float[] specular, float[] grazing) {
-        boolean isMapped = material != null && material.hasRoughnessMap();
         double alpha = materials.alpha(rows.runMaterial[run]);
-        for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
+        for (int i = rows.runStart(run); factors != null && i < rows.runEnd[run]; i++) {
             if (RowBits.contains(queried, i)) {
                 factors.scaleSurface(rows, i, isMapped ? widths[i] : alpha, specular, grazing);
             }
@@ -201,7 +206,7 @@ final class TermColumnWriter {
     }
 
     /** Changes the terms of a surface to those of the surface below its coat and of the coat, whose reflection has no color. */
-    private void addCoat(HitRows rows, int run, int[] queried, PrincipledMaterial material, @Nullable HighlightFactors factors,
+    private void addCoat(HitRows rows, int run, int[] queried, Bsdf.Principled material, @Nullable HighlightFactors factors,
             float[] specular, float[] grazing) {
         int from = rows.runStart(run);
         int to = rows.runEnd[run];
@@ -238,7 +243,7 @@ final class TermColumnWriter {
     }
 
     /** Changes the terms of a surface and its coat to one sum and the term of the fibers over them. */
-    private void addSheen(HitRows rows, int run, int[] queried, PrincipledMaterial material, float[] specular, float[] grazing) {
+    private void addSheen(HitRows rows, int run, int[] queried, Bsdf.Principled material, float[] specular, float[] grazing) {
         SheenLayer sheen = requireNonNull(material.sheen());
         int from = rows.runStart(run);
         int to = rows.runEnd[run];
@@ -257,7 +262,7 @@ final class TermColumnWriter {
     void addPossibleHighlights(HitRows rows, LightSource source, int[] candidates) {
         for (int r = 0; r < rows.runCount; r++) {
             int material = rows.runMaterial[r];
-            if (materials.isMetallic(material)) {
+            if (hasFacets(material)) {
                 RowBits.add(candidates, rows.runStart(r), rows.runEnd[r]);
             } else if (isSpecular(material)) {
                 terms.addPossibleHighlights(rows, rows.runStart(r), rows.runEnd[r], source, materials.shininess(material), candidates);
@@ -288,15 +293,15 @@ final class TermColumnWriter {
     /** Returns whether any row's material is metallic. */
     boolean hasMetallic(HitRows rows) {
         for (int r = 0; r < rows.runCount; r++) {
-            if (materials.isMetallic(rows.runMaterial[r])) {
+            if (hasFacets(rows.runMaterial[r])) {
                 return true;
             }
         }
         return false;
     }
 
-    boolean isMetallic(int material) {
-        return materials.isMetallic(material);
+    boolean hasFacets(int material) {
+        return surfaces[material].hasFacets();
     }
 
     boolean isSpecular(int material) {

@@ -134,7 +134,7 @@ final class ReferenceIndirect {
     private float albedo(Surfel surfel, int c) {
         int material = surfel.at().material();
         MaterialTable materials = geometry.materials();
-        return materials.isPrincipled(material) ? principledAlbedo(surfel, materials.material(material), c)
+        return materials.material(material).isPrincipled() ? principledAlbedo(surfel, materials.material(material), c)
                 : (1 - materials.reflective(material, c)) * materials.diffuse(material, c) * surfel.texel()[c];
     }
 

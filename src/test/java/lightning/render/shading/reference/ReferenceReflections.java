@@ -12,6 +12,7 @@ import lightning.render.gather.GatherStructure;
 import lightning.render.gather.RowWeigher;
 import lightning.render.gather.build.GatherBuilder;
 import lightning.render.gather.ray.FilmLight;
+import lightning.render.shading.Bsdf;
 import lightning.render.shading.FilmPart;
 import lightning.render.shading.FilmParts;
 import lightning.render.shading.IndirectLight;
@@ -154,11 +155,11 @@ final class ReferenceReflections {
     /** Returns one channel of the share that a surfel sends back: a principled one its reflection, too. */
     private static float albedo(MaterialTable materials, HitRows rows, int row, int c, float texel, float left) {
         int m = rows.material(row);
-        if (!materials.isPrincipled(m)) {
+        if (!materials.material(m).isPrincipled()) {
             return left * materials.diffuse(m, c) * texel;
         }
         PrincipledRow colors = new PrincipledRow();
-        colors.start(ShadingMaterial.of(materials, m), rows);
+        colors.start((Bsdf.Principled) Bsdf.of(materials.material(m)), ShadingMaterial.of(materials, m), rows);
         colors.moveTo(row);
         float below = 1 - hemispherical(colors.surface().largestNonmetalF0());
         return ReferenceSheen.albedo(materials.material(m), colors.surface(), c, colors.diffuse(c) * below + hemispherical(colors.f0(c)));

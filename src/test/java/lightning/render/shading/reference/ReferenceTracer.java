@@ -11,6 +11,7 @@ import lightning.base.math.Vec3;
 import lightning.render.image.Film;
 import lightning.render.shading.AreaSamples;
 import lightning.render.shading.BackgroundShader;
+import lightning.render.shading.Bsdf;
 import lightning.render.shading.EdgeColors;
 import lightning.render.shading.FilmPart;
 import lightning.render.shading.FilmParts;
@@ -18,8 +19,6 @@ import lightning.render.shading.HighlightFactor;
 import lightning.render.shading.LightSource;
 import lightning.render.shading.LightWeight;
 import lightning.render.shading.LightingEquation;
-import lightning.render.shading.PrincipledMaterial;
-import lightning.render.shading.PrincipledWeights;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.shading.SampleMean;
 import lightning.render.shading.SurfaceFactors;
@@ -339,7 +338,7 @@ public final class ReferenceTracer {
         float[][] terms = terms(hit, pattern);
         SurfaceFactors factors = new SurfaceFactors(hit, materials.material(material));
         boolean gathers = GatherSettings.of(scene).isPresent();
-        boolean blurs = gathers && GatherSettings.of(scene).get().reflections() && materials.isPrincipled(material)
+        boolean blurs = gathers && GatherSettings.of(scene).get().reflections() && materials.material(material).isPrincipled()
                 && !materials.isClear(material);
         for (int part = 0; part < parts.count(); part++) {
             float[] light = gathers ? gathered(hit, part) : new float[9];
@@ -473,11 +472,8 @@ public final class ReferenceTracer {
             return new float[TERMS];
         }
         float[] tint = Transmittance.ofShadowRay(geometry, source, target, hit);
-        Material material = materials.material(hit.material());
-        float specular = specular(equation, hit, factor);
-        float grazing = grazing(equation, hit, factor);
-        return new float[] {diffuse(equation, hit, cosine), ReferenceSheen.below(material, specular, grazing), equation.falloff(),
-            ReferenceSheen.second(material, equation, hit, grazing), tint[0],
+        Bsdf.Terms terms = Bsdf.of(materials.material(hit.material())).terms(equation, hit, cosine, factor);
+        return new float[] {terms.diffuse(), terms.specular(), equation.falloff(), terms.grazing(), tint[0],
             tint[1], tint[2], tint[0], tint[1], tint[2]};
     }
 
@@ -561,54 +557,6 @@ public final class ReferenceTracer {
         LightingEquation equation = new LightingEquation(source);
         equation.moveTo(hit.px(), hit.py(), hit.pz(), hit.nx(), hit.ny(), hit.nz());
         return equation;
-    }
-
-    private float diffuse(LightingEquation equation, SurfacePoint hit, float cosine) {
-        return materials.isMetallic(hit.material()) && !materials.isPrincipled(hit.material())
-                ? equation.metallicDiffuse(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz())
-                : cosine;
-    }
-
-    private float grazing(LightingEquation equation, SurfacePoint hit, HighlightFactor factor) {
-        if (!materials.isMetallic(hit.material())) {
-            return 0;
-        }
-        PrincipledMaterial principled = PrincipledMaterial.of(materials.material(hit.material()));
-        double surface = Material.alpha(hit.roughness());
-        float grazing = principled == null || principled.highlight() == null
-                ? equation.metallicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), surface)
-                : equation.anisotropicGrazing(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), hit.tangent(),
-                        principled.highlight(), surface);
-        grazing = factor.surface(grazing, surface);
-        if (principled == null || principled.coat() == null) {
-            return grazing;
-        }
-        double alpha = Material.alpha(hit.mapped(principled.material()).coatRoughness());
-        float[] n = hit.coatNormal();
-        boolean isLit = equation.cosine(n[0], n[1], n[2]) > 0;
-        return weights(principled, hit).coatedGrazing(principled, grazing,
-                factor.coat(isLit ? equation.metallicSpecular(n[0], n[1], n[2], hit.vx(), hit.vy(), hit.vz(), alpha) : 0, alpha),
-                factor.coat(isLit ? equation.metallicGrazing(n[0], n[1], n[2], hit.vx(), hit.vy(), hit.vz(), alpha) : 0, alpha));
-    }
-
-    private static PrincipledWeights weights(PrincipledMaterial material, SurfacePoint hit) {
-        PrincipledWeights weights = new PrincipledWeights();
-        weights.moveTo(material, hit);
-        return weights;
-    }
-
-    private float specular(LightingEquation equation, SurfacePoint hit, HighlightFactor factor) {
-        if (materials.isMetallic(hit.material())) {
-            PrincipledMaterial principled = PrincipledMaterial.of(materials.material(hit.material()));
-            double alpha = Material.alpha(hit.roughness());
-            float specular = principled == null || principled.highlight() == null
-                    ? equation.metallicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), alpha)
-                    : equation.anisotropicSpecular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), hit.tangent(),
-                            principled.highlight(), alpha);
-            specular = factor.surface(specular, alpha);
-            return principled == null || principled.coat() == null ? specular : specular * weights(principled, hit).base();
-        }
-        return equation.specular(hit.nx(), hit.ny(), hit.nz(), hit.vx(), hit.vy(), hit.vz(), materials.shininess(hit.material()));
     }
 
     private int state(LightSource source, SurfacePoint hit, ShadowRayTarget target, LightingEquation equation, float cosine) {
