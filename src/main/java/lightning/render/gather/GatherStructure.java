@@ -17,7 +17,6 @@ import lightning.render.gather.ray.FilmLight;
 import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.RaySources;
 import lightning.render.gather.ray.TiltedFacets;
-import lightning.render.gather.reflection.ReflectionLinks;
 import lightning.render.gather.reflection.ReflectionPaths;
 import lightning.render.gather.rim.RimLinks;
 import lightning.render.trace.Geometry;
@@ -279,7 +278,7 @@ public final class GatherStructure {
     /** Returns the bytes that it took at most while it was built. */
     public long buildBytes() {
         return bytes() + pointLinks.buildBytes() + surfelLinks.buildBytes()
-                + (reflections == null ? 0 : (long) ReflectionLinks.BUILD_BYTES * reflections.links().rayCount());
+                + (reflections == null ? 0 : reflections.links().buildBytes());
     }
 
     /** Returns the share of gather points, their filter and their links in these bytes. */

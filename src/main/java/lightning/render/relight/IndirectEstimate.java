@@ -5,6 +5,7 @@ import lightning.render.cache.IndirectCache;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.build.GatherBuilder;
 import lightning.render.gather.glow.GlowLinks;
+import lightning.render.gather.ray.RayHits;
 import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.reflection.ReflectionFilter;
 import lightning.render.gather.reflection.ReflectionLinks;
@@ -117,7 +118,7 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         double candidates = (double) Film.tilesAlong(picture.width()) * Film.tilesAlong(picture.height()) * along * along * (1 + levels);
         double rays = settings.gathers() ? candidates * settings.rays() : 0;
         double reflectedRays = settings.reflections() ? candidates * GatherBuilder.maxReflectedRays(settings) : 0;
-        int linkBytes = RayLinks.BUILD_BYTES + RayLinks.TINT_BUILD_BYTES + Integer.BYTES;
+        int linkBytes = RayLinks.BUILD_BYTES + RayHits.TINT_BUILD_BYTES + Integer.BYTES;
         // Additional rays are at most half as many.
         double rimBytes = settings.environment() ? 0.5 * RimLinks.BUILD_BYTES : 0;
         double glowBytes = glows ? GlowLinks.BUILD_BYTES : 0;
@@ -129,6 +130,6 @@ record IndirectEstimate(double bytesPerPixel, double borderBytes, double surfelB
         return (long) Math.min(Long.MAX_VALUE / 4.0,
                 candidates * (rowBytes + POINT_BYTES + (settings.reflections() ? ReflectionFilter.ENOUGH * POINT_BYTES : 0))
                         + rays * (linkBytes + rimBytes + glowBytes + surfelBytes)
-                        + reflectedRays * (ReflectionLinks.BUILD_BYTES + surfelBytes));
+                        + reflectedRays * (ReflectionLinks.BUILD_BYTES + RayHits.TINT_BUILD_BYTES + surfelBytes));
     }
 }

@@ -75,7 +75,7 @@ final class GatherCaster {
             }
         }
         if (batch.isTinted()) {
-            links.setTints(from * rays, count, batch.tint);
+            links.setTints(from * rays, count, batch.tint, 0);
         }
         if (inverseLengths != null) {
             for (int p = from; p < to; p++) {

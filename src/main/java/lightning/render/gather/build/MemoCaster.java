@@ -147,7 +147,7 @@ final class MemoCaster {
                 }
             }
             for (int ray = 0; now.isTinted() && ray < count; ray++) {
-                links.setTint(rayOf[ray], now.tint, ray);
+                links.setTints(rayOf[ray], 1, now.tint, ray);
             }
             for (int ray = 0; inverseLengths != null && ray < count; ray++) {
                 inverseLengths[pointOf[ray]] += term(now, ray, points, pointOf[ray]);

@@ -9,6 +9,7 @@ import lightning.base.work.Progress;
 import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.render.gather.cell.CellKeys;
+import lightning.render.gather.cell.CellPlacer;
 import lightning.render.gather.cell.CellTable;
 import lightning.render.gather.cell.SeenSurfaces;
 import lightning.render.gather.cell.SurfaceColumns;
@@ -22,17 +23,10 @@ import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Chooses the points whose reflections are computed among surfaces that are seen, as {@link lightning.render.gather.build.PointPlacer} does: one in each cell of position
- * and mirrored view. The narrower the lobe and the nearer what it reflects, the smaller are the cells.
+ * Chooses the points whose reflections are computed among surfaces that are seen: one in each cell of position and mirrored view. The narrower the lobe and the nearer what it reflects, the smaller are the cells.
  */
-public final class ReflectionPlacer {
+public final class ReflectionPlacer extends CellPlacer {
     private static final int LEVELS = 4;
-    private static final int BATCH = 4096;
-    private static final int NONE = -1;
-    /** Radius of a point in sides of its cell. */
-    private static final float RADIUS = 1.2f;
-    /** Largest radius of a matt surface relative to the harmonic mean distance of what it reflects; less for narrower lobes. */
-    private static final float ACCURACY = 0.2f;
     /** Width α at which a lobe counts as narrow. */
     private static final double NARROW = 0.4;
 
@@ -42,6 +36,7 @@ public final class ReflectionPlacer {
     private final ReflectionCaster[] casters;
     private final @Nullable RoughLobes[] lobes;
     private final int[] materialOf;
+    private SeenSurfaces candidates = new SeenSurfaces(0);
     private final int lobeRays;
     private final RepeatedPoints repeated;
     private long raysCast;
@@ -100,7 +95,8 @@ public final class ReflectionPlacer {
      * @param materials all materials
      */
     public void place(List<SeenSurfaces> levels, List<Material> materials) {
-        placePoints(levels);
+        candidates = rough(levels);
+        place(candidates.count(), LEVELS, workers, progress.cancellationOnly());
         groups = ReflectionGroup.of(points, steps, materials);
         placed = points.count();
         ReflectionFilter weights = ReflectionFilter.of(groups, placed, workers, progress);
@@ -132,30 +128,6 @@ public final class ReflectionPlacer {
         return new ReflectionRays(points, links, casters, details, repeated);
     }
 
-    private void placePoints(List<SeenSurfaces> levels) {
-        SeenSurfaces candidates = rough(levels);
-        int[] active = new int[candidates.count()];
-        Arrays.setAll(active, i -> i);
-        long[] cell = new long[active.length];
-        int[] point = new int[active.length];
-        Arrays.fill(point, NONE);
-        for (int level = 0; level < LEVELS && active.length > 0; level++) {
-            CellTable cells = new CellTable();
-            int[] chosen = choose(candidates, active, cell, level, cells);
-            addPoints(candidates, chosen, point, level);
-            for (int candidate : chosen) {
-                cells.setNumber(cell[candidate], divide(point[candidate], level) ? 1 : 0);
-            }
-            int kept = 0;
-            for (int candidate : active) {
-                if (cells.number(cell[candidate]) == 1) {
-                    active[kept++] = candidate;
-                }
-            }
-            active = Arrays.copyOf(active, kept);
-        }
-    }
-
     /** Returns the surfaces that blur their reflections. */
     private SeenSurfaces rough(List<SeenSurfaces> levels) {
         SeenSurfaces all = new SeenSurfaces(1024);
@@ -177,27 +149,25 @@ public final class ReflectionPlacer {
         return keys.reflectionKey(s.px[i], s.py[i], s.pz[i], mirrored[0], mirrored[1], mirrored[2], step, primitive, level);
     }
 
-    private int[] choose(SeenSurfaces c, int[] active, long[] cell, int level, CellTable cells) {
-        workers.run(Math.ceilDiv(active.length, BATCH), (_, job) -> {
-            for (int i = job * BATCH; i < Math.min(active.length, job * BATCH + BATCH); i++) {
-                int k = active[i];
-                cell[k] = key(c, k, c.surfaces.primitive[k], level);
-                cells.add(cell[k], k);
-            }
-        }, progress.cancellationOnly());
-        return cells.firsts();
+    @Override
+    protected long cell(int candidate, int level) {
+        return key(candidates, candidate, candidates.surfaces.primitive[candidate], level);
     }
 
-    private void addPoints(SeenSurfaces candidates, int[] chosen, int[] point, int level) {
-        int first = points.count();
-        for (int candidate : chosen) {
-            if (point[candidate] == NONE) {
-                point[candidate] = points.count();
-                points.add(candidates, candidate, materialOf[candidates.surfaces.primitive[candidate]],
-                        key(candidates, candidate, NONE, level));
-                repeated.addPoint(points);
-            }
-        }
+    @Override
+    protected int count() {
+        return points.count();
+    }
+
+    @Override
+    protected int add(int candidate, int level) {
+        points.add(candidates, candidate, materialOf[candidates.surfaces.primitive[candidate]], key(candidates, candidate, NONE, level));
+        repeated.addPoint(points);
+        return points.count() - 1;
+    }
+
+    @Override
+    protected void added(int first, int level) {
         cast(first, progress.section(level, LEVELS + 1));
     }
 
@@ -246,8 +216,8 @@ public final class ReflectionPlacer {
         }, part);
     }
 
-    /** Sets the radius of a cell's point; returns whether the cell must be divided. */
-    private boolean divide(int p, int level) {
+    @Override
+    protected boolean divide(int p, int level) {
         SurfaceColumns s = points.surface();
         points.radius[p] = RADIUS * (float) keys.side(s.px[p], s.py[p], s.pz[p], level);
         double spread = Math.min(1, requireNonNull(lobes[points.material[p]]).narrowest() / NARROW);
