@@ -20,7 +20,6 @@ import javafx.stage.Window;
 import lightning.base.math.Rgb;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
-import lightning.editor.window.animation.AnimationWindow;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.PanelPlace;
 import lightning.editor.window.model.WindowLayout;
@@ -185,10 +184,6 @@ public final class GuidePictures {
         idle();
         panel("#timeline", "timeline");
         command(Command.TIMELINE);
-        select(0);
-        command(Command.MAKE_ANIMATION);
-        Window window = onWindow(() -> Window.getWindows().stream().filter(AnimationWindow.class::isInstance).findFirst().orElseThrow());
-        capture(window.getScene().getRoot(), "animation");
     }
 
     private void importModel() throws Exception {

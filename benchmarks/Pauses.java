@@ -125,8 +125,7 @@ public final class Pauses {
             drag("drag its position", i -> edit(light, l -> l.withPosition(l.position().plus(new Vec3(0.01, 0, 0.01)))));
             openMenus();
             for (Command panel : List.of(Command.MIXER, Command.CONTRIBUTIONS, Command.CUES, Command.SCOPES, Command.EFFECTS_PANEL,
-                    Command.ACCURACY_PANEL, Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.KEYS, Command.PALETTE, Command.ABOUT,
-                    Command.MAKE_ANIMATION)) {
+                    Command.ACCURACY_PANEL, Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.KEYS, Command.PALETTE, Command.ABOUT)) {
                 openAndClose(panel.plainTitle(), () -> model.commands().run(panel));
                 openAndClose(panel.plainTitle() + ", again", () -> model.commands().run(panel));
             }

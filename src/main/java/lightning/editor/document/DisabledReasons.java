@@ -18,16 +18,6 @@ final class DisabledReasons {
 
     private DisabledReasons() {}
 
-    /** Returns the condition of a command that changes the document, or saves state that an open animation changes temporarily. */
-    static Function<EditorState, Optional<String>> unlessAnimating() {
-        return unlessAnimating(NONE);
-    }
-
-    /** Adds another condition to {@link #unlessAnimating()}. */
-    static Function<EditorState, Optional<String>> unlessAnimating(Function<EditorState, Optional<String>> reason) {
-        return s -> s.animating() ? Optional.of(Messages.tr("close the open animation first")) : reason.apply(s);
-    }
-
     static Optional<String> noPicture(EditorState s) {
         return reasonUnless(s.renderedScene().isPresent(), Messages.tr(NO_PICTURE));
     }
@@ -120,12 +110,6 @@ final class DisabledReasons {
         return noLight(s).or(() -> tooManyLights(s));
     }
 
-    static Optional<String> nothingToAnimate(EditorState s) {
-        return noPlacedLight(s).or(() -> lightReason(s, !s.hasPendingEdits(),
-                s.renderedScene().isEmpty() ? Messages.tr(NO_PICTURE)
-                        : Messages.tr("the image is out of date; render first")));
-    }
-
     static Optional<String> hasShot(EditorState s) {
         return reasonUnless(s.shotFrame().isEmpty(), Messages.tr("the scene already has a shot"));
     }
@@ -164,13 +148,8 @@ final class DisabledReasons {
         return noShot(s).or(() -> reasonUnless(s.selectedKeyCount() > 0, Messages.tr("no keyframe is selected in the timeline")));
     }
 
-    static Optional<String> noMotionPath(EditorState s) {
-        return reasonUnless(s.animating() && s.motionRecorded(),
-                Messages.tr("no open animation has a path; record one with Make Animation"));
-    }
-
     static Optional<String> noPositionKeys(EditorState s) {
-        return nothingToAnimate(s)
+        return noPlacedLight(s)
                 .or(() -> reasonUnless(s.shotFrame().flatMap(m -> m.shot().track(TrackTarget.light(s.selectedLight().orElseThrow().name()),
                         LightAttribute.POSITION.name())).isPresent(), Messages.tr("the light has no position keyframes")));
     }

@@ -26,11 +26,9 @@ import lightning.scene.shot.TrackTarget;
  * @param dirty            whether there are unsaved edits
  * @param changedOnDisk    whether another program changed the file
  * @param copiedLight      light whose settings were copied
- * @param animating        whether an animation is open
  * @param reading          whether a scene file is being read
  * @param shotFrame        displayed frame; empty if the scene has no shot
  * @param selectedKeyCount number of selected keyframes
- * @param motionRecorded   whether the open animation has a path
  * @param untitled         whether the document has no file of its own yet
  */
 @RecordBuilder
@@ -38,11 +36,11 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
         boolean verifying, Optional<Light> selectedLight, Optional<SceneNode> selectedNode, Optional<String> undoLabel,
         Optional<String> redoLabel,
         Optional<String> undoLightLabel, Optional<String> redoLightLabel, boolean dirty, boolean changedOnDisk,
-        Optional<Light> copiedLight, boolean animating, boolean reading, Optional<ShotFrame> shotFrame, int selectedKeyCount,
-        boolean motionRecorded, boolean untitled)
+        Optional<Light> copiedLight, boolean reading, Optional<ShotFrame> shotFrame, int selectedKeyCount,
+        boolean untitled)
         implements EditorStateBuilder.With {
 
-    /** Returns the state of a document and its image, with nothing running, copied or animated. */
+    /** Returns the state of a document and its image, with nothing running or copied. */
     public static EditorState of(OpenDocument document, Optional<Frame> frame) {
         EditHistory history = document.history();
         Optional<Light> selected = document.selectedLight();
@@ -50,7 +48,7 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
         return new EditorState(document.scene(), frame, Optional.empty(), false,
                 selected, document.selection().node(document.scene()), history.undoLabel(), history.redoLabel(), history.undoLabel(id),
                 history.redoLabel(id),
-                document.isDirty(), document.isChangedOnDisk(), Optional.empty(), false, false, document.shotFrame(), 0, false,
+                document.isDirty(), document.isChangedOnDisk(), Optional.empty(), false, document.shotFrame(), 0,
                 document.isUntitled());
     }
 
@@ -63,11 +61,6 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
             case DOME -> false;
             case NODE -> selectedNode.filter(n -> n.name().equals(target.name())).isPresent();
         };
-    }
-
-    /** Returns the state of an open animation, with its own scene and the selected light, shape or group in it. */
-    public EditorState withAnimationScene(Scene animationScene, Optional<Light> light, Optional<SceneNode> otherNode) {
-        return with(s -> s.scene(animationScene).selectedLight(light).selectedNode(otherNode));
     }
 
     /** Returns the scene of the traced image; empty before the first. */

@@ -52,8 +52,6 @@ public final class Workbench implements AutoCloseable {
     private boolean isFrameStep;
     private boolean isVerifying;
     private boolean isLive;
-    private boolean isAnimating;
-    private boolean motionRecorded;
 
     /**
      * @param document         initial document; rendered by {@link #go()}
@@ -143,8 +141,7 @@ public final class Workbench implements AutoCloseable {
     /** Returns the state that determines which commands are enabled. */
     public EditorState editorState() {
         return EditorState.of(document, frame()).withSceneInProgress(sceneInProgress).withVerifying(isVerifying)
-                .withCopiedLight(copiedLight)
-                .withAnimating(isAnimating).withMotionRecorded(motionRecorded);
+                .withCopiedLight(copiedLight);
     }
 
     /** Opens another document and renders it. Unsaved edits of the current one are lost. */
@@ -157,8 +154,6 @@ public final class Workbench implements AutoCloseable {
         document = other;
         renderState = RenderState.NONE;
         previousScene = Optional.empty();
-        isAnimating = false;
-        motionRecorded = false;
         autosave.documentChanged(document);
         changeListener.run();
     }
@@ -173,8 +168,6 @@ public final class Workbench implements AutoCloseable {
         if (recovered.file().equals(document.file()) && recovered.scene().hasSameView(document.scene())) {
             autosave.discard();
             document = recovered;
-            isAnimating = false;
-            motionRecorded = false;
             autosave.documentChanged(document);
             go();
         } else {
@@ -387,13 +380,8 @@ public final class Workbench implements AutoCloseable {
 
     /** Renders the document's scene. */
     public void go() {
-        show(document.scene());
-    }
-
-    /** Renders a scene other than the document's, such as a frame of an animation. */
-    public void show(Scene scene) {
-        sceneInProgress = Optional.of(scene);
-        loop.render(scene);
+        sceneInProgress = Optional.of(document.scene());
+        loop.render(document.scene());
         changeListener.run();
     }
 
@@ -440,19 +428,6 @@ public final class Workbench implements AutoCloseable {
     public void setLive(boolean v) {
         isLive = v;
         renderIfLive();
-        changeListener.run();
-    }
-
-    /** Sets whether an animation is open, which disables commands that change the document. */
-    public void setAnimating(boolean v) {
-        isAnimating = v;
-        motionRecorded &= v;
-        changeListener.run();
-    }
-
-    /** Sets whether the open animation has a path. */
-    public void setMotionRecorded(boolean v) {
-        motionRecorded = v;
         changeListener.run();
     }
 

@@ -27,6 +27,7 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.PanelArrangement;
 import lightning.editor.window.model.PanelPlace;
 import lightning.editor.window.model.WindowLayout;
+import lightning.editor.window.timeline.MotionRecording;
 import lightning.editor.window.timeline.Playback;
 import lightning.editor.window.timeline.TimelinePane;
 import lightning.editor.window.widget.PanelWindow;
@@ -38,6 +39,7 @@ final class DockedPanels implements DockTabs.Callbacks, AutoCloseable {
     private final Supplier<Window> owner;
     private final WindowLayout layout;
     private final Playback playback;
+    private final MotionRecording recording;
     private final Map<Command, Region> panes = new EnumMap<>(Command.class);
     private final Map<Command, PanelWindow> windows = new EnumMap<>(Command.class);
     private final DockTabs left;
@@ -50,10 +52,11 @@ final class DockedPanels implements DockTabs.Callbacks, AutoCloseable {
      *
      * @param owner returns the editor's window once it exists
      */
-    DockedPanels(EditorModel model, Supplier<Window> owner, Playback playback) {
+    DockedPanels(EditorModel model, Supplier<Window> owner, Playback playback, MotionRecording recording) {
         this.model = model;
         this.owner = owner;
         this.playback = playback;
+        this.recording = recording;
         layout = model.layout();
         left = new DockTabs(PanelPlace.LEFT, model.commands(), this::pane, this);
         below = new DockTabs(PanelPlace.BELOW, model.commands(), this::pane, this);
@@ -109,7 +112,7 @@ final class DockedPanels implements DockTabs.Callbacks, AutoCloseable {
             case SCOPES -> new ScopesPane(model.picture(), model.files().windowExecutor());
             case HISTORY_PANEL -> new HistoryPane(model.editor(), model.workbench());
             case UPDATES_PANEL -> new UpdatesPane(model.updates());
-            case TIMELINE -> new TimelinePane(model, playback);
+            case TIMELINE -> new TimelinePane(model, playback, recording);
             default -> throw new IllegalArgumentException(panel.name());
         };
     }

@@ -101,9 +101,7 @@ final class HistoryPane extends VBox {
         if (row == null) {
             return;
         }
-        if (editor.isAnimating()) {
-            editor.message().show(Messages.tr("Close the open animation first"));
-        } else if (row.position() == list.getItems().stream().filter(r -> !r.isUndone()).count() - 1) {
+        if (row.position() == list.getItems().stream().filter(r -> !r.isUndone()).count() - 1) {
             return;
         } else if (lightToggle.isSelected()) {
             workbench.goToLightStep(row.position()).ifPresent(editor.message()::show);

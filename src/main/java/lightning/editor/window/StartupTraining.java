@@ -11,7 +11,6 @@ import javafx.scene.control.MenuBar;
 import javafx.stage.Window;
 import javafx.util.Duration;
 import lightning.editor.document.Command;
-import lightning.editor.window.animation.AnimationWindow;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.ColorTheme;
 
@@ -52,9 +51,6 @@ public final class StartupTraining extends LightningApp {
                 Command.COMPARE_SETTINGS,
                 Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.KEYS, Command.PALETTE, Command.ABOUT, Command.TIMELINE)
                 .forEach(command -> steps.add(() -> model.commands().run(command)));
-        steps.add(() -> model.commands().run(Command.MAKE_ANIMATION));
-        // An open animation disables the commands that change the document.
-        steps.add(() -> List.copyOf(Window.getWindows()).stream().filter(AnimationWindow.class::isInstance).forEach(Window::hide));
         steps.add(() -> model.commands().run(Command.NEW_SHOT));
         steps.add(() -> model.editor().materialShownProperty().set(true));
         steps.add(() -> model.editor().scene().placedShapes().stream().findFirst()

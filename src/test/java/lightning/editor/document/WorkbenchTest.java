@@ -14,7 +14,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import lightning.base.file.FileState;
-import lightning.base.math.Vec3;
 import lightning.base.work.Await;
 import lightning.editor.loop.KeptPictures;
 import lightning.editor.loop.RecordingRenderListener;
@@ -23,7 +22,6 @@ import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
-import lightning.scene.light.Light;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -393,16 +391,5 @@ class WorkbenchTest {
         int before = changes;
         assertThat(workbench.edit(DeskScene.parameter("angle").set(workbench.document().scene(), "key", 999))).isPresent();
         assertThat(changes).isEqualTo(before);
-    }
-
-    @Test
-    void animationFrame_isNotInDocument() throws Exception {
-        Light away = DeskScene.light(workbench.document().scene(), "key").withPosition(new Vec3(0, 9, 0));
-        workbench.setAnimating(true);
-        workbench.show(workbench.document().scene().withLight(away));
-        awaitIdle();
-        assertThat(shownScene().light("key")).contains(away);
-        assertThat(workbench.document().scene()).isEqualTo(DeskScene.scene());
-        assertThat(Command.UNDO.disabledReason(workbench.editorState())).contains("close the open animation first");
     }
 }

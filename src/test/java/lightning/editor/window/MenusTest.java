@@ -89,7 +89,7 @@ class MenusTest extends EditorFixture {
         robot.clickOn("#intensity .label", MouseButton.SECONDARY);
         robot.interact(() -> {
             all.addAll(items());
-            Stream.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.MAKE_ANIMATION)
+            Stream.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS)
                     .forEach(model().commands()::run);
             all.addAll(items());
         });

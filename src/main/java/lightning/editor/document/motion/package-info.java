@@ -1,4 +1,4 @@
-/** Recorded movement of one light: keyframes, file format and image export (paper §3.7). */
+/** Recorded movement of one light: keyframes and file format (paper §3.7). */
 @NullMarked
 package lightning.editor.document.motion;
 

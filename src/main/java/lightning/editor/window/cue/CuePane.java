@@ -143,8 +143,7 @@ public final class CuePane extends VBox {
     }
 
     private static Optional<String> saveDisabledReason(EditorState state) {
-        return state.animating() ? Optional.of(Messages.tr("close the open animation first"))
-                : state.frame().isEmpty() ? Optional.of(Messages.tr("nothing is rendered yet")) : state.pendingMessage();
+        return state.frame().isEmpty() ? Optional.of(Messages.tr("nothing is rendered yet")) : state.pendingMessage();
     }
 
     private CueFolder folder() {

@@ -106,7 +106,7 @@ public final class AccuracyPane extends BorderPane {
     }
 
     private Optional<LastEdit> lastEdit() {
-        return editorState.getValue().animating() ? Optional.empty() : workbench.lastEdit();
+        return workbench.lastEdit();
     }
 
     private void update() {

@@ -180,7 +180,7 @@ public final class EffectsPane extends VBox {
      * Returns the edit to measure: the last one if it changed no effect, else moving the first light, else any edit that the scene allows.
      */
     private Optional<LastEdit> editToMeasure() {
-        return (editor.isAnimating() ? Optional.<LastEdit>empty() : workbench.lastEdit())
+        return workbench.lastEdit()
                 .filter(e -> SceneEffects.of(e.before()).unused().equals(SceneEffects.of(editor.scene()).unused()))
                 .or(() -> PaperCases.moveCase(editor.scene()).or(() -> PaperCases.of(editor.scene()).stream().findFirst())
                         .map(c -> new LastEdit(c.before(), c.after(), true)));

@@ -120,7 +120,6 @@ public final class EditorModel implements AutoCloseable {
 
     /** Replaces the open document and traces the new one. Discards unsaved edits; the caller confirms first. */
     public void open(OpenDocument other) {
-        editor.dropAnimation();
         startFile(other);
         workbench.open(other);
         picture.repaint();
@@ -130,7 +129,6 @@ public final class EditorModel implements AutoCloseable {
 
     /** Replaces the open document with edits recovered after a crash, and traces them. */
     public void recover(RecoveryFolder.RecoverableScene recoverable, OpenDocument recovered) {
-        editor.dropAnimation();
         startFile(recovered);
         workbench.recover(recoverable, recovered, editor::reloadLooks);
         picture.repaint();

@@ -13,7 +13,6 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleIntegerProperty;
 import javafx.beans.property.SimpleObjectProperty;
-import lightning.base.text.Messages;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.document.EditorState;
 import lightning.editor.document.OpenDocument;
@@ -25,7 +24,7 @@ import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
 import org.jspecify.annotations.Nullable;
 
-/** Shows and edits the current scene: the open document's, or the frame of an open animation. Every edit clears the previous message. */
+/** Shows and edits the scene of the open document. Every edit clears the previous message. */
 public final class SceneEditor {
     private final ReadOnlyObjectWrapper<OpenDocument> document = new ReadOnlyObjectWrapper<>();
     private final ReadOnlyObjectWrapper<Scene> scene = new ReadOnlyObjectWrapper<>();
@@ -41,8 +40,6 @@ public final class SceneEditor {
     private final ObjectProperty<PreviewCamera> previewCamera;
     private final FileActivity fileActivity;
     private final KeySelection keySelection;
-    /** Scene of the open animation; null if none is open. */
-    private @Nullable Scene animationScene;
     /** Scene at the time of the last message, which does not apply to others. */
     private @Nullable Scene messageScene;
 
@@ -54,17 +51,14 @@ public final class SceneEditor {
         this.keySelection = keySelection;
         selection = new SceneSelection(workbench, editorStateProperty(), materialShown);
         message.textProperty().subscribe(_ -> messageScene = scene());
-        live.addListener((_, _, on) -> {
-            workbench.setLive(on);
-            setAnimationScene(animationScene);
-        });
+        live.addListener((_, _, on) -> workbench.setLive(on));
     }
 
     public ReadOnlyObjectProperty<OpenDocument> documentProperty() {
         return document.getReadOnlyProperty();
     }
 
-    /** Scene as edited: the document's, or that of the open animation. */
+    /** Scene as edited. */
     public ReadOnlyObjectProperty<Scene> sceneProperty() {
         return scene.getReadOnlyProperty();
     }
@@ -140,11 +134,11 @@ public final class SceneEditor {
     }
 
     public Scene scene() {
-        return animationScene == null ? document().scene() : animationScene;
+        return document().scene();
     }
 
     /**
-     * Applies an edit to the document or to the open animation.
+     * Applies an edit to the document.
      *
      * @return why the edit was refused; empty if it was applied
      */
@@ -159,12 +153,7 @@ public final class SceneEditor {
      */
     public Optional<String> edit(Function<Scene, EditOutcome> edit, @Nullable Object gesture) {
         message.clear();
-        EditOutcome change = edit.apply(scene());
-        if (animationScene == null) {
-            return workbench.edit(change, gesture);
-        }
-        setAnimationScene(change.sceneOr(animationScene));
-        return change.refusal();
+        return workbench.edit(edit.apply(scene()), gesture);
     }
 
     /** Applies an edit as {@link #edit(Function)} does, and shows a refusal in the status line. */
@@ -186,9 +175,6 @@ public final class SceneEditor {
      */
     public Optional<String> editShot(UnaryOperator<AnimatedScene> edit, @Nullable Object gesture) {
         message.clear();
-        if (animationScene != null) {
-            return Optional.of(Messages.tr("close the open animation first"));
-        }
         return workbench.editShot(() -> edit.apply(document().content()), gesture);
     }
 
@@ -220,49 +206,7 @@ public final class SceneEditor {
 
     /** Renders the scene as edited. */
     public void go() {
-        if (animationScene == null) {
-            workbench.go();
-        } else {
-            workbench.show(animationScene);
-        }
-    }
-
-    /** Returns whether an animation is open. Edits of an animation do not change the document and are discarded when it closes. */
-    public boolean isAnimating() {
-        return animationScene != null;
-    }
-
-    public void beginAnimation() {
-        animationScene = document().scene();
-        workbench.setAnimating(true);
-    }
-
-    /** Shows and renders a scene of the animation. */
-    public void showAnimationScene(Scene frame) {
-        animationScene = frame;
-        workbench.show(frame);
-    }
-
-    private void setAnimationScene(@Nullable Scene frame) {
-        animationScene = frame;
-        refresh();
-        if (animationScene != null && live.get() && editorState.get().hasPendingEdits()) {
-            workbench.show(animationScene);
-        }
-    }
-
-    /** Closes the animation and shows the document's scene again, also in the traced picture. */
-    public void endAnimation() {
-        dropAnimation();
-        workbench.setAnimating(false);
-        if (editorState.get().hasPendingEdits()) {
-            go();
-        }
-    }
-
-    /** Closes the animation of a document that is about to close, without rendering. */
-    void dropAnimation() {
-        animationScene = null;
+        workbench.go();
     }
 
     /** Updates all properties from the workbench. */
@@ -277,11 +221,7 @@ public final class SceneEditor {
         document.set(document());
         scene.set(scene());
         selection.refresh(scene());
-        EditorState state =
-                workbench.editorState().withReading(fileActivity.file() != null)
-                        .withSelectedKeyCount(keySelection.retainExisting(document().content()));
-        editorState.set(animationScene == null ? state
-                : state.withAnimationScene(animationScene, Optional.ofNullable(selection.light()),
-                        document().selection().node(animationScene)));
+        editorState.set(workbench.editorState().withReading(fileActivity.file() != null)
+                .withSelectedKeyCount(keySelection.retainExisting(document().content())));
     }
 }

@@ -117,7 +117,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
         setAlignment(statusBox, Pos.TOP_LEFT);
         getChildren().addAll(slots, statusBox, question);
         slots.setOnMouseClicked(e -> {
-            if (e.getButton() == MouseButton.PRIMARY && !editor.isAnimating()) {
+            if (e.getButton() == MouseButton.PRIMARY) {
                 visibleSlots.stream().filter(s -> s.getBoundsInParent().contains(e.getX(), e.getY())).findFirst()
                         .ifPresent(s -> editor.showFrame(s.frame));
             }
@@ -211,7 +211,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
             // Other frames need a different amount of memory, which the user must confirm again.
             closeStrip();
         }
-        if (strip != null && !editor.isAnimating()) {
+        if (strip != null) {
             strip.frames().setPictureBusy(state.sceneInProgress().isPresent() || state.verifying());
             strip.show(editor.document().content(), state.shotFrame().orElseThrow().frame());
             remotePreview.update(state, strip);
@@ -228,7 +228,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
     }
 
     private void stripChanged() {
-        if (strip != null && !editor.isAnimating()) {
+        if (strip != null) {
             remotePreview.update(editor.editorStateProperty().get(), strip);
         }
         draw();

@@ -55,7 +55,7 @@ final class KeyframeMouse {
     private void press(MouseEvent event) {
         Node hit = event.getPickResult().getIntersectedNode();
         TrackCell cell = cell(hit);
-        if (cell == null || cell.isEmpty() || editor.isAnimating()) {
+        if (cell == null || cell.isEmpty()) {
             return;
         }
         rows.requestFocus();

@@ -32,7 +32,7 @@ public final class Playback {
     /** Registers Play Shot. */
     public Playback(SceneEditor editor, TracedPicture picture, CommandRegistry commands) {
         this.editor = editor;
-        player = new FramePlayer(editor, picture, () -> editor.document().content() != content || editor.isAnimating(), this::showDue);
+        player = new FramePlayer(editor, picture, () -> editor.document().content() != content, this::showDue);
         player.playingProperty().subscribe(_ -> frameRate.set(""));
         commands.setToggle(Command.PLAY_SHOT, player.playingProperty(), this::toggle);
     }

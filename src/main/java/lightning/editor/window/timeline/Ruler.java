@@ -32,7 +32,7 @@ final class Ruler extends Pane {
     }
 
     private void scrub(MouseEvent event) {
-        if (event.getButton() == MouseButton.PRIMARY && timeline.shotProperty().get() != null && !timeline.editor().isAnimating()) {
+        if (event.getButton() == MouseButton.PRIMARY && timeline.shotProperty().get() != null) {
             int frame = timeline.scaleProperty().get().frame(event.getX());
             if (timeline.editor().document().shotFrame().filter(m -> m.frame() == frame).isEmpty()) {
                 timeline.editor().showFrame(frame);

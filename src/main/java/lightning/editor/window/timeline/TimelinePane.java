@@ -28,6 +28,7 @@ import lightning.editor.document.EditorState;
 import lightning.editor.document.KeyEdits;
 import lightning.editor.document.ShotFrame;
 import lightning.editor.document.StepRange;
+import lightning.editor.document.motion.RecordedShot;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.model.CommandRegistry;
@@ -59,12 +60,13 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
     private final NumberField first;
     private final NumberField last;
     private final NumberField rate;
+    private final NumberField every;
     /** Null while this pane is created, when the playhead may already move. */
     private final @Nullable Region keysPane;
     private final Region emptyPane;
     private @Nullable FilmStripPane strip;
 
-    public TimelinePane(EditorModel model, Playback playback) {
+    public TimelinePane(EditorModel model, Playback playback, MotionRecording recording) {
         this.model = model;
         editor = model.editor();
         commands = model.commands();
@@ -83,7 +85,12 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
                 (v, g) -> editRange(s -> new Shot(s.first(), s.last(), v, List.of()), g));
         note.setId("timeline-note");
         note.getStyleClass().add("pane-note");
-        note.textProperty().bind(playback.frameRateProperty());
+        note.textProperty().bind(recording.statusProperty().concat(playback.frameRateProperty()));
+        every = number(Messages.key("keyframe interval"), 1, RecordedShot.MAX_INTERVAL, (v, _) -> {
+            recording.intervalProperty().set((int) v);
+            return Optional.empty();
+        });
+        recording.intervalProperty().subscribe(v -> every.show(v.doubleValue()));
         keysPane = keysArea();
         emptyPane = emptyNote();
         setTop(toolBar());
@@ -119,6 +126,9 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
         bar.getChildren().addAll(new Separator(Orientation.VERTICAL), labeled(Messages.tr("Frame"), frame),
                 new Separator(Orientation.VERTICAL));
         add(bar, Command.SET_KEY, Command.DELETE_KEYS, Command.LINEAR_KEYS, Command.SMOOTH_KEYS, Command.STEPPED_KEYS);
+        bar.getChildren().add(new Separator(Orientation.VERTICAL));
+        add(bar, Command.MAKE_ANIMATION);
+        bar.getChildren().add(labeled(Messages.tr("keyframe every"), every));
         bar.getChildren().addAll(new Separator(Orientation.VERTICAL), labeled(Messages.tr("from"), first), labeled(Messages.tr("to"), last),
                 labeled(Messages.tr("fps"), rate),
                 new Separator(Orientation.VERTICAL), CommandButton.iconButton(commands, Command.FILM_STRIP), note);
@@ -264,7 +274,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
         Shot shot = timeline.shotProperty().get();
         requireNonNull(keysPane).setVisible(shot != null);
         emptyPane.setVisible(shot == null);
-        boolean disabled = shot == null || editor.isAnimating();
+        boolean disabled = shot == null;
         for (NumberField field : List.of(frame, first, last, rate)) {
             field.setDisable(disabled);
         }

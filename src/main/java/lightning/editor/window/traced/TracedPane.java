@@ -338,9 +338,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         if (state.frame().isEmpty() || state.hasPendingEdits() && traced.raster().isUnfinished()) {
             return isStopped() ? Messages.tr("Unfinished. Render (F5)") : coarseNote();
         }
-        // During playback there is always a newer frame in progress.
-        boolean isUpdating = state.animating() && state.sceneInProgress().isPresent();
-        if (isUpdating || state.pendingMessage().isEmpty()) {
+        if (state.pendingMessage().isEmpty()) {
             return "";
         }
         boolean isInProgress = state.sceneInProgress().filter(s -> VisibleState.isSame(s, state.scene())).isPresent();

@@ -9,6 +9,7 @@ import java.util.function.LongPredicate;
 import javafx.scene.layout.Pane;
 import javafx.stage.Stage;
 import lightning.base.math.Vec3;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.window.JavaFxRequirement;
 import lightning.editor.window.StageExtension;
 import lightning.editor.window.TestEditors;
@@ -36,7 +37,7 @@ class FramePlayerTest {
     private void start(Stage stage) throws Exception {
         model = TestEditors.model(folder);
         TestEditors.show(stage, new Pane());
-        model.editor().beginAnimation();
+        model.editor().liveProperty().set(true);
     }
 
     @Stop
@@ -53,7 +54,7 @@ class FramePlayerTest {
     private boolean showNext() {
         traced.add(model.picture().frame().scene());
         Light key = TestEditors.light(model, "key");
-        model.editor().showAnimationScene(model.editor().scene().withLight(key.withPosition(key.position().plus(new Vec3(1, 0, 0)))));
+        model.editor().edit(s -> new EditOutcome.Applied(s.withLight(key.withPosition(key.position().plus(new Vec3(1, 0, 0))))));
         shown.add(model.editor().scene());
         requestCount++;
         return true;

@@ -478,19 +478,6 @@ class TracedPaneTest extends EditorFixture {
         assertThat(isShown("pending")).isFalse();
     }
 
-    /** During playback there is always a picture in progress, so no edit is pending. */
-    @Test
-    void playback_showsNoPendingBadge() {
-        robot.interact(() -> {
-            model().editor().beginAnimation();
-            model().editor().showAnimationScene(model().editor().scene().withLight(light("lamp").withIntensity(3)));
-            assertThat(isShown("pending")).isFalse();
-        });
-        waitForPicture();
-        robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 5)));
-        waitFor("the message is shown", () -> isShown("pending"));
-    }
-
     @Test
     void actualSize_mapsPixelsOneToOne() {
         widenPane();
