@@ -131,7 +131,7 @@ public enum Command {
     PLACE_FLAG(Messages.key("Place Flag…"), Messages.key("Click or drag where the light's flag should block it"),
             "mdi2f-flag-outline", "", DisabledReasons::noPlacedLight),
     MAKE_ANIMATION(Messages.key("Make Animation"), Messages.key("Record the selected light's movement into the shot; again to stop"),
-            "mdi2m-movie-open-outline", "Shortcut+M", DisabledReasons::noPlacedLight),
+            "mdi2r-record-circle-outline", "Shortcut+M", DisabledReasons::noPlacedLight),
 
     WAY_TO_KEYS(Messages.key("Convert Path to Keyframes…"),
             Messages.key("Add a motion path file to the shot as keyframes of the selected light, from this frame"),
