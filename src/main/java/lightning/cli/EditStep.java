@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.cli.output.BadInputException;
 import lightning.cli.output.Console;
 import lightning.format.jen.PropertyEdit;
@@ -67,7 +68,7 @@ final class EditStep {
             return List.of(set != null ? PropertyEdit.apply(scene, set, folder)
                     : add != null ? PropertyEdit.add(scene, add)
                     : PropertyEdit.delete(scene, requireNonNull(delete)));
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             String step = set != null ? "--set " + set : add != null ? "--add " + add : "--delete " + delete;
             throw new BadInputException(Quote.shorten(step) + ": " + e.getMessage());
         }

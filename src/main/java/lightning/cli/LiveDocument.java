@@ -11,6 +11,7 @@ import lightning.base.file.ChangedFileException;
 import lightning.base.file.FileErrorMessage;
 import lightning.base.file.FileState;
 import lightning.base.text.PrintableText;
+import lightning.base.text.RefusalException;
 import lightning.cli.output.Console;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenFile;
@@ -50,7 +51,7 @@ final class LiveDocument {
         String page = change.page();
         try {
             document = document.withScene(change.state().applyTo(before));
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             console.warn("a change was left out: %s", e.getMessage());
             page = "";
         }

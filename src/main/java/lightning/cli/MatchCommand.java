@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.cli.option.PictureOptions;
 import lightning.cli.option.PixelRegion;
 import lightning.cli.option.ThreadsOption;
@@ -113,7 +114,7 @@ final class MatchCommand implements Callable<Integer> {
         try (Renderer renderer = new Renderer(options); ProgressBar bar = new ProgressBar(console, "tracing")) {
             renderer.render(scene, bar);
             result = LightMatch.of(renderer.cache(), options, image, settings, bar);
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw new BadInputException(Console.text("%s: %s", reference, e.getMessage()));
         }
         Scene matched = MatchedScene.of(document.scene(), result);

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import lightning.base.text.Language;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.cli.option.PictureOptions;
 import lightning.cli.output.BadInputException;
 import lightning.cli.output.Console;
@@ -78,7 +79,7 @@ final class ReviewPageOptions {
         List<Integer> chosen = chosenFrames(shot);
         try {
             return ReviewLooks.film(cues, shot, scene, chosen);
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw new BadInputException(String.valueOf(e.getMessage()));
         }
     }

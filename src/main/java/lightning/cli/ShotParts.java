@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.cli.option.FramesOption;
 import lightning.cli.option.PictureOptions;
 import lightning.cli.option.ShotFrames;
@@ -77,7 +78,7 @@ final class ShotParts {
         AnimatedScene lit;
         try {
             lit = sequence.lit(shot, sequence.rig());
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw new BadInputException(Console.text("%s: %s", file, e.getMessage()));
         }
         Scene scene = picture.apply(lit.base());

@@ -2,6 +2,7 @@ package lightning.scene;
 
 import java.util.List;
 import lightning.base.math.Vec3;
+import lightning.base.text.RefusalException;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.value.LensShift;
@@ -58,10 +59,10 @@ public record Camera(Vec3 from, Vec3 to, Vec3 up, double fov, LensShift shift, V
         SceneLimits.checkPosition("origin", origin);
         Vec3 view = to.minus(from);
         if (!(view.maxAbs() >= 1e-12)) {
-            throw new IllegalArgumentException("from and to must be different points");
+            throw new RefusalException("from and to must be different points");
         }
         if (!(view.normalized().cross(up.normalized()).length() >= 1e-9)) {
-            throw new IllegalArgumentException("up must not be parallel to the view direction");
+            throw new RefusalException("up must not be parallel to the view direction");
         }
     }
 

@@ -3,6 +3,7 @@ package lightning.scene;
 import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.List;
 import lightning.base.text.Messages;
+import lightning.base.text.RefusalException;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
@@ -53,7 +54,7 @@ public record IndirectSettings(int bounces, int rays, int spacing, boolean backg
 
     private static void checkRays(String name, int rays) {
         if (!RAY_COUNTS.contains(rays)) {
-            throw new IllegalArgumentException(name + " must be 16, 64, 256 or 1024, was " + rays);
+            throw new RefusalException(name + " must be 16, 64, 256 or 1024, was " + rays);
         }
     }
 

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Predicate;
 import lightning.base.math.Rgb;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.scene.light.AreaShape;
 import lightning.scene.light.Emission;
 import lightning.scene.light.Falloff;
@@ -33,11 +34,11 @@ public final class ObjectLight {
      * material, or a copy if other shapes have it too, becomes the bulb of the light.
      *
      * @param light name of the new light
-     * @throws IllegalArgumentException if there is no such shape, or if the name is taken
+     * @throws RefusalException if there is no such shape, or if the name is taken
      */
     public static Scene make(Scene scene, String shape, String light) {
         if (!(scene.stage().node(shape).orElse(null) instanceof Shape found)) {
-            throw new IllegalArgumentException("there is no object " + Quote.of(shape));
+            throw new RefusalException("there is no object " + Quote.of(shape));
         }
         Material material = scene.materialsByName().getOrDefault(found.material(), Material.DEFAULT);
         Rgb glow = material.glow().isBlack() ? Rgb.gray(INITIAL_GLOW) : material.glow();

@@ -6,6 +6,7 @@ import java.math.RoundingMode;
 import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.scene.asset.Environment;
 import lightning.scene.light.Contribution;
 import lightning.scene.light.Light;
@@ -60,11 +61,11 @@ public record OverflowCheck(Light light, Material material, double limit, double
 
     /**
      * @param rig lights with the surfaces of the stage
-     * @throws IllegalArgumentException if the lights are too bright; the message says which
+     * @throws RefusalException if the lights are too bright; the message says which
      */
     static void check(Stage stage, LightRig rig) {
         ofPlaced(stage, rig).ifPresent(overflow -> {
-            throw new IllegalArgumentException(overflow.message());
+            throw new RefusalException(overflow.message());
         });
     }
 

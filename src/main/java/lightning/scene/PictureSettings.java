@@ -3,6 +3,7 @@ package lightning.scene;
 import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.List;
 import java.util.Optional;
+import lightning.base.text.RefusalException;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.value.SceneLimits;
@@ -59,7 +60,7 @@ public record PictureSettings(int width, int height, int depth, SamplingSettings
 
     private static void checkReflectionRays(String name, int rays) {
         if (!REFLECTION_RAY_COUNTS.contains(rays)) {
-            throw new IllegalArgumentException(name + " must be 4, 16, 64 or 256, was " + rays);
+            throw new RefusalException(name + " must be 4, 16, 64 or 256, was " + rays);
         }
     }
 

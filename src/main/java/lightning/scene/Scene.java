@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.scene.attribute.ValueKind;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
@@ -108,7 +109,7 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
     /**
      * Returns this scene with the light of the same name replaced.
      *
-     * @throws IllegalArgumentException if no light has that name
+     * @throws RefusalException if no light has that name
      */
     public Scene withLight(Light light) {
         return withRig(rig.with(light));
@@ -122,11 +123,11 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
     /**
      * Returns this scene with a light renamed; its bulbs follow the name.
      *
-     * @throws IllegalArgumentException if there is no such light, or if the new name is taken or invalid
+     * @throws RefusalException if there is no such light, or if the new name is taken or invalid
      */
     public Scene renameLight(String name, String newName) {
         if (light(name).isEmpty()) {
-            throw new IllegalArgumentException("there is no light " + Quote.of(name));
+            throw new RefusalException("there is no light " + Quote.of(name));
         }
         return new Scene(picture, camera, world, stage.renameBulbs(name, newName),
                 rig.withLights(lights().stream().map(l -> l.name().equals(name) ? l.withName(newName) : l).toList()));
@@ -140,12 +141,12 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
      * Returns this scene with the material of the same name replaced. Adds the first material named {@code default}, which shapes without a
      * material use, at the end.
      *
-     * @throws IllegalArgumentException if no material has that name
+     * @throws RefusalException if no material has that name
      */
     public Scene withMaterial(Material material) {
         if (material(material.name()).isEmpty()) {
             if (!material.name().equals(Material.DEFAULT.name())) {
-                throw new IllegalArgumentException("there is no material " + Quote.of(material.name()));
+                throw new RefusalException("there is no material " + Quote.of(material.name()));
             }
             List<Material> added = new ArrayList<>(materials());
             added.add(material);

@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import lightning.base.math.Transform;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightRig;
@@ -56,7 +57,7 @@ public final class Stage {
     /**
      * @param materials materials with unique names
      * @param nodes     shapes and groups with unique names; each shape's material is one of {@code materials}, or {@code default}
-     * @throws IllegalArgumentException if a name is taken or a material missing, if there are more shapes, materials or nested groups than
+     * @throws RefusalException if a name is taken or a material missing, if there are more shapes, materials or nested groups than
      *     {@link SceneLimits} allows, or if combined scales are out of range
      */
     public Stage(List<Material> materials, List<SceneNode> nodes) {
@@ -75,7 +76,7 @@ public final class Stage {
         for (Material material : this.materials) {
             sharpest = material.maxTerm() > (sharpest == null ? 1 : sharpest.maxTerm()) ? material : sharpest;
             if (materialMap.put(material.name(), material) != null) {
-                throw new IllegalArgumentException("material " + Quote.of(material.name()) + ": the name is already taken");
+                throw new RefusalException("material " + Quote.of(material.name()) + ": the name is already taken");
             }
         }
         hasBulbs = this.materials.stream().anyMatch(m -> !m.bulb().light().isEmpty());
@@ -251,7 +252,7 @@ public final class Stage {
      * Returns this stage with the node of that name replaced by none, one or several; itself if the node does not exist. Reuses the data of
      * all other nodes, so that it takes little time in any scene.
      *
-     * @throws IllegalArgumentException as {@link #Stage(List, List)}
+     * @throws RefusalException as {@link #Stage(List, List)}
      */
     public Stage replaceNode(String name, List<? extends SceneNode> replacement) {
         Optional<int[]> path = path(name);

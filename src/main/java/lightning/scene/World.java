@@ -16,6 +16,7 @@ import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.attribute.NumericKind;
@@ -221,14 +222,14 @@ public record World(double ambience, Rgb background, List<Dome> domes, double me
     /**
      * Returns this world with the dome of a name replaced.
      *
-     * @throws IllegalArgumentException if there is no such dome, or another one has the new name
+     * @throws RefusalException if there is no such dome, or another one has the new name
      */
     public World withDome(String name, Dome v) {
         if (name.equals(Dome.OWN)) {
             return withOwn(_ -> v);
         }
         if (dome(name).isEmpty()) {
-            throw new IllegalArgumentException("there is no dome " + Quote.of(name));
+            throw new RefusalException("there is no dome " + Quote.of(name));
         }
         return withDomes(domes.stream().map(d -> d.name().equals(name) ? v : d).toList());
     }

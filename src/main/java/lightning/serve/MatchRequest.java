@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.json.MatchReport;
 import lightning.format.json.ReportMapper;
 import lightning.format.reference.ReferenceFile;
@@ -70,7 +71,7 @@ final class MatchRequest {
         MatchResult result = session.compute(request, options -> {
             try {
                 return LightMatch.of(session.renderer().cache(), options, reference, settings, request.progress());
-            } catch (IllegalArgumentException e) {
+            } catch (RefusalException e) {
                 throw Fields.bad("reference", String.valueOf(e.getMessage()));
             }
         });

@@ -19,6 +19,7 @@ import lightning.base.file.FileState;
 import lightning.base.file.ParentFolder;
 import lightning.base.file.ShippedFile;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.base.work.Progress;
 import lightning.editor.document.EditHistory;
 import lightning.editor.document.EditOutcome;
@@ -115,7 +116,7 @@ final class SceneEditing {
     private static <T> T apply(String place, String text, Scene scene, BiFunction<Scene, String, T> edit) {
         try {
             return edit.apply(scene, text);
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw new RequestException(ErrorCode.BAD_EDIT, place, e.getMessage());
         }
     }

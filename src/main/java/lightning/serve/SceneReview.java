@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.Optional;
 import java.util.SequencedMap;
 import java.util.concurrent.CancellationException;
+import lightning.base.text.RefusalException;
 import lightning.format.review.Review;
 import lightning.format.review.live.LiveAddress;
 import lightning.format.review.live.LiveChange;
@@ -85,7 +86,7 @@ final class SceneReview implements AutoCloseable {
             if (session.editByPage(change.state().applyTo(session.scene()), page)) {
                 changes++;
             }
-        } catch (RequestException | IllegalArgumentException e) {
+        } catch (RequestException | RefusalException e) {
             // The scene does not allow it: the page gets the scene's values again.
             shownValues = null;
             page = "";

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import lightning.base.text.RefusalException;
 import lightning.base.work.Progress;
 import org.jspecify.annotations.Nullable;
 
@@ -241,7 +242,7 @@ final class FrameQueue {
             work.checkedRevision = newestRevisionNumber;
             try {
                 work.reusable = work.revision.sceneAt(work.frame).hasSameShapes(requireNonNull(newestRevision).sceneAt(work.frame));
-            } catch (IllegalArgumentException e) {
+            } catch (RefusalException e) {
                 // The scene is invalid; the next update of the frame reports it.
                 work.reusable = false;
             }

@@ -1,5 +1,6 @@
 package lightning.cli.option;
 
+import lightning.base.text.RefusalException;
 import lightning.shot.cluster.HostPort;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
@@ -10,7 +11,7 @@ public final class HostPortConverter implements ITypeConverter<HostPort> {
     public HostPort convert(String text) {
         try {
             return HostPort.parse(text);
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw new TypeConversionException(e.getMessage());
         }
     }

@@ -2,6 +2,7 @@ package lightning.cli.option;
 
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
+import lightning.base.text.RefusalException;
 import lightning.cli.output.BadInputException;
 import lightning.cli.output.Console;
 import lightning.format.jen.JenDocument;
@@ -45,7 +46,7 @@ public record ShotFrames(Shot shot, FrameRange range) {
     Scene sceneAt(Scene scene, int frame) throws BadInputException {
         try {
             return shot.sceneAt(scene, frame);
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw new BadInputException(e.getMessage());
         }
     }

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import lightning.base.file.AtomicFile;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.base.work.HeapBudget;
 import lightning.base.work.WorkerPool;
 import lightning.format.exr.ExrPrimaries;
@@ -50,7 +51,7 @@ public abstract sealed class PictureOutput permits SinglePictureOutput, StepPict
     private void setExposure(double stops) {
         try {
             exposure = ViewTransform.DEFAULT.withExposure(stops).exposure();
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw new ParameterException(command.commandLine(), "--" + e.getMessage());
         }
     }

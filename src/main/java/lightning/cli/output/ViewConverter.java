@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.base.file.FileErrorMessage;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.base.work.Progress;
 import lightning.format.image.CubeLutReader;
 import lightning.format.ocio.OcioReference;
@@ -75,7 +76,7 @@ final class ViewConverter implements ITypeConverter<ViewChoice> {
         }
         try {
             return Log2Shaper.parse(word);
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw new TypeConversionException(e.getMessage());
         }
     }

@@ -2,6 +2,7 @@ package lightning.editor.document;
 
 import java.util.Optional;
 import java.util.function.Supplier;
+import lightning.base.text.RefusalException;
 import lightning.scene.Scene;
 
 /** Result of an edit: a new scene or a refusal. */
@@ -24,7 +25,7 @@ public sealed interface EditOutcome {
     static EditOutcome of(Supplier<Scene> edit) {
         try {
             return new Applied(edit.get());
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             return new Refused(String.valueOf(e.getMessage()));
         }
     }

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.PropertyEdit;
 import lightning.scene.Scene;
 import lightning.scene.asset.TextureMap;
@@ -38,7 +39,7 @@ public final class MaterialEdits {
     private static Material material(Scene scene, String name) {
         Material material = scene.materialsByName().get(name);
         if (material == null) {
-            throw new IllegalArgumentException(Messages.tr("material {0} not found", Quote.of(name)));
+            throw new RefusalException(Messages.tr("material {0} not found", Quote.of(name)));
         }
         return material;
     }

@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.function.UnaryOperator;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.editor.document.manipulation.DuplicateOffset;
 import lightning.scene.ObjectLight;
 import lightning.scene.Scene;
@@ -52,7 +53,7 @@ public final class NodeEdits {
     public static EditOutcome makeLight(Scene scene, String name, String light) {
         return EditOutcome.of(() -> {
             if (!(node(scene, name) instanceof Shape)) {
-                throw new IllegalArgumentException(Messages.tr("{0} is a group; only an object can be a light", name));
+                throw new RefusalException(Messages.tr("{0} is a group; only an object can be a light", name));
             }
             return ObjectLight.make(scene, name, light);
         });

@@ -13,6 +13,7 @@ import lightning.base.file.ParentFolder;
 import lightning.base.file.ShippedFile;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.AssetCopies;
 import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
@@ -172,7 +173,7 @@ public final class OpenDocument {
         if (content != shownContent || frame != shownFrame) {
             try {
                 show(content, content.sceneAt(frame), "");
-            } catch (IllegalArgumentException e) {
+            } catch (RefusalException e) {
                 show(content, content.base(), String.valueOf(e.getMessage()));
             }
         }
@@ -306,7 +307,7 @@ public final class OpenDocument {
             AnimatedScene edited;
             try {
                 edited = contentWith(to.scene());
-            } catch (IllegalArgumentException e) {
+            } catch (RefusalException e) {
                 return Optional.of(String.valueOf(e.getMessage()));
             }
             history.edit(edited, gesture, to.label());
@@ -336,7 +337,7 @@ public final class OpenDocument {
             }
             clampFrame();
             return Optional.empty();
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             return Optional.of(String.valueOf(e.getMessage()));
         }
     }

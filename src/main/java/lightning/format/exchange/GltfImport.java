@@ -11,6 +11,7 @@ import java.util.Set;
 import lightning.base.file.RegularFile;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.base.text.RefusalException;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
@@ -266,7 +267,7 @@ final class GltfImport {
             cameraNode = Optional.of(node);
             cameras.noteOthers(node, assembler.notes);
             gltfCamera.aspectRatio().ifPresent(assembler::setAspectRatio);
-        } catch (IllegalArgumentException | ArithmeticException e) {
+        } catch (RefusalException | ArithmeticException e) {
             assembler.notes.add("cameras that cannot be placed");
         }
     }
@@ -296,7 +297,7 @@ final class GltfImport {
         try {
             return new Camera(camera.from(), camera.from().plus(view.times(distance)), camera.up(), camera.fov(),
                     extras.cameraShift(notes));
-        } catch (IllegalArgumentException | ArithmeticException e) {
+        } catch (RefusalException | ArithmeticException e) {
             return camera;
         }
     }
@@ -330,7 +331,7 @@ final class GltfImport {
             boolean isClamped =
                     light.intensity() * quadratic > SceneLimits.MAX_INTENSITY && !assembler.restoredLights.contains(result.name());
             assembler.notes.add("intensities of lights beyond 1e30", isClamped ? 1 : 0);
-        } catch (IllegalArgumentException | ArithmeticException e) {
+        } catch (RefusalException | ArithmeticException e) {
             assembler.notes.add("lights that cannot be placed");
         }
     }

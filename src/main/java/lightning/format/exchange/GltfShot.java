@@ -11,6 +11,7 @@ import java.util.function.Supplier;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.base.text.RefusalException;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.FrameTracks;
 import lightning.format.exchange.assembly.NearestAngles;
@@ -181,7 +182,7 @@ final class GltfShot {
             if (keys <= Shot.MAX_KEYS) {
                 tracks.addAll(added);
             }
-        } catch (IllegalArgumentException | ArithmeticException e) {
+        } catch (RefusalException | ArithmeticException e) {
             assembler.notes.add(note);
         }
     }

@@ -4,6 +4,7 @@ import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import lightning.base.text.RefusalException;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.usd.StageChoice;
 import lightning.format.usd.UsdSubdivision;
@@ -28,7 +29,7 @@ public record ImportOptions(Optional<LightUnits> units, int levels, List<String>
     public ImportOptions {
         variants = List.copyOf(variants);
         if (frame.isPresent() && !(Math.abs(frame.getAsDouble()) <= MAX_FRAME)) {
-            throw new IllegalArgumentException("a frame must be from -100000000 to 100000000, was " + frame.getAsDouble());
+            throw new RefusalException("a frame must be from -100000000 to 100000000, was " + frame.getAsDouble());
         }
     }
 

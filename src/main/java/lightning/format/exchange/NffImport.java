@@ -8,6 +8,7 @@ import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.base.text.RefusalException;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.Bounds;
 import lightning.format.exchange.assembly.ImportedScene;
@@ -75,7 +76,7 @@ final class NffImport {
         try {
             assembler.camera = Optional.of(new Camera(view.from(), view.at(), view.up(),
                     Math.clamp(view.angle(), SceneLimits.MIN_FOV, SceneLimits.MAX_FOV)));
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             assembler.notes.add("cameras that cannot be placed");
         }
         if (view.width() > 0 && view.height() > 0 && Math.max(view.width(), view.height()) <= SceneLimits.MAX_SIZE) {
@@ -113,7 +114,7 @@ final class NffImport {
                                 ball.center().z()));
                 case NffSolid.Cone tube -> importCone(tube, material);
             };
-        } catch (IllegalArgumentException | ArithmeticException e) {
+        } catch (RefusalException | ArithmeticException e) {
             return Optional.empty();
         }
     }
@@ -156,7 +157,7 @@ final class NffImport {
             assembler.lights.add(Light.of(assembler.names.unique("light", "light"), LightType.POINT)
                     .withColor(assembler.clampColor(color, SceneLimits.MAX_LIGHT_COLOR, "colors of lights")).withIntensity(intensity)
                     .withPosition(light.position()));
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             assembler.notes.add("lights that cannot be placed");
         }
     }

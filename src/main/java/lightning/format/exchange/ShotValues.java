@@ -3,6 +3,7 @@ package lightning.format.exchange;
 import java.util.List;
 import java.util.function.BiConsumer;
 import java.util.stream.IntStream;
+import lightning.base.text.RefusalException;
 import lightning.format.exchange.json.AttributeJson;
 import lightning.format.exchange.json.TransformJson;
 import lightning.format.mesh.ConversionNotes;
@@ -45,7 +46,7 @@ record ShotValues(AnimatedScene animated, Shot shot, ConversionNotes notes) {
         List<Scene> frames;
         try {
             frames = IntStream.rangeClosed(shot.first(), shot.last()).mapToObj(animated::sceneAt).toList();
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             notes.add("animation of frames that cannot be shown");
             return;
         }

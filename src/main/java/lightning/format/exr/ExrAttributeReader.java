@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import org.jspecify.annotations.Nullable;
 
 /** Reader for the attributes of one part of a file. What cannot be read counts only if the part is used. */
@@ -190,7 +191,7 @@ final class ExrAttributeReader {
     private static ExrChannel channel(String name, ExrType type, boolean isPerceptual) throws IOException {
         try {
             return new ExrChannel(name, type, isPerceptual);
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw new IOException("has a channel " + Quote.of(name) + "; expected an ASCII name", e);
         }
     }

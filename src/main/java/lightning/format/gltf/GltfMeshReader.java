@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
+import lightning.base.text.RefusalException;
 import lightning.base.work.HeapBudget;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.LimitException;
@@ -186,7 +187,7 @@ public final class GltfMeshReader {
         }
         try {
             return new Mesh(positions, triangles, normals, coordinates, colors, tangents);
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw primitive.problem(String.valueOf(e.getMessage()));
         }
     }

@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import lightning.base.text.RefusalException;
 import lightning.format.mesh.NamedMesh;
 import lightning.scene.node.Mesh;
 import org.jspecify.annotations.Nullable;
@@ -34,7 +35,7 @@ public final class MeshFileWriter {
     /**
      * Returns the file.
      *
-     * @throws IllegalArgumentException if it would have more than 2 GiB
+     * @throws RefusalException if it would have more than 2 GiB
      */
     public static byte[] write(List<NamedMesh> meshes) {
         long bytes = 0;
@@ -44,7 +45,7 @@ public final class MeshFileWriter {
                     + length(mesh.colors()));
         }
         if (bytes > Integer.MAX_VALUE / 2) {
-            throw new IllegalArgumentException("its meshes take " + (bytes >> 20) + " MiB, more than 1024");
+            throw new RefusalException("its meshes take " + (bytes >> 20) + " MiB, more than 1024");
         }
         return new MeshFileWriter((int) bytes).file(meshes);
     }

@@ -3,6 +3,7 @@ package lightning.format.gltf;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
+import lightning.base.text.RefusalException;
 
 /**
  * Decoder of compressed buffer views (EXT_meshopt_compression, appendix A): attributes, triangles and sequences of indices. The input is
@@ -56,7 +57,7 @@ final class MeshoptCodec {
 
     private void requireHeader(int header) {
         if (read() != header) {
-            throw new IllegalArgumentException("has an unknown header " + (in[0] & 0xFF));
+            throw new RefusalException("has an unknown header " + (in[0] & 0xFF));
         }
     }
 
@@ -80,7 +81,7 @@ final class MeshoptCodec {
             }
         }
         if (in.length - next != Math.max(MIN_TAIL, stride)) {
-            throw new IllegalArgumentException("has " + (in.length - next) + " bytes at the end");
+            throw new RefusalException("has " + (in.length - next) + " bytes at the end");
         }
         return out;
     }
@@ -192,7 +193,7 @@ final class MeshoptCodec {
         int last = 0;
         for (int i = 0; i < count; i += 3) {
             if (next > table) {
-                throw new IllegalArgumentException("ends after " + i / 3 + " of " + count / 3 + " triangles");
+                throw new RefusalException("ends after " + i / 3 + " of " + count / 3 + " triangles");
             }
             int code = in[codes + i / 3] & 0xFF;
             int a;
@@ -254,7 +255,7 @@ final class MeshoptCodec {
             out[i + 2] = c;
         }
         if (next != table) {
-            throw new IllegalArgumentException("has " + (table - next) + " bytes at the end");
+            throw new RefusalException("has " + (table - next) + " bytes at the end");
         }
         return out;
     }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.base.text.RefusalException;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.NamedMesh;
 import lightning.format.mesh.UniqueNames;
@@ -127,7 +128,7 @@ public final class PosedMeshes {
             String name = names.unique(node.name().isEmpty() ? part.name() : node.name(), "mesh");
             meshes.add(new NamedMesh(name, mesh));
             return new GltfPart(part.mesh(), part.primitive(), name, part.material(), mesh, new int[0]);
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw primitive.problem(String.valueOf(e.getMessage()));
         }
     }

@@ -10,6 +10,7 @@ import java.util.OptionalDouble;
 import lightning.base.file.RegularFile;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.render.image.CubeLut;
 import lightning.render.image.Log2Shaper;
 
@@ -137,7 +138,7 @@ public final class CubeLutReader {
     private void readShaper(String text) throws IOException {
         try {
             log = Optional.of(Log2Shaper.parse(text));
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw problem("a logarithm such as log2:-9,12 after " + SHAPER.strip(), quoted(text));
         }
     }

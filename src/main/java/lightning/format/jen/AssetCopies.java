@@ -13,6 +13,7 @@ import lightning.base.file.AtomicFile;
 import lightning.base.file.RegularFile;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.asset.AssetSearchPath;
 import lightning.format.jen.asset.MeshFolder;
 import lightning.format.jen.asset.UnusableFileException;
@@ -55,7 +56,7 @@ public final class AssetCopies {
                 new AssetSearchPath(folder, "file", file.subfolder()).find(file.file());
             } catch (UnusableFileException e) {
                 missing.add(file);
-            } catch (IllegalArgumentException e) {
+            } catch (RefusalException e) {
                 // No file can have this name.
             }
         }

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.TokenList.Kind;
 import lightning.format.jen.asset.NameSuggestion;
 import lightning.scene.shot.Interpolation;
@@ -114,7 +115,7 @@ final class KeyframeParser {
                         hasInterpolation ? parseInterpolation(property, interpolationToken) : defaultInterpolation(property)));
             }
             return setting.isEmpty() ? -1 : hasInterpolation ? interpolationToken + 1 : interpolationToken;
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             problem(start, start, String.valueOf(e.getMessage()));
             return -1;
         }
@@ -123,11 +124,11 @@ final class KeyframeParser {
     private int parseFrame(Property<?> property, int token, List<Keyframe> keys) {
         double frame = kind(token) == Kind.NUMBER ? tokens.number(token) : Double.NaN;
         if (frame != Math.rint(frame)) {
-            throw new IllegalArgumentException(property.name() + ": expected a frame, a whole number, found " + tokens.describe(token));
+            throw new RefusalException(property.name() + ": expected a frame, a whole number, found " + tokens.describe(token));
         }
         SceneLimits.checkRange(property.name() + ": a frame", frame, 0, Shot.MAX_FRAME);
         if (!keys.isEmpty() && frame <= keys.getLast().frame()) {
-            throw new IllegalArgumentException(
+            throw new RefusalException(
                     property.name() + ": keys must be in the order of their frames, found " + tokens.describe(token)
                             + " after " + keys.getLast().frame());
         }
@@ -140,7 +141,7 @@ final class KeyframeParser {
         try {
             if (property.form() == Property.Form.WORD) {
                 if (kind(token) != Kind.WORD) {
-                    throw new IllegalArgumentException(
+                    throw new RefusalException(
                             property.name() + " must be " + property.expected() + ", found " + tokens.describe(token));
                 }
                 property.checkWord(tokens.text(token));
@@ -153,7 +154,7 @@ final class KeyframeParser {
             token = start;
             property.checkValue(new Value.Numbers(numbers));
             return Optional.of(new KeyframeValue.Numbers(numbers));
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             problem(token, token, String.valueOf(e.getMessage()));
             return Optional.empty();
         }

@@ -2,6 +2,7 @@ package lightning.format.jen;
 
 import java.util.ArrayList;
 import java.util.List;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.TokenList.Kind;
 import lightning.format.jen.asset.NameSuggestion;
 import lightning.scene.value.SceneLimits;
@@ -144,7 +145,7 @@ final class Parser {
         block.name = tokens.text(position);
         try {
             SceneLimits.checkName(block.name);
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             problem(String.valueOf(e.getMessage()));
         }
         position++;

@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.asset.FileName;
 import lightning.format.jen.asset.NameSuggestion;
 import lightning.format.jen.asset.TextureFolder;
@@ -169,7 +170,7 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
     /**
      * Checks a number.
      *
-     * @throws IllegalArgumentException if {@code v} is not allowed at {@code index}; the message contains expected and found
+     * @throws RefusalException if {@code v} is not allowed at {@code index}; the message contains expected and found
      *     value
      */
     void checkNumber(int index, double v) {
@@ -179,7 +180,7 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         }
         String label = name + labels.get(index);
         if (isFractional) {
-            throw new IllegalArgumentException(label + " must be a whole number, was " + SceneLimits.format(v));
+            throw new RefusalException(label + " must be a whole number, was " + SceneLimits.format(v));
         }
         SceneLimits.checkRange(label, v, min, max);
     }
@@ -187,11 +188,11 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
     /**
      * Checks a word.
      *
-     * @throws IllegalArgumentException if {@code word} is not one of the choices
+     * @throws RefusalException if {@code word} is not one of the choices
      */
     void checkWord(String word) {
         if (!choices.contains(word)) {
-            throw new IllegalArgumentException(name + " must be " + alternatives() + ", was " + Quote.of(word)
+            throw new RefusalException(name + " must be " + alternatives() + ", was " + Quote.of(word)
                     + NameSuggestion.hint(word, choices));
         }
     }
@@ -199,7 +200,7 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
     /**
      * Checks a value whose single numbers are valid.
      *
-     * @throws IllegalArgumentException if it is invalid as a whole
+     * @throws RefusalException if it is invalid as a whole
      */
     void checkValue(Value value) {
         valueCheck.accept(value);

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import lightning.base.text.RefusalException;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
@@ -53,7 +54,7 @@ public final class PropertyChanges {
             for (String edit : edits) {
                 edited = PropertyEdit.apply(edited, edit, folder);
             }
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             return false;
         }
         return edited.rig().equals(after.rig()) && edited.world().equals(after.world());

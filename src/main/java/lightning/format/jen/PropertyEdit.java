@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.asset.AssetFolders;
 import lightning.format.jen.asset.AssetSource;
 import lightning.format.jen.asset.FileName;
@@ -70,7 +71,7 @@ public final class PropertyEdit {
      * Returns the scene after an assignment.
      *
      * @param assignment {@code target.property=value}
-     * @throws IllegalArgumentException if it has another form, there is no such target or property, or the value is invalid
+     * @throws RefusalException if it has another form, there is no such target or property, or the value is invalid
      */
     public static Scene apply(Scene scene, String assignment) {
         return apply(scene, assignment, new SceneAssets(scene, Optional.empty()));
@@ -109,14 +110,14 @@ public final class PropertyEdit {
         /**
          * Parses an assignment.
          *
-         * @throws IllegalArgumentException if the text has another form
+         * @throws RefusalException if the text has another form
          */
         static Assignment of(String text) {
             int name = nameEnd(text);
             int equals = text.indexOf('=', name);
             int dot = name > 0 ? name : text.lastIndexOf('.', Math.max(equals, 0));
             if (dot < 1 || equals < dot || text.charAt(dot) != '.') {
-                throw new IllegalArgumentException("an edit must be written as NAME.PROPERTY=VALUE, was " + Quote.of(text));
+                throw new RefusalException("an edit must be written as NAME.PROPERTY=VALUE, was " + Quote.of(text));
             }
             return new Assignment(text.substring(0, dot).strip(), text.substring(dot + 1, equals).strip(),
                     text.substring(equals + 1).strip());
@@ -138,7 +139,7 @@ public final class PropertyEdit {
      * Returns the scene with one property set.
      *
      * @param value value in file syntax
-     * @throws IllegalArgumentException as {@link #apply(Scene, String)}
+     * @throws RefusalException as {@link #apply(Scene, String)}
      */
     public static Scene set(Scene scene, String target, String property, String value) {
         return set(scene, target, property, value, new SceneAssets(scene, Optional.empty()));
@@ -148,7 +149,7 @@ public final class PropertyEdit {
      * Returns the scene with an image file on a material; its repeat is kept.
      *
      * @param folder folder that the image is resolved against
-     * @throws IllegalArgumentException if the material or the image does not exist
+     * @throws RefusalException if the material or the image does not exist
      */
     public static Scene setTexture(Scene scene, String material, MaterialAttribute<Optional<TextureMap>> attribute, String file,
             Path folder) {
@@ -162,7 +163,7 @@ public final class PropertyEdit {
      *
      * @param file file name; empty for none
      * @param folder folder that the file is resolved against
-     * @throws IllegalArgumentException if the light or the file does not exist
+     * @throws RefusalException if the light or the file does not exist
      */
     public static <F extends FileAsset> Scene setFile(Scene scene, String light, LightAttribute<Optional<F>> attribute, String file,
             Path folder) {
@@ -234,7 +235,7 @@ public final class PropertyEdit {
      *
      * @param text a block as in the file, {@code light fill point { intensity 0.5 }}, {@code bank left {}} or {@code dome sky {}}, or a light in
      *     short form, {@code fill point intensity=0.5 at=0 1 2}, its name in quotes unless it is a word
-     * @throws IllegalArgumentException if the text is not one valid light, bank or dome, or its name is in use
+     * @throws RefusalException if the text is not one valid light, bank or dome, or its name is in use
      */
     public static Scene add(Scene scene, String text) {
         String block = hasBrace(text) ? text : lightBlock(text);
@@ -243,7 +244,7 @@ public final class PropertyEdit {
         List<Block> blocks = Parser.parseFragment(tokens, problems);
         throwIfAny(problems);
         if (blocks.size() != 1 || !ADDED.contains(blocks.getFirst().type)) {
-            throw new IllegalArgumentException("expected one light, such as 'fill point intensity=0.5', found " + Quote.of(text));
+            throw new RefusalException("expected one light, such as 'fill point intensity=0.5', found " + Quote.of(text));
         }
         Optional<Scene> added =
                 new SceneBuilder(tokens, problems, FileNotes.asProblems(problems), AssetFolders.of(Path.of("")), scene.rig().lightGroups(),
@@ -262,7 +263,7 @@ public final class PropertyEdit {
      * Returns the scene without a light, a dome, or a bank, whose lights remain.
      *
      * @param light name, with or without quotes
-     * @throws IllegalArgumentException if there is no such light, bank or dome
+     * @throws RefusalException if there is no such light, bank or dome
      */
     public static Scene delete(Scene scene, String light) {
         String name = NameSyntax.parse(light);
@@ -275,7 +276,7 @@ public final class PropertyEdit {
         List<String> names = Stream.of(scene.lights().stream().map(Light::name), scene.rig().lightGroups().stream().map(LightGroup::name),
                 scene.world().named().stream().map(Dome::name)).flatMap(s -> s).toList();
         if (!names.contains(name)) {
-            throw new IllegalArgumentException("there is no light " + Quote.of(name) + NameSuggestion.hint(name, names));
+            throw new RefusalException("there is no light " + Quote.of(name) + NameSuggestion.hint(name, names));
         }
         return scene.withLights(scene.lights().stream().filter(l -> !l.name().equals(name)).toList());
     }
@@ -291,7 +292,7 @@ public final class PropertyEdit {
         String[] words = light.substring(name).strip().split("\\s+", name > 0 ? 2 : 3);
         int type = name > 0 ? 0 : 1;
         if (words.length <= type || words[type].isEmpty()) {
-            throw new IllegalArgumentException("expected a light's name and type, such as 'fill point', found " + Quote.of(text));
+            throw new RefusalException("expected a light's name and type, such as 'fill point', found " + Quote.of(text));
         }
         return "light " + (name > 0 ? light.substring(0, name) : words[0]) + " " + words[type] + " { "
                 + (words.length <= type + 1 ? "" : words[type + 1].replace('=', ' ')) + "\n}";
@@ -327,7 +328,7 @@ public final class PropertyEdit {
                 nodeNames(scene.nodes()), scene.materials().stream().map(Material::name))
                 .flatMap(s -> s).filter(k -> !k.equals(target))
                 .toList();
-        throw new IllegalArgumentException("the scene has nothing named " + Quote.of(target) + NameSuggestion.hint(target, knownNames));
+        throw new RefusalException("the scene has nothing named " + Quote.of(target) + NameSuggestion.hint(target, knownNames));
     }
 
     private static Scene setDome(Scene scene, String name, String property, String value, AssetSource files) {
@@ -344,7 +345,7 @@ public final class PropertyEdit {
     private static void checkNames(Scene scene, List<String> names) {
         for (String name : names) {
             if (!scene.stage().hasNode(name)) {
-                throw new IllegalArgumentException("there is no shape or group " + Quote.of(name)
+                throw new RefusalException("there is no shape or group " + Quote.of(name)
                         + NameSuggestion.hint(name, nodeNames(scene.nodes()).toList()));
             }
         }
@@ -354,11 +355,11 @@ public final class PropertyEdit {
         Material material = scene.materialsByName().get(name);
         if (material == null) {
             List<String> knownNames = scene.materials().stream().map(Material::name).toList();
-            throw new IllegalArgumentException("there is no material " + Quote.of(name) + NameSuggestion.hint(name, knownNames));
+            throw new RefusalException("there is no material " + Quote.of(name) + NameSuggestion.hint(name, knownNames));
         }
         MaterialAttribute.ALL.stream().filter(a -> a.name().equals(property)).findFirst().flatMap(a -> a.inactiveReason(material.model()))
                 .ifPresent(reason -> {
-                    throw new IllegalArgumentException("material " + Quote.of(name) + ": " + reason);
+                    throw new RefusalException("material " + Quote.of(name) + ": " + reason);
                 });
         Material edited = editProperty(files, BlockTypes.MATERIAL, name, material, property, value);
         // Changing the material model keeps the color.
@@ -391,15 +392,15 @@ public final class PropertyEdit {
         }
         for (TextureProperty picture : TextureProperty.of(type)) {
             if (picture.dependents().contains(property) && values.get(picture.name()) instanceof Value.Absent) {
-                throw new IllegalArgumentException("material " + Quote.of(name) + ": " + picture.missingMessage(property));
+                throw new RefusalException("material " + Quote.of(name) + ": " + picture.missingMessage(property));
             }
         }
         type.properties().forEach(p -> values.computeIfPresent(p.name(), (n, v) -> v instanceof Value.Absent ? p.initial() : v));
         List<SceneNode> children = record instanceof NodeGroup g ? g.children() : List.of();
         try {
             return type.builder().build(newName, new PropertyValues(values::get, files), children);
-        } catch (IllegalArgumentException e) {
-            throw new IllegalArgumentException((name.isEmpty() ? type.keyword() : type.keyword() + " " + Quote.of(name)) + ": "
+        } catch (RefusalException e) {
+            throw new RefusalException((name.isEmpty() ? type.keyword() : type.keyword() + " " + Quote.of(name)) + ": "
                     + e.getMessage(), e);
         }
     }
@@ -426,7 +427,7 @@ public final class PropertyEdit {
             if (type.isNamed() && type != BlockTypes.MATERIAL) {
                 knownNames.add(NAME);
             }
-            throw new IllegalArgumentException(block.title() + ": unknown property " + Quote.of(property) + ", expected one of "
+            throw new RefusalException(block.title() + ": unknown property " + Quote.of(property) + ", expected one of "
                     + String.join(", ", knownNames) + NameSuggestion.hint(property, knownNames));
         }
         TokenList tokens = Lexer.tokens(isHeader ? text : property + " " + text, problems);
@@ -442,7 +443,7 @@ public final class PropertyEdit {
 
     private static void throwIfAny(ProblemList problems) {
         if (!problems.isEmpty()) {
-            throw new IllegalArgumentException(String.join("; ", problems.messages()));
+            throw new RefusalException(String.join("; ", problems.messages()));
         }
     }
 }

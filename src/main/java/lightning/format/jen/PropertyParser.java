@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.TokenList.Kind;
 import lightning.format.jen.asset.NameSuggestion;
 import lightning.scene.value.SceneLimits;
@@ -89,7 +90,7 @@ final class PropertyParser {
         try {
             boolean isOnly = word.equals(Value.ONLY) || word.equals(Value.NONE);
             block.add(new Block.Entry(property, nameToken, start, token, new Value.LinkSet(new ShapeLinks(isOnly, linkNames))));
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             problem(start, start, block.title() + ": " + e.getMessage());
         }
         return token;
@@ -113,7 +114,7 @@ final class PropertyParser {
             }
             try {
                 gains.add(new ShapeGains.Entry(name, parseNumber(property, 0, token + 1)));
-            } catch (IllegalArgumentException e) {
+            } catch (RefusalException e) {
                 return problem(token, skipValue(block, token), block.title() + ": " + e.getMessage());
             }
         }
@@ -175,7 +176,7 @@ final class PropertyParser {
                 property.checkValue(value);
             }
             block.add(new Block.Entry(property, nameToken, token, token + 1, value));
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             problem(token, token, block.title() + ": " + e.getMessage());
         }
         return token + 1;
@@ -200,7 +201,7 @@ final class PropertyParser {
             if (token - start < property.count()) {
                 try {
                     numbers.add(parseNumber(property, token - start, token));
-                } catch (IllegalArgumentException e) {
+                } catch (RefusalException e) {
                     problem(token, token, block.title() + ": " + e.getMessage());
                 }
             }
@@ -219,7 +220,7 @@ final class PropertyParser {
         try {
             entry.property().checkValue(entry.value());
             block.add(entry);
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             problem(entry.from(), entry.from(), block.title() + ": " + e.getMessage());
         }
     }
@@ -227,16 +228,16 @@ final class PropertyParser {
     /**
      * Parses a number.
      *
-     * @throws IllegalArgumentException if the token is not a valid number of the property at {@code index}
+     * @throws RefusalException if the token is not a valid number of the property at {@code index}
      */
     double parseNumber(Property<?> property, int index, int token) {
         if (tokens.kind(token) != Kind.NUMBER) {
-            throw new IllegalArgumentException(property.name() + " must be " + property.expected() + ", found "
+            throw new RefusalException(property.name() + " must be " + property.expected() + ", found "
                     + tokens.describe(token));
         }
         double number = tokens.number(token);
         if (Double.isInfinite(number)) {
-            throw new IllegalArgumentException(property.name() + " must be a number within ±1.8e308, found "
+            throw new RefusalException(property.name() + " must be a number within ±1.8e308, found "
                     + tokens.describe(token));
         }
         property.checkNumber(index, number);

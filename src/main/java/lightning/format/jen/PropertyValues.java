@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import lightning.base.math.Vec3;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.asset.AssetSource;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.Gobo;
@@ -78,11 +79,11 @@ record PropertyValues(Function<String, @Nullable Value> lookup, AssetSource file
     /**
      * Returns the mesh that the block references.
      *
-     * @throws IllegalArgumentException if it references none, or the mesh cannot be used
+     * @throws RefusalException if it references none, or the mesh cannot be used
      */
     Solid.TriangleMesh triangles() {
         if (!(lookup.apply(BlockTypes.FILE) instanceof Value.Quoted(String file))) {
-            throw new IllegalArgumentException("expected a " + BlockTypes.FILE + ", found none");
+            throw new RefusalException("expected a " + BlockTypes.FILE + ", found none");
         }
         String part = lookup.apply(BlockTypes.PART) instanceof Value.Name(String name) ? name : "";
         return new Solid.TriangleMesh(file, part, word(BlockTypes.COLORS).equals("yes"), files.mesh(file, part));

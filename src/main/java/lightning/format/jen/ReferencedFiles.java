@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
 import lightning.base.file.ParentFolder;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.MeshFormat;
 import lightning.format.jen.asset.AssetSearchPath;
 import lightning.format.jen.asset.FileName;
@@ -95,7 +96,7 @@ public final class ReferencedFiles {
         try {
             FileName.check("the file that " + Quote.of(name) + " names", beside, MeshFolder.NAME);
             return beside;
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw new IOException(e.getMessage(), e);
         }
     }
@@ -116,7 +117,7 @@ public final class ReferencedFiles {
     private static Optional<Path> findExisting(AssetSearchPath folders, String name) {
         try {
             return Optional.of(folders.find(name));
-        } catch (IOException | UnusableFileException | IllegalArgumentException e) {
+        } catch (IOException | UnusableFileException | RefusalException e) {
             return Optional.empty();
         }
     }

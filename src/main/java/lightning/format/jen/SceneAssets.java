@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.asset.AssetSource;
 import lightning.format.jen.asset.EnvironmentFolder;
 import lightning.format.jen.asset.MeshFolder;
@@ -68,7 +69,7 @@ record SceneAssets(Scene scene, Optional<Path> folder, Optional<Environment> rep
 
     /** Refuses a texture that a scene would show with fewer pixels: an edit has no place for a note. */
     private static void refuse(String note) {
-        throw new IllegalArgumentException(note);
+        throw new RefusalException(note);
     }
 
     private static Stream<TextureMap> maps(Material material, TextureUsage samples) {
@@ -120,7 +121,7 @@ record SceneAssets(Scene scene, Optional<Path> folder, Optional<Environment> rep
         try {
             return reader.read(assetFolder);
         } catch (UnusableFileException e) {
-            throw new IllegalArgumentException(e.getMessage(), e);
+            throw new RefusalException(e.getMessage(), e);
         }
     }
 }

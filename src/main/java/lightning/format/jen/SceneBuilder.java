@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.Set;
 import lightning.base.math.Vec3;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.asset.AssetFolders;
 import lightning.format.jen.asset.AssetSource;
 import lightning.format.jen.asset.EnvironmentFolder;
@@ -111,7 +112,7 @@ final class SceneBuilder {
         try {
             OverflowCheck.of(stage, rig)
                     .ifPresent(overflow -> problem(requireNonNull(blocksByName.get(overflow.light().name())), overflow.message()));
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             lights.forEach(light -> checkPlace(light, stage, groups));
         }
         return problems.isEmpty() ? Optional.of(new Scene(picture.orElse(PictureSettings.DEFAULT), camera.orElse(Camera.DEFAULT),
@@ -172,7 +173,7 @@ final class SceneBuilder {
     private void checkPlace(Light light, Stage stage, List<LightGroup> groups) {
         try {
             OverflowCheck.of(stage, LightRig.of(List.of(light), groups));
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             Block block = requireNonNull(blocksByName.get(light.name()));
             problem(block, block.title() + ": " + e.getMessage());
         }
@@ -209,7 +210,7 @@ final class SceneBuilder {
             double combinedMax = maxScale * scale.maxScale();
             try {
                 SceneLimits.checkCombinedScale(block::title, combinedMin, combinedMax);
-            } catch (IllegalArgumentException e) {
+            } catch (RefusalException e) {
                 problem(block, String.valueOf(e.getMessage()));
             }
             if (block.type != BlockTypes.GROUP) {
@@ -326,7 +327,7 @@ final class SceneBuilder {
                             new PropertyValues(property -> unusable.contains(property) ? null : block.value(property),
                                     new LoadedAssets(loadedTextures, profile, environment, mesh)),
                             children));
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             problem(block, block.title() + ": " + e.getMessage());
             return Optional.empty();
         }

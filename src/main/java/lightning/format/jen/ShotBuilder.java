@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.asset.AssetSource;
 import lightning.format.jen.asset.NameSuggestion;
 import lightning.scene.Scene;
@@ -37,7 +38,7 @@ record ShotBuilder(TokenList tokens, ProblemList problems, Scene scene) {
             Shot shot =
                     BlockTypes.SHOT.builder().build("", new PropertyValues(block::value, AssetSource.NONE), List.of()).withTracks(tracks);
             return problems.isEmpty() ? Optional.of(shot) : Optional.empty();
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             problem(block, "shot: " + e.getMessage());
             return Optional.empty();
         }
@@ -48,7 +49,7 @@ record ShotBuilder(TokenList tokens, ProblemList problems, Scene scene) {
             Track track = new Track(target, keys.property().name(), keys.keys());
             track.check(scene);
             return Optional.of(track);
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             problems.add(tokens.start(keys.nameToken()), child.title() + ": " + e.getMessage());
             return Optional.empty();
         }

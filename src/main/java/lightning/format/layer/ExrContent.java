@@ -1,5 +1,6 @@
 package lightning.format.layer;
 
+import lightning.base.text.RefusalException;
 import lightning.format.exr.ExrPrimaries;
 import lightning.format.exr.ExrType;
 
@@ -30,7 +31,7 @@ public record ExrContent(ExrType type, Layers layers, boolean grouped, int matte
 
     public ExrContent {
         if (matteLevels < 0 || matteLevels > MAX_MATTE_LEVELS || matteLevels % 2 != 0) {
-            throw new IllegalArgumentException("levels must be even and at most " + MAX_MATTE_LEVELS + ", was " + matteLevels);
+            throw new RefusalException("levels must be even and at most " + MAX_MATTE_LEVELS + ", was " + matteLevels);
         }
     }
 

@@ -1,5 +1,6 @@
 package lightning.format.layer;
 
+import lightning.base.text.RefusalException;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 
@@ -24,7 +25,7 @@ public record ShotFrame(FrameTime time, Scene previous, Scene next) {
     private static Scene neighbor(Shot shot, Scene scene, int frame, int neighbor) {
         try {
             return shot.sceneAt(scene, neighbor);
-        } catch (IllegalArgumentException _) {
+        } catch (RefusalException _) {
             return shot.sceneAt(scene, frame);
         }
     }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import lightning.base.file.ParentFolder;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
@@ -102,7 +103,7 @@ public record LoadedSequence(Path file, Sequence sequence, List<LoadedShot> shot
      * lights that the rig does not have.
      *
      * @param lights lights and, if the sequence shares it, the world for all shots
-     * @throws IllegalArgumentException if a light has the name of a shape, or an override does not fit; the message names shot and override
+     * @throws RefusalException if a light has the name of a shape, or an override does not fit; the message names shot and override
      */
     public AnimatedScene lit(LoadedShot shot, Scene lights) {
         Scene own = shot.document().scene();
@@ -110,14 +111,14 @@ public record LoadedSequence(Path file, Sequence sequence, List<LoadedShot> shot
         Scene lit;
         try {
             lit = (sequence.sharesWorld() ? own.withWorld(lights.world()) : own).withRig(rig);
-        } catch (IllegalArgumentException e) {
-            throw new IllegalArgumentException("shot " + Quote.of(shot.name()) + ": " + e.getMessage(), e);
+        } catch (RefusalException e) {
+            throw new RefusalException("shot " + Quote.of(shot.name()) + ": " + e.getMessage(), e);
         }
         for (String edit : sequence.shot(shot.name()).orElseThrow().overrides()) {
             try {
                 lit = PropertyEdit.apply(lit, edit, ParentFolder.of(shot.file()));
-            } catch (IllegalArgumentException e) {
-                throw new IllegalArgumentException(
+            } catch (RefusalException e) {
+                throw new RefusalException(
                         "shot " + Quote.of(shot.name()) + ": override " + Quote.of(edit) + ": " + e.getMessage(), e);
             }
         }

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import lightning.base.text.RefusalException;
 import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.IntList;
@@ -55,7 +56,7 @@ public final class UsdMesh {
             for (int i = 0; i < result.size(); i++) {
                 result.set(i, mesh.part(parts, i, notes));
             }
-        } catch (MeshException | IllegalArgumentException e) {
+        } catch (MeshException | RefusalException e) {
             notes.add("meshes with damaged arrays or numbers beyond the limits");
         }
         return result;

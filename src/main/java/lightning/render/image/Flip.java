@@ -2,6 +2,7 @@ package lightning.render.image;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import lightning.base.text.RefusalException;
 
 /**
  * ꟻLIP error metric: the perceived difference when a viewer alternates between two pictures at a given distance from the screen, from
@@ -36,7 +37,7 @@ public final class Flip {
     /**
      * Returns the mean error over all pixels, 0…1, at {@link #PIXELS_PER_DEGREE}.
      *
-     * @throws IllegalArgumentException if the sizes of the films differ
+     * @throws RefusalException if the sizes of the films differ
      */
     public static double mean(Film a, Film b) {
         return mean(a, b, PIXELS_PER_DEGREE);
@@ -46,7 +47,7 @@ public final class Flip {
      * Returns the mean error over all pixels, 0…1.
      *
      * @param pixelsPerDegree pixels per degree of the visual field, 1 to 1000
-     * @throws IllegalArgumentException if the sizes of the films differ, or {@code pixelsPerDegree} is NaN or outside its range
+     * @throws RefusalException if the sizes of the films differ, or {@code pixelsPerDegree} is NaN or outside its range
      */
     public static double mean(Film a, Film b, double pixelsPerDegree) {
         double sum = 0;
@@ -60,12 +61,12 @@ public final class Flip {
      * Returns the error of each pixel, 0…1, as {@code float[width * height]}, the top row first.
      *
      * @param pixelsPerDegree pixels per degree of the visual field, 1 to 1000
-     * @throws IllegalArgumentException if the sizes of the films differ, or {@code pixelsPerDegree} is NaN or outside its range
+     * @throws RefusalException if the sizes of the films differ, or {@code pixelsPerDegree} is NaN or outside its range
      */
     public static float[] errors(Film a, Film b, double pixelsPerDegree) {
         Difference.requireSameSize(a, b);
         if (!(pixelsPerDegree >= 1 && pixelsPerDegree <= 1000)) {
-            throw new IllegalArgumentException("pixels per degree must be from 1 to 1000, was " + pixelsPerDegree);
+            throw new RefusalException("pixels per degree must be from 1 to 1000, was " + pixelsPerDegree);
         }
         int[] pixelsA = ViewTransform.DEFAULT.toPixels(a);
         int[] pixelsB = ViewTransform.DEFAULT.toPixels(b);

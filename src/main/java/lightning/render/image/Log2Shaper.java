@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.util.Arrays;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 
 /**
  * Logarithmic encoding of linear light before a lookup table, as OpenColorIO's configurations use it: stops around middle gray, scaled to
@@ -22,10 +23,10 @@ public record Log2Shaper(double min, double max) {
     /** Shaper of the ACES configurations for displays of 48 nits: 6.5 stops on each side (log2 48 nits shaper). */
     public static final Log2Shaper DEFAULT = new Log2Shaper(-6.5, 6.5);
 
-    /** @throws IllegalArgumentException if the stops do not rise, or are outside −64…64 */
+    /** @throws RefusalException if the stops do not rise, or are outside −64…64 */
     public Log2Shaper {
         if (!(min < max && min >= -MAX_STOPS && max <= MAX_STOPS)) {
-            throw new IllegalArgumentException(
+            throw new RefusalException(
                     "log2: expected two rising numbers of stops from -64 to 64, found " + text(min) + "," + text(max));
         }
     }
@@ -54,13 +55,13 @@ public record Log2Shaper(double min, double max) {
     /**
      * Returns the shaper of a text such as {@code log2:-6.5,6.5}.
      *
-     * @throws IllegalArgumentException if the text is no shaper; the message is a sentence
+     * @throws RefusalException if the text is no shaper; the message is a sentence
      */
     public static Log2Shaper parse(String text) {
         double[] stops = !text.startsWith(WORD + ":") ? new double[0] : Arrays.stream(text.substring(WORD.length() + 1).split(",", -1))
                 .mapToDouble(v -> DecimalNumber.parse(v).orElse(Double.NaN)).toArray();
         if (stops.length != 2) {
-            throw new IllegalArgumentException("expected two numbers of stops such as log2:-6.5,6.5, found " + Quote.of(text));
+            throw new RefusalException("expected two numbers of stops such as log2:-6.5,6.5, found " + Quote.of(text));
         }
         return new Log2Shaper(stops[0], stops[1]);
     }

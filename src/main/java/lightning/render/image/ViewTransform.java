@@ -5,6 +5,7 @@ import java.math.BigDecimal;
 import java.util.Arrays;
 import java.util.Optional;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.render.image.aces.Aces2Table;
 
 /**
@@ -39,17 +40,17 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
     /** sRGB; linear 1 is display white. */
     public static final ViewTransform DEFAULT = new ViewTransform(0);
 
-    /** @throws IllegalArgumentException if {@code exposure} is NaN or outside −64…64 */
+    /** @throws RefusalException if {@code exposure} is NaN or outside −64…64 */
     public ViewTransform {
         if (!(Math.abs(exposure) <= MAX_EXPOSURE)) {
-            throw new IllegalArgumentException("exposure must be from -64 to 64 stops, was " + exposure);
+            throw new RefusalException("exposure must be from -64 to 64 stops, was " + exposure);
         }
     }
 
     /**
      * Creates a transform for an sRGB display.
      *
-     * @throws IllegalArgumentException if {@code exposure} is NaN or outside −64…64
+     * @throws RefusalException if {@code exposure} is NaN or outside −64…64
      */
     public ViewTransform(double exposure) {
         this(exposure, DisplayCurve.SRGB);
@@ -58,7 +59,7 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
     /**
      * Creates a transform without a lookup table and clipping marks.
      *
-     * @throws IllegalArgumentException if {@code exposure} is NaN or outside −64…64
+     * @throws RefusalException if {@code exposure} is NaN or outside −64…64
      */
     public ViewTransform(double exposure, DisplayCurve curve) {
         this(exposure, curve, Optional.empty(), Optional.empty(), false);

@@ -1,6 +1,7 @@
 package lightning.scene.asset;
 
 import io.soabase.recordbuilder.core.RecordBuilder;
+import lightning.base.text.RefusalException;
 import lightning.scene.value.SceneLimits;
 
 /**
@@ -42,7 +43,7 @@ public record TextureMap(String file, double repeatU, double repeatV, Texture im
     private static void checkRepeat(String name, double value) {
         SceneLimits.checkRange(name, value, -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT);
         if (Math.abs(value) < 1e-6) {
-            throw new IllegalArgumentException(name + " must be at least 1e-6 in absolute value, was " + SceneLimits.format(value));
+            throw new RefusalException(name + " must be at least 1e-6 in absolute value, was " + SceneLimits.format(value));
         }
     }
 }

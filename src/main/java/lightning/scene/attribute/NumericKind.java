@@ -7,6 +7,7 @@ import java.util.stream.Collectors;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.text.NumberUnit;
+import lightning.base.text.RefusalException;
 import lightning.scene.value.Attenuation;
 import lightning.scene.value.BarnDoors;
 import lightning.scene.value.LensShift;
@@ -155,11 +156,11 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
      * Checks that a number is in range and, if required, whole.
      *
      * @param name the number's name in the message
-     * @throws IllegalArgumentException with the expected and the actual value
+     * @throws RefusalException with the expected and the actual value
      */
     public void check(String name, double number) {
         if (integer && number != Math.rint(number)) {
-            throw new IllegalArgumentException(name + " must be a whole number, was " + SceneLimits.format(number));
+            throw new RefusalException(name + " must be a whole number, was " + SceneLimits.format(number));
         }
         SceneLimits.checkRange(name, number, min, max);
     }

@@ -9,6 +9,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import lightning.base.math.Vec3;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.scene.node.NodeNames;
 import lightning.scene.value.SceneLimits;
 
@@ -64,7 +65,7 @@ public final class LightRig {
     /**
      * @param lights lights with names unique among lights and groups; the group of each is one of {@code lightGroups}, or none
      * @param lightGroups light groups with unique names
-     * @throws IllegalArgumentException if a name is taken or a group missing, or if there are more lights or groups than {@link
+     * @throws RefusalException if a name is taken or a group missing, or if there are more lights or groups than {@link
      *     SceneLimits} allows
      */
     public static LightRig of(List<Light> lights, List<LightGroup> lightGroups) {
@@ -140,7 +141,7 @@ public final class LightRig {
      * Returns a light with its group, exposure, unit and temperature multiplied into its color and intensity; the light itself if it has
      * none.
      *
-     * @throws IllegalArgumentException if its group does not exist
+     * @throws RefusalException if its group does not exist
      */
     public Light effectiveLight(Light light) {
         Light resolved = Emission.resolve(light.type() == LightType.OBJECT ? onSurface(light) : light, meters);
@@ -183,7 +184,7 @@ public final class LightRig {
     /**
      * Checks the names of nodes for conflicts with its lights and groups.
      *
-     * @throws IllegalArgumentException if a shape or a group has the name of a light or a light group
+     * @throws RefusalException if a shape or a group has the name of a light or a light group
      */
     public void checkDisjoint(NodeNames nodes) {
         names.checkDisjoint(nodes);
@@ -220,12 +221,12 @@ public final class LightRig {
     /**
      * Returns this rig with the light of the same name replaced.
      *
-     * @throws IllegalArgumentException if no light has that name, or if its group is missing
+     * @throws RefusalException if no light has that name, or if its group is missing
      */
     public LightRig with(Light light) {
         int index = indexOf(light.name());
         if (index < 0) {
-            throw new IllegalArgumentException("there is no light " + Quote.of(light.name()));
+            throw new RefusalException("there is no light " + Quote.of(light.name()));
         }
         List<Light> updated = new ArrayList<>(lights);
         updated.set(index, light);
@@ -240,7 +241,7 @@ public final class LightRig {
     /**
      * Returns this rig with the light group of the same name replaced.
      *
-     * @throws IllegalArgumentException if no group has that name
+     * @throws RefusalException if no group has that name
      */
     public LightRig with(LightGroup group) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
@@ -259,7 +260,7 @@ public final class LightRig {
      * Returns this rig with a light group moved.
      *
      * @param before group that follows it afterwards; empty to move it to the end
-     * @throws IllegalArgumentException if no group has one of these names
+     * @throws RefusalException if no group has one of these names
      */
     public LightRig moveLightGroup(String group, Optional<String> before) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
@@ -273,7 +274,7 @@ public final class LightRig {
     /**
      * Returns this rig with a light group renamed, also in its lights.
      *
-     * @throws IllegalArgumentException if the group does not exist, or if the new name is taken
+     * @throws RefusalException if the group does not exist, or if the new name is taken
      */
     public LightRig renameLightGroup(String group, String newName) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
@@ -285,7 +286,7 @@ public final class LightRig {
     /**
      * Returns this rig without a light group; its lights stay, without a group.
      *
-     * @throws IllegalArgumentException if the group does not exist
+     * @throws RefusalException if the group does not exist
      */
     public LightRig removeLightGroup(String group) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
@@ -322,7 +323,7 @@ public final class LightRig {
     private int groupIndex(String group) {
         int index = names.groupIndex(group);
         if (index < 0) {
-            throw new IllegalArgumentException("there is no light group " + Quote.of(group));
+            throw new RefusalException("there is no light group " + Quote.of(group));
         }
         return index;
     }

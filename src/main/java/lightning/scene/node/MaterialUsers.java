@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 
 /** First user of each material among some shapes, in the order of the shapes. */
 public final class MaterialUsers {
@@ -51,12 +52,12 @@ public final class MaterialUsers {
     /**
      * Checks that all materials exist.
      *
-     * @throws IllegalArgumentException if one does not
+     * @throws RefusalException if one does not
      */
     public void check(Set<String> materialNames) {
         users.forEach((material, shape) -> {
             if (!materialNames.contains(material)) {
-                throw new IllegalArgumentException("object " + Quote.of(shape) + ": there is no material " + Quote.of(material));
+                throw new RefusalException("object " + Quote.of(shape) + ": there is no material " + Quote.of(material));
             }
         });
     }

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import lightning.base.file.ContentDigest;
 import lightning.base.text.DecimalNumber;
+import lightning.base.text.RefusalException;
 import lightning.scene.asset.Texture;
 import org.jspecify.annotations.Nullable;
 
@@ -49,16 +50,16 @@ public final class Mesh implements ContentDigest.Content {
      * @param colors      linear red, green, blue of each vertex, {@code float[3 * vertices]}, from 0 to 1
      * @param tangents    x, y, z of the direction in which u grows along the surface, of length 1, or 0 for none, and the sign of v's
      *     direction against normal × tangent, 1 or −1, {@code float[4 * vertices]}; null if a normal map uses the texture coordinates
-     * @throws IllegalArgumentException if an array has the wrong length, a triangle names a missing vertex, a number is out of range or
+     * @throws RefusalException if an array has the wrong length, a triangle names a missing vertex, a number is out of range or
      *     NaN, or there are tangents without normals; the message says which
      */
     public Mesh(float[] positions, int[] triangles, float @Nullable [] normals, float @Nullable [] coordinates, float @Nullable [] colors,
             float @Nullable [] tangents) {
         if (positions.length % 3 != 0) {
-            throw new IllegalArgumentException("positions must be three numbers for each vertex, were " + positions.length + " numbers");
+            throw new RefusalException("positions must be three numbers for each vertex, were " + positions.length + " numbers");
         }
         if (triangles.length % 3 != 0) {
-            throw new IllegalArgumentException("triangles must have three vertices each, were " + triangles.length + " vertices");
+            throw new RefusalException("triangles must have three vertices each, were " + triangles.length + " vertices");
         }
         this.positions = positions;
         this.triangles = triangles;
@@ -74,7 +75,7 @@ public final class Mesh implements ContentDigest.Content {
         }
         if (tangents != null) {
             if (normals == null) {
-                throw new IllegalArgumentException("tangents need normals, found none");
+                throw new RefusalException("tangents need normals, found none");
             }
             checkLength("tangents", tangents, 4);
             checkUnitLength("tangent", tangents, 4, true);
@@ -164,7 +165,7 @@ public final class Mesh implements ContentDigest.Content {
 
     private void checkLength(String name, float[] numbers, int stride) {
         if (numbers.length != stride * vertexCount()) {
-            throw new IllegalArgumentException(name + " must be " + stride + " numbers for each of " + vertexCount() + " vertices, were "
+            throw new RefusalException(name + " must be " + stride + " numbers for each of " + vertexCount() + " vertices, were "
                     + numbers.length + " numbers");
         }
     }
@@ -172,7 +173,7 @@ public final class Mesh implements ContentDigest.Content {
     private static void checkRange(String name, float[] numbers, int stride, double min, double max) {
         for (int i = 0; i < numbers.length; i++) {
             if (!(numbers[i] >= min && numbers[i] <= max)) {
-                throw new IllegalArgumentException(
+                throw new RefusalException(
                         String.format(Locale.ROOT, "vertex %d: each number of its %s must be from %s to %s, was %s",
                                 i / stride, name, DecimalNumber.format(min), DecimalNumber.format(max), text(numbers[i])));
             }
@@ -183,7 +184,7 @@ public final class Mesh implements ContentDigest.Content {
         int vertices = vertexCount();
         for (int i = 0; i < triangles.length; i++) {
             if (triangles[i] < 0 || triangles[i] >= vertices) {
-                throw new IllegalArgumentException("triangle " + i / 3 + ": vertices must be from 0 to " + (vertices - 1) + ", was "
+                throw new RefusalException("triangle " + i / 3 + ": vertices must be from 0 to " + (vertices - 1) + ", was "
                         + triangles[i]);
             }
         }
@@ -196,7 +197,7 @@ public final class Mesh implements ContentDigest.Content {
             double z = numbers[i + 2];
             double square = x * x + y * y + z * z;
             if (!(Math.abs(square - 1) <= UNIT_TOLERANCE) && !(allowZero && square == 0)) {
-                throw new IllegalArgumentException("vertex " + i / stride + ": its " + name + " must have length 1, was " + text(numbers[i])
+                throw new RefusalException("vertex " + i / stride + ": its " + name + " must have length 1, was " + text(numbers[i])
                         + " " + text(numbers[i + 1]) + " " + text(numbers[i + 2]));
             }
         }
@@ -205,7 +206,7 @@ public final class Mesh implements ContentDigest.Content {
     private static void checkHandedness(float[] tangents) {
         for (int i = 3; i < tangents.length; i += 4) {
             if (Math.abs(tangents[i]) != 1) {
-                throw new IllegalArgumentException("vertex " + i / 4 + ": the fourth number of its tangent must be 1 or -1, was "
+                throw new RefusalException("vertex " + i / 4 + ": the fourth number of its tangent must be 1 or -1, was "
                         + text(tangents[i]));
             }
         }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lightning.base.math.Vec3;
+import lightning.base.text.RefusalException;
 import lightning.scene.Camera;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
@@ -110,8 +111,8 @@ final class FrameEvaluator {
             V value = track.evaluate(frame, attribute.kind());
             attribute.kind().check(attribute.name(), value);
             return attribute.with(record, value);
-        } catch (IllegalArgumentException e) {
-            throw new IllegalArgumentException(track.target() + ": " + e.getMessage(), e);
+        } catch (RefusalException e) {
+            throw new RefusalException(track.target() + ": " + e.getMessage(), e);
         }
     }
 }

@@ -1,6 +1,7 @@
 package lightning.scene.shot;
 
 import java.util.List;
+import lightning.base.text.RefusalException;
 
 /** Value of a keyframe, as in a file. */
 public sealed interface KeyframeValue {
@@ -10,7 +11,7 @@ public sealed interface KeyframeValue {
             values = List.copyOf(values);
             for (double number : values) {
                 if (!Double.isFinite(number)) {
-                    throw new IllegalArgumentException("a key must be a number, was " + number);
+                    throw new RefusalException("a key must be a number, was " + number);
                 }
             }
         }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import lightning.base.text.RefusalException;
 import lightning.scene.Scene;
 import lightning.scene.value.SceneLimits;
 
@@ -36,7 +37,7 @@ public record Shot(int first, int last, double rate, List<Track> tracks) {
         long keys = 0;
         for (Track track : tracks) {
             if (!seen.add(track.target() + "." + track.attribute())) {
-                throw new IllegalArgumentException(track.target() + ": " + track.attribute() + " must have its keys once");
+                throw new RefusalException(track.target() + ": " + track.attribute() + " must have its keys once");
             }
             keys += track.keys().size();
             byTarget.computeIfAbsent(track.target(), _ -> new ArrayList<>()).add(track);
@@ -82,7 +83,7 @@ public record Shot(int first, int last, double rate, List<Track> tracks) {
     /**
      * Checks that the shot matches a scene.
      *
-     * @throws IllegalArgumentException if a target is missing in the scene or lacks the attribute, or if the attribute may not have a
+     * @throws RefusalException if a target is missing in the scene or lacks the attribute, or if the attribute may not have a
      *     keyframe's value
      */
     public void check(Scene scene) {
@@ -94,14 +95,14 @@ public record Shot(int first, int last, double rate, List<Track> tracks) {
      *
      * @param scene a scene that passes {@link #check}
      * @param frame any frame, also fractional; before the first and after the last keyframe, their values hold
-     * @throws IllegalArgumentException if the values are inconsistent there, for example if a camera is at its target; the message begins
+     * @throws RefusalException if the values are inconsistent there, for example if a camera is at its target; the message begins
      *     with the frame
      */
     public Scene sceneAt(Scene scene, double frame) {
         try {
             return new FrameEvaluator(tracks, frame).evaluate(scene);
-        } catch (IllegalArgumentException e) {
-            throw new IllegalArgumentException("frame " + new BigDecimal(frame).toPlainString() + ": " + e.getMessage(), e);
+        } catch (RefusalException e) {
+            throw new RefusalException("frame " + new BigDecimal(frame).toPlainString() + ": " + e.getMessage(), e);
         }
     }
 }

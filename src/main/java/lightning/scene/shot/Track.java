@@ -3,6 +3,7 @@ package lightning.scene.shot;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import lightning.base.text.RefusalException;
 import lightning.scene.Scene;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.KeyframeSupport;
@@ -20,11 +21,11 @@ public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
     public Track {
         keys = List.copyOf(keys);
         if (keys.isEmpty()) {
-            throw new IllegalArgumentException(target + ": " + attribute + " must have a keyframe");
+            throw new RefusalException(target + ": " + attribute + " must have a keyframe");
         }
         for (int i = 1; i < keys.size(); i++) {
             if (keys.get(i).frame() <= keys.get(i - 1).frame()) {
-                throw new IllegalArgumentException(target + ": " + attribute + ": keyframes must be in frame order, found "
+                throw new RefusalException(target + ": " + attribute + ": keyframes must be in frame order, found "
                         + keys.get(i).frame() + " after " + keys.get(i - 1).frame());
             }
         }
@@ -76,7 +77,7 @@ public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
     /**
      * Checks that the scene can have these keyframes.
      *
-     * @throws IllegalArgumentException if the target is missing or lacks the attribute, or if the attribute cannot be animated or may not
+     * @throws RefusalException if the target is missing or lacks the attribute, or if the attribute cannot be animated or may not
      *     have a keyframe's value
      */
     public void check(Scene scene) {
@@ -87,15 +88,15 @@ public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
     /**
      * Checks that the attribute can have these keyframes.
      *
-     * @throws IllegalArgumentException if it cannot be animated, if a value is invalid, or if words or whole numbers are interpolated
+     * @throws RefusalException if it cannot be animated, if a value is invalid, or if words or whole numbers are interpolated
      */
     private void check(SceneAttribute<?, ?> definition) {
         if (definition.kind().keyframeSupport() == KeyframeSupport.NONE) {
-            throw new IllegalArgumentException(target + ": " + attribute + " cannot be animated: only numbers and words can");
+            throw new RefusalException(target + ": " + attribute + " cannot be animated: only numbers and words can");
         }
         for (Keyframe key : keys) {
             if (definition.kind().keyframeSupport() == KeyframeSupport.STEPPED && key.interpolation() != Interpolation.STEPPED) {
-                throw new IllegalArgumentException(target + ": " + attribute + " holds until its next keyframe, so it must be stepped");
+                throw new RefusalException(target + ": " + attribute + " holds until its next keyframe, so it must be stepped");
             }
             check(definition.kind(), key.value());
         }
@@ -108,7 +109,7 @@ public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
             case ValueKind.AssetKind<?> _,ValueKind.LinksKind _,ValueKind.GainsKind _,ValueKind.NameKind _,ValueKind.TextureKind _ -> false;
         };
         if (!isValid) {
-            throw new IllegalArgumentException(target + ": " + attribute + " cannot be " + setting);
+            throw new RefusalException(target + ": " + attribute + " cannot be " + setting);
         }
         if (kind instanceof NumericKind<V> n && setting instanceof KeyframeValue.Numbers(List<Double> all)) {
             all.forEach(number -> n.check(attribute, number.doubleValue()));

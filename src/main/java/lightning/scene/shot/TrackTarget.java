@@ -3,6 +3,7 @@ package lightning.scene.shot;
 import java.util.List;
 import java.util.Optional;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.scene.Camera;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
@@ -62,11 +63,11 @@ public record TrackTarget(Kind kind, String name) {
     /**
      * Returns all its attributes, animated or not.
      *
-     * @throws IllegalArgumentException if the scene does not have it
+     * @throws RefusalException if the scene does not have it
      */
     public List<? extends SceneAttribute<?, ?>> attributes(Scene scene) {
         if (!existsIn(scene)) {
-            throw new IllegalArgumentException("there is no " + this);
+            throw new RefusalException("there is no " + this);
         }
         return switch (kind) {
             case CAMERA -> Camera.ATTRIBUTES;
@@ -80,7 +81,7 @@ public record TrackTarget(Kind kind, String name) {
     /**
      * Returns one of its attributes; empty if it has none of that name.
      *
-     * @throws IllegalArgumentException if the scene does not have it
+     * @throws RefusalException if the scene does not have it
      */
     public Optional<? extends SceneAttribute<?, ?>> attribute(Scene scene, String attribute) {
         return attributes(scene).stream().filter(a -> a.name().equals(attribute)).findFirst();
@@ -89,11 +90,11 @@ public record TrackTarget(Kind kind, String name) {
     /**
      * Returns the keyframe value that equals an attribute's current value.
      *
-     * @throws IllegalArgumentException if the scene does not have it, if it lacks the attribute, or if that cannot be animated
+     * @throws RefusalException if the scene does not have it, if it lacks the attribute, or if that cannot be animated
      */
     public KeyframeValue value(Scene scene, String attribute) {
         if (!existsIn(scene)) {
-            throw new IllegalArgumentException("there is no " + this);
+            throw new RefusalException("there is no " + this);
         }
         return switch (kind) {
             case CAMERA -> value(scene.camera(), Camera.ATTRIBUTES, attribute);
@@ -117,7 +118,7 @@ public record TrackTarget(Kind kind, String name) {
             case NumericKind<V> q -> new KeyframeValue.Numbers(q.components().apply(attribute.get(record)));
             case ChoiceKind<V> c -> new KeyframeValue.Word(c.format(attribute.get(record)));
             case ValueKind.AssetKind<?> _,ValueKind.LinksKind _,ValueKind.GainsKind _,ValueKind.NameKind _,ValueKind.TextureKind _ ->
-                    throw new IllegalArgumentException(this + ": " + attribute.name() + " cannot be animated: only numbers and words can");
+                    throw new RefusalException(this + ": " + attribute.name() + " cannot be animated: only numbers and words can");
         };
     }
 

@@ -2,6 +2,7 @@ package lightning.scene.value;
 
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.base.text.RefusalException;
 
 /**
  * Placement of a shape or a group: scale, then rotation about x, y and z in this order, then translation. The numbers are fields of this
@@ -25,7 +26,7 @@ public final class Placement {
      * @param position position, scene units
      * @param rotation angles about x, y, z, degrees
      * @param scale    factors along the shape's own axes, none of them 0 (negative mirrors)
-     * @throws IllegalArgumentException if one is beyond the limits of {@link SceneLimits}
+     * @throws RefusalException if one is beyond the limits of {@link SceneLimits}
      */
     public Placement(Vec3 position, Vec3 rotation, Vec3 scale) {
         SceneLimits.checkPosition("at", position);
@@ -33,7 +34,7 @@ public final class Placement {
         SceneLimits.checkRange("scale", scale, -SceneLimits.MAX_SCALE, SceneLimits.MAX_SCALE);
         double minFactor = minAbs(scale);
         if (minFactor < SceneLimits.MIN_SCALE) {
-            throw new IllegalArgumentException("scale must be at least " + SceneLimits.format(SceneLimits.MIN_SCALE)
+            throw new RefusalException("scale must be at least " + SceneLimits.format(SceneLimits.MIN_SCALE)
                     + " in absolute value on every axis, was " + SceneLimits.format(minFactor));
         }
         x = position.x();

@@ -8,6 +8,7 @@ import lightning.base.math.Vec3;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.PrintableText;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.scene.OverflowCheck;
 import lightning.scene.light.Light;
 import lightning.scene.material.Material;
@@ -93,14 +94,14 @@ public final class SceneLimits {
     /**
      * Returns {@code value} if it is within the bounds.
      *
-     * @throws IllegalArgumentException if it is NaN or outside; the message says which
+     * @throws RefusalException if it is NaN or outside; the message says which
      */
     public static double checkRange(String name, double value, double min, double max) {
         if (isWithin(value, min, max)) {
             return value;
         }
         String expected = min == 0 && value < 0 ? "must be ≥ 0" : "must be from " + format(min) + " to " + format(max);
-        throw new IllegalArgumentException(name + " " + expected + ", was " + format(value));
+        throw new RefusalException(name + " " + expected + ", was " + format(value));
     }
 
     public static int checkRange(String name, int value, int min, int max) {
@@ -136,7 +137,7 @@ public final class SceneLimits {
     public static Vec3 checkDirection(String name, Vec3 d) {
         checkPosition(name, d);
         if (!(d.maxAbs() >= 1e-12)) {
-            throw new IllegalArgumentException(name + " must not be zero, was "
+            throw new RefusalException(name + " must not be zero, was "
                     + format(d.x()) + " " + format(d.y()) + " " + format(d.z()));
         }
         return d;
@@ -152,7 +153,7 @@ public final class SceneLimits {
      */
     public static void checkCombinedScale(Supplier<String> name, double min, double max) {
         if (min < MIN_SCALE || max > MAX_SCALE) {
-            throw new IllegalArgumentException(name.get() + ": scale times that of its groups must be from " + format(MIN_SCALE) + " to "
+            throw new RefusalException(name.get() + ": scale times that of its groups must be from " + format(MIN_SCALE) + " to "
                     + format(MAX_SCALE) + ", was " + format(min < MIN_SCALE ? min : max));
         }
     }
@@ -164,7 +165,7 @@ public final class SceneLimits {
     public static String checkName(String name) {
         if (name.isEmpty() || name.codePointCount(0, name.length()) > MAX_NAME || !PrintableText.isPrintable(name)
                 || isBlank(name.codePointAt(0)) || isBlank(name.codePointBefore(name.length()))) {
-            throw new IllegalArgumentException("a name must have 1 to " + MAX_NAME + " characters, no control characters and no spaces "
+            throw new RefusalException("a name must have 1 to " + MAX_NAME + " characters, no control characters and no spaces "
                     + "at its ends, was " + Quote.of(name));
         }
         return name;

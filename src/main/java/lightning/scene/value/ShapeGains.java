@@ -10,6 +10,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.scene.Stage;
 
 /**
@@ -34,12 +35,12 @@ public record ShapeGains(List<Entry> entries) {
         }
     }
 
-    /** @throws IllegalArgumentException if a name occurs twice, or if there are more than {@link SceneLimits#MAX_LINKS} */
+    /** @throws RefusalException if a name occurs twice, or if there are more than {@link SceneLimits#MAX_LINKS} */
     public ShapeGains {
         entries = List.copyOf(entries);
         SceneLimits.checkRange("the number of gains", entries.size(), 0, SceneLimits.MAX_LINKS);
         if (entries.stream().map(Entry::name).distinct().count() < entries.size()) {
-            throw new IllegalArgumentException("gains must name each object once");
+            throw new RefusalException("gains must name each object once");
         }
     }
 

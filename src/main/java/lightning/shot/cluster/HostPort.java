@@ -9,6 +9,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 
 /** Address of a cluster member: {@code render7:7800}, {@code 10.0.0.7}, {@code [::1]:7800}. */
 public record HostPort(String host, int port) {
@@ -18,13 +19,13 @@ public record HostPort(String host, int port) {
     /**
      * Parses user input; the default port is {@link NodeConfig#NODE_PORT}.
      *
-     * @throws IllegalArgumentException if it is not a valid address; the message is a sentence
+     * @throws RefusalException if it is not a valid address; the message is a sentence
      */
     public static HostPort parse(String text) {
         Matcher matcher = PATTERN.matcher(text);
         int port = matcher.matches() && matcher.group(3) != null ? Integer.parseInt(matcher.group(3)) : NodeConfig.NODE_PORT;
         if (!matcher.matches() || port < 1 || port > MAX_PORT) {
-            throw new IllegalArgumentException(
+            throw new RefusalException(
                     Messages.tr("expected a host and a port from 1 to {0}, such as render7:7800, found {1}", MAX_PORT, Quote.of(text)));
         }
         return new HostPort(matcher.group(1) == null ? matcher.group(2) : matcher.group(1), port);
@@ -33,7 +34,7 @@ public record HostPort(String host, int port) {
     /**
      * Parses a comma-separated list with at least one address.
      *
-     * @throws IllegalArgumentException as {@link #parse}
+     * @throws RefusalException as {@link #parse}
      */
     public static List<HostPort> parseAll(String text) {
         List<HostPort> result = new ArrayList<>();

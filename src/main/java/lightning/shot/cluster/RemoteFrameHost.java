@@ -9,6 +9,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import lightning.base.text.Messages;
+import lightning.base.text.RefusalException;
 import lightning.base.work.Progress;
 import lightning.render.image.Downscale;
 import lightning.render.image.Film;
@@ -86,7 +87,7 @@ final class RemoteFrameHost implements FrameHost {
         try {
             return assetTransfer.prepare(revision);
         } catch (IOException e) {
-            throw new IllegalArgumentException(e.getMessage(), e);
+            throw new RefusalException(e.getMessage(), e);
         }
     }
 

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.Map;
 import lightning.base.file.AtomicFile;
 import lightning.base.text.Messages;
+import lightning.base.text.RefusalException;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LightEdits;
 import lightning.format.jen.JenDocument;
@@ -60,7 +61,7 @@ public record Lighting(World world, LightRig rig) {
                 extended = LightEdits.add(extended, light.withLightGroup(names.get(light.lightGroup()))).sceneOr(extended);
             }
             if (extended.lights().size() < scene.lights().size() + rig.lights().size()) {
-                throw new IllegalArgumentException(Messages.tr("the scene has no room for {0} more lights", rig.lights().size()));
+                throw new RefusalException(Messages.tr("the scene has no room for {0} more lights", rig.lights().size()));
             }
             return extended;
         });

@@ -2,6 +2,7 @@ package lightning.editor.document.manipulation;
 
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
+import lightning.base.text.RefusalException;
 import lightning.scene.light.AreaShape;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
@@ -73,7 +74,7 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
     /**
      * Returns the light placed for a point.
      *
-     * @throws IllegalArgumentException if no placement exists, or if the light would have to turn but has no direction
+     * @throws RefusalException if no placement exists, or if the light would have to turn but has no direction
      */
     public Light place(ScenePicker.SurfaceHit hit) {
         Vec3 point = hit.point();
@@ -91,7 +92,7 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
     /**
      * Returns the unit direction from a point to the place of a light that moves for its goal.
      *
-     * @throws IllegalArgumentException if there is none
+     * @throws RefusalException if there is none
      */
     Vec3 directionToLight(ScenePicker.SurfaceHit hit) {
         Vec3 view = hit.point().minus(hit.eye()).normalized();
@@ -102,14 +103,14 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
             case Goal.Rim() -> {
                 Vec3 tangent = view.minus(normal.times(view.dot(normal)));
                 if (!(tangent.length() >= MIN_RIM_SINE)) {
-                    throw new IllegalArgumentException(Messages.tr("the surface faces the camera here; a rim light needs a silhouette"));
+                    throw new RefusalException(Messages.tr("the surface faces the camera here; a rim light needs a silhouette"));
                 }
                 yield tangent.normalized();
             }
             case Goal.Shadow(Vec3 thrower) -> {
                 Vec3 toOccluder = thrower.minus(hit.point());
                 if (!(toOccluder.maxAbs() >= MIN_DISTANCE)) {
-                    throw new IllegalArgumentException(Messages.tr("the shadow falls on its own caster"));
+                    throw new RefusalException(Messages.tr("the shadow falls on its own caster"));
                 }
                 yield toOccluder.normalized();
             }
@@ -121,7 +122,7 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
         boolean hasPosition = startLight.type().hasPosition();
         Vec3 toLight = hasPosition ? startLight.position().minus(point) : startLight.direction().negated();
         if (!(toLight.maxAbs() >= MIN_DISTANCE)) {
-            throw new IllegalArgumentException(Messages.tr("the target is at the light's position"));
+            throw new RefusalException(Messages.tr("the target is at the light's position"));
         }
         double length = hasPosition ? toLight.length() : point.minus(eye).length();
         Vec3 axis = toLight.normalized();
@@ -152,11 +153,11 @@ public record LightPlacement(Light startLight, Goal goal, double distance) {
     /** Turns the light to a point; see {@link #place}. */
     public Light aimAt(Vec3 point) {
         LightAttribute.DIRECTION.inactiveReason(startLight.type()).ifPresent(reason -> {
-            throw new IllegalArgumentException(reason);
+            throw new RefusalException(reason);
         });
         Vec3 direction = point.minus(startLight.position());
         if (!(direction.maxAbs() >= 1e-12)) {
-            throw new IllegalArgumentException(Messages.tr("the target is at the light's position"));
+            throw new RefusalException(Messages.tr("the target is at the light's position"));
         }
         return turned(startLight, direction);
     }

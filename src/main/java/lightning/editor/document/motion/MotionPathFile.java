@@ -16,6 +16,7 @@ import lightning.base.file.RegularFile;
 import lightning.base.math.Vec3;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.shot.Keyframe;
@@ -142,7 +143,7 @@ public final class MotionPathFile {
         try {
             return Light.of(light, LightType.SPOT).withPosition(parseVector(location, words, 1))
                     .withDirection(parseVector(location, words, 5));
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw new IOException(location + e.getMessage(), e);
         }
     }

@@ -26,6 +26,7 @@ import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.document.EditorState;
 import lightning.editor.document.FileThread;
@@ -283,7 +284,7 @@ public final class CuePane extends VBox {
             try {
                 Lighting blended = LightingBlend.blend(from, to, t);
                 applyEdit(scene -> blended.applyTo(scene).named(Messages.tr("Blend A/B {0}", percent.getText())), gesture);
-            } catch (IllegalArgumentException e) {
+            } catch (RefusalException e) {
                 showMessage(e.getMessage());
             }
         }));

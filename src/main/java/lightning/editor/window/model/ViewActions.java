@@ -3,6 +3,7 @@ package lightning.editor.window.model;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import javafx.beans.property.ObjectProperty;
+import lightning.base.text.RefusalException;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.document.StepRange;
 import lightning.render.image.DisplayCurve;
@@ -47,7 +48,7 @@ public final class ViewActions {
     public Optional<String> setExposure(double stops, @Nullable Object gesture) {
         try {
             SceneLimits.checkRange("exposure", stops, EXPOSURE_RANGE.min(), EXPOSURE_RANGE.max());
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             return Optional.of(String.valueOf(e.getMessage()));
         }
         return edit(view -> view.withExposure(stops), gesture);

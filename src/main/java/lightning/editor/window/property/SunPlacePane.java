@@ -15,6 +15,7 @@ import javafx.scene.control.Tooltip;
 import javafx.scene.layout.GridPane;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Messages;
+import lightning.base.text.RefusalException;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Scene;
@@ -79,12 +80,12 @@ final class SunPlacePane extends TitledPane {
     /** Returns a scene with the sun where it is then. */
     private Scene withSun(Scene scene) {
         if (date.getValue() == null) {
-            throw new IllegalArgumentException(Messages.tr("{0} must be a date", Messages.tr("Date")));
+            throw new RefusalException(Messages.tr("{0} must be a date", Messages.tr("Date")));
         }
         SunPosition sun = SunPosition.at(number(latitude, Messages.tr("Latitude")), number(longitude, Messages.tr("Longitude")),
                 date.getValue().atTime(timeOfDay()).toInstant(zone()));
         if (sun.elevation() < Sky.MIN_ELEVATION) {
-            throw new IllegalArgumentException(Messages.tr("the sun is {0}° below the horizon then, at most {1}° can be shown",
+            throw new RefusalException(Messages.tr("the sun is {0}° below the horizon then, at most {1}° can be shown",
                     Math.round(-sun.elevation()), Math.round(-Sky.MIN_ELEVATION)));
         }
         Sky sky = scene.world().sky();
@@ -100,7 +101,7 @@ final class SunPlacePane extends TitledPane {
             String text = time.getText().strip();
             return LocalTime.parse(text.indexOf(':') == 1 ? "0" + text : text);
         } catch (DateTimeParseException e) {
-            throw new IllegalArgumentException(
+            throw new RefusalException(
                     Messages.tr("{0} must be a time such as 17:30, was {1}", Messages.tr("Time"), time.getText()), e);
         }
     }
@@ -108,7 +109,7 @@ final class SunPlacePane extends TitledPane {
     private ZoneOffset zone() {
         double hours = number(offset, "UTC");
         if (!(Math.abs(hours) <= 18)) {
-            throw new IllegalArgumentException(Messages.tr("UTC must be from {0} to {1} hours, was {2}", -18, 18, offset.getText()));
+            throw new RefusalException(Messages.tr("UTC must be from {0} to {1} hours, was {2}", -18, 18, offset.getText()));
         }
         return ZoneOffset.ofTotalSeconds((int) Math.rint(hours * SECONDS_PER_HOUR));
     }

@@ -25,6 +25,7 @@ import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
 import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
+import lightning.base.text.RefusalException;
 import lightning.editor.document.Command;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.loop.ContactSheet;
@@ -273,7 +274,7 @@ public final class SequencePane extends VBox implements SequenceFile.Listener {
         }
         try {
             changeShot(shot -> shot.withOverrides(PropertyChanges.joined(shot.overrides(), edits.get())));
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             message.setText(ErrorMessage.of(e));
             return;
         }

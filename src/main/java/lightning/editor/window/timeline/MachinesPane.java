@@ -11,6 +11,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
+import lightning.base.text.RefusalException;
 import lightning.base.work.DedicatedThread;
 import lightning.editor.document.FileThread;
 import lightning.editor.window.command.PathPrompt;
@@ -96,7 +97,7 @@ final class MachinesPane extends VBox {
         List<HostPort> machines;
         try {
             machines = HostPort.parseAll(hostsText);
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             status.setText(e.getMessage());
             hosts.requestFocus();
             return;

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import lightning.base.file.AtomicFile;
+import lightning.base.text.RefusalException;
 import lightning.base.work.HeapBudget;
 import lightning.base.work.Progress;
 import lightning.format.image.ImageFile;
@@ -39,7 +40,7 @@ record ShotExport(AnimatedScene scene, int first, int last, ShotFormat format, V
         // Checks all frames first, so that invalid keyframes fail before the first render.
         try {
             IntStream.rangeClosed(first, last).forEach(scene::sceneAt);
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw new IOException(e.getMessage(), e);
         }
         if (format.movie().isEmpty()) {

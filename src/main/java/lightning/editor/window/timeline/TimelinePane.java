@@ -23,6 +23,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
+import lightning.base.text.RefusalException;
 import lightning.editor.document.Command;
 import lightning.editor.document.EditorState;
 import lightning.editor.document.KeyEdits;
@@ -158,7 +159,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
             }
             try {
                 SceneLimits.checkRange(Messages.tr(title), value, min, max);
-            } catch (IllegalArgumentException e) {
+            } catch (RefusalException e) {
                 return Optional.of(String.valueOf(e.getMessage()));
             }
             return setter.set(value, gesture);

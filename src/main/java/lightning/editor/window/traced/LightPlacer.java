@@ -7,6 +7,7 @@ import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
+import lightning.base.text.RefusalException;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.manipulation.DragRounding;
@@ -278,7 +279,7 @@ final class LightPlacer {
             SightPlacement placed = SightPlacement.of(rounded, hit, picker);
             Optional<Snapping> snap = isSnapping && isPool ? Optional.of(Snapping.ofDirection(placed.light())) : Optional.empty();
             show(rounded, hit, picker, snap.map(s -> placed.withLight(s.light())).orElse(placed), canvas, snap.map(Snapping::message));
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             editor.message().show(ErrorMessage.of(e));
         }
     }

@@ -16,6 +16,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
+import lightning.base.text.RefusalException;
 import lightning.editor.document.HsvColor;
 import lightning.editor.document.StepRange;
 import lightning.scene.value.SceneLimits;
@@ -168,7 +169,7 @@ public final class ColorSliders extends VBox {
             HsvColor edited;
             try {
                 edited = edit.apply(shownHsv, v);
-            } catch (IllegalArgumentException e) {
+            } catch (RefusalException e) {
                 return Optional.of(String.valueOf(e.getMessage()));
             }
             return setHsv(edited, gesture);

@@ -18,6 +18,7 @@ import java.util.stream.Stream;
 import lightning.base.file.AtomicFile;
 import lightning.base.file.ParentFolder;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.CachingJenReader;
 import lightning.format.jen.InputFiles;
 import lightning.format.jen.JenDocument;
@@ -202,7 +203,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
             try {
                 track.check(scene);
                 return true;
-            } catch (IllegalArgumentException e) {
+            } catch (RefusalException e) {
                 return false;
             }
         }).toList());

@@ -22,6 +22,7 @@ import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.PrintableText;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.asset.FileKind;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
@@ -266,7 +267,7 @@ public final class SceneAssembler {
                     List.copyOf(copies.values()),
                     Map.copyOf(notes.counts()), new ImportSubject(bounds.min(), bounds.max(), camera.isPresent(), hasLights),
                     List.copyOf(closingComments));
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw new MeshException(source, "", "cannot be a scene here: " + e.getMessage());
         }
     }
@@ -299,7 +300,7 @@ public final class SceneAssembler {
             Optional<Path> file = kind.find(ParentFolder.of(source), name);
             file.ifPresent(path -> addCopy(name, path, null));
             return file.isPresent() || hasFile(kind, name);
-        } catch (IOException | IllegalArgumentException e) {
+        } catch (IOException | RefusalException e) {
             return false;
         }
     }
@@ -308,7 +309,7 @@ public final class SceneAssembler {
     public boolean hasFile(FileKind kind, String name) {
         try {
             return kind.find(folder(), name).isPresent();
-        } catch (IOException | IllegalArgumentException e) {
+        } catch (IOException | RefusalException e) {
             return false;
         }
     }

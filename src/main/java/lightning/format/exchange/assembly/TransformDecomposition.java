@@ -3,6 +3,7 @@ package lightning.format.exchange.assembly;
 import java.util.List;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.base.text.RefusalException;
 import lightning.scene.value.Placement;
 
 /** Decomposition of affine transforms into placements: scale, then rotate about x, y and z, then translate. */
@@ -32,7 +33,7 @@ public final class TransformDecomposition {
             Transform rotation = orthogonalizingRotation(m);
             Transform rotated = m.times(rotation);
             return hasShear(rotated) ? List.of() : List.of(placement(rotated), placement(rotation.transposed()));
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             return List.of();
         }
     }

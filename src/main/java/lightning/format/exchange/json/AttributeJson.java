@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.StreamSupport;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.asset.FileKind;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
@@ -89,7 +90,7 @@ public final class AttributeJson {
             if (in.has(attribute.name())) {
                 try {
                     result = withValue(result, attribute, in.get(attribute.name()), files);
-                } catch (IllegalArgumentException e) {
+                } catch (RefusalException e) {
                     onError.accept(e.getMessage());
                 }
             }
@@ -125,14 +126,14 @@ public final class AttributeJson {
         List<Double> numbers = new ArrayList<>();
         for (JsonNode number : in.isArray() ? in : List.of(in)) {
             if (!number.isNumber() || numbers.size() == q.labels().size()) {
-                throw new IllegalArgumentException("expected " + q.labels().size() + " numbers");
+                throw new RefusalException("expected " + q.labels().size() + " numbers");
             }
             double value = number.numberValue().doubleValue();
             q.check("it", value);
             numbers.add(value);
         }
         if (numbers.size() < q.labels().size()) {
-            throw new IllegalArgumentException("expected " + q.labels().size() + " numbers, found " + numbers.size());
+            throw new RefusalException("expected " + q.labels().size() + " numbers, found " + numbers.size());
         }
         return q.compose().apply(numbers);
     }
@@ -143,12 +144,12 @@ public final class AttributeJson {
                 return value;
             }
         }
-        throw new IllegalArgumentException("expected one of " + String.join(", ", choice.words()));
+        throw new RefusalException("expected one of " + String.join(", ", choice.words()));
     }
 
     private static ShapeLinks links(JsonNode in) {
         if (!in.path("only").isBoolean() || !in.path("names").isArray()) {
-            throw new IllegalArgumentException("expected only and names");
+            throw new RefusalException("expected only and names");
         }
         return new ShapeLinks(in.get("only").asBoolean(), StreamSupport.stream(in.get("names").spliterator(), false)
                 .map(AttributeJson::text).toList());
@@ -156,7 +157,7 @@ public final class AttributeJson {
 
     private static ShapeGains gains(JsonNode in) {
         if (!in.isObject() || !in.values().stream().allMatch(JsonNode::isNumber)) {
-            throw new IllegalArgumentException("expected a number for each name");
+            throw new RefusalException("expected a number for each name");
         }
         return new ShapeGains(in.properties().stream()
                 .map(e -> new ShapeGains.Entry(e.getKey(), e.getValue().numberValue().doubleValue())).toList());
@@ -164,7 +165,7 @@ public final class AttributeJson {
 
     private static String text(JsonNode in) {
         if (!in.isString()) {
-            throw new IllegalArgumentException("expected text");
+            throw new RefusalException("expected text");
         }
         return in.asString();
     }
@@ -173,7 +174,7 @@ public final class AttributeJson {
     private static String file(FileKind kind, JsonNode in, FileLookup files) {
         String name = text(in);
         if (!files.contains(kind, name)) {
-            throw new IllegalArgumentException("there is no file " + Quote.of(name));
+            throw new RefusalException("there is no file " + Quote.of(name));
         }
         return name;
     }

@@ -1,5 +1,6 @@
 package lightning.format.exchange.json;
 
+import lightning.base.text.RefusalException;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.scene.Dome;
 import lightning.scene.World;
@@ -31,7 +32,7 @@ public final class DomeJson {
             try {
                 Dome blank = Dome.of(assembler.names.unique(json.path("name").asString(""), "dome"));
                 assembler.addDome(AttributeJson.read(json, blank, Dome.ATTRIBUTES, assembler::hasOrCopiesFile, _ -> onError.run()));
-            } catch (IllegalArgumentException e) {
+            } catch (RefusalException e) {
                 onError.run();
             }
         }

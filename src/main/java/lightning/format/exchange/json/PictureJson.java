@@ -2,6 +2,7 @@ package lightning.format.exchange.json;
 
 import java.util.Optional;
 import java.util.function.Consumer;
+import lightning.base.text.RefusalException;
 import lightning.scene.AntialiasMode;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
@@ -52,7 +53,7 @@ public final class PictureJson {
                         AttributeJson.read(in.get("indirect"), IndirectSettings.DEFAULT, IndirectSettings.ATTRIBUTES, (_, _) -> false,
                                 onError)));
             }
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             onError.accept(e.getMessage());
         }
         return result;

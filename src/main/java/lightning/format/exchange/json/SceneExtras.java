@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.regex.Pattern;
+import lightning.base.text.RefusalException;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.mesh.ConversionNotes;
 import lightning.scene.World;
@@ -110,7 +111,7 @@ public final class SceneExtras {
                 assembler.lightGroups.add(group);
                 return Optional.of(group.name());
             }
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             // Noted below, like a name that another object has.
         }
         noteUnusable(assembler);
@@ -126,7 +127,7 @@ public final class SceneExtras {
                     .withContribution(light.contribution().withGains(renamed(light.contribution().gains(), nodeNames)))
                     .withLightGroup(groups.contains(light.lightGroup()) ? light.lightGroup() : ""));
             assembler.restoredLights.add(light.name());
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             noteUnusable(assembler);
         }
     }

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.base.text.RefusalException;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.FrameTracks;
 import lightning.format.exchange.assembly.ImportedScene;
@@ -211,7 +212,7 @@ public final class UsdImport {
             if (!moving.isEmpty()) {
                 tracks.addAll(new FrameTracks(firstFrame).of(TrackTarget.CAMERA, Camera.ATTRIBUTES, moving));
             }
-        } catch (IllegalArgumentException | ArithmeticException e) {
+        } catch (RefusalException | ArithmeticException e) {
             assembler.notes.add("cameras that cannot be placed");
         }
     }

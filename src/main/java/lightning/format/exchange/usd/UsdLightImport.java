@@ -9,6 +9,7 @@ import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.base.text.RefusalException;
 import lightning.format.exchange.UsdLightExport;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.gltf.JsonValue;
@@ -63,7 +64,7 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
             notes.add("textures of lights",
                     shaped.isPresent() && shaped.get().texture().isEmpty() && in.get("texture").isPresent() ? 1 : 0);
             return shaped.isEmpty() ? shaped : Optional.of(emission(shaped.get(), in));
-        } catch (IllegalArgumentException | ArithmeticException e) {
+        } catch (RefusalException | ArithmeticException e) {
             notes.add("lights that cannot be placed");
             return Optional.empty();
         }

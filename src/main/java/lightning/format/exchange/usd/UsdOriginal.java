@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import lightning.base.file.ContentHash;
 import lightning.base.math.Transform;
+import lightning.base.text.RefusalException;
 import lightning.format.exchange.json.AttributeJson;
 import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.MeshException;
@@ -119,7 +120,7 @@ public record UsdOriginal(Light light, Map<String, String> tracks, JsonNode stag
             var original = new UsdOriginal(light, tracks, in.path("stage"));
             return problems.isEmpty() && in.path("light").isObject() && original.transform("matrix").isPresent() ? Optional.of(original)
                     : Optional.empty();
-        } catch (JacksonException | IllegalArgumentException e) {
+        } catch (JacksonException | RefusalException e) {
             return Optional.empty();
         }
     }

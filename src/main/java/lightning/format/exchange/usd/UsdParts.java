@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.base.math.Transform;
+import lightning.base.text.RefusalException;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.Bounds;
 import lightning.format.exchange.assembly.SceneAssembler;
@@ -85,7 +86,7 @@ final class UsdParts {
         if (!written.isEmpty()) {
             try {
                 meshFile = assembler.addFile(assembler.stem() + ".meshes.glb", MeshFileWriter.write(written));
-            } catch (IllegalArgumentException e) {
+            } catch (RefusalException e) {
                 throw nodes.problem(String.valueOf(e.getMessage()));
             }
         }

@@ -13,6 +13,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import lightning.base.file.FolderEntry;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.mesh.MeshException;
 
 /**
@@ -89,7 +90,7 @@ public final class AssetSearchPath {
             return reader.read(find(file));
         } catch (IOException | InvalidPathException | SecurityException e) {
             throw new UnusableFileException(noun + " " + Quote.of(file) + " cannot be read: " + e.getMessage());
-        } catch (IllegalArgumentException | MeshException e) {
+        } catch (RefusalException | MeshException e) {
             throw new UnusableFileException(String.valueOf(e.getMessage()));
         }
     }

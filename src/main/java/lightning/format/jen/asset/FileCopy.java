@@ -8,6 +8,7 @@ import java.util.List;
 import lightning.base.file.AtomicFile;
 import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 
 /** Copies an external file to the textures of a scene, where the scene finds it by name. */
 public final class FileCopy {
@@ -32,7 +33,7 @@ public final class FileCopy {
      *
      * @param scene folder of the scene file
      * @param overwrite true to replace a different file of that name
-     * @throws IllegalArgumentException if a scene cannot use it because of its name, size or content, or if the texture
+     * @throws RefusalException if a scene cannot use it because of its name, size or content, or if the texture
      *     folder is a link
      */
     public static Outcome copyToScene(FileKind kind, Path file, Path scene, boolean overwrite) throws IOException {
@@ -54,7 +55,7 @@ public final class FileCopy {
         Path textureFolder =
                 folders.size() > 1 ? folders.getLast() : Files.createDirectories(folders.getFirst().resolve(TextureFolder.NAME));
         if (!textureFolder.toRealPath().equals(textureFolder)) {
-            throw new IllegalArgumentException("the texture folder must not be a link, was a link to " + textureFolder.toRealPath());
+            throw new RefusalException("the texture folder must not be a link, was a link to " + textureFolder.toRealPath());
         }
         return textureFolder;
     }
@@ -63,10 +64,10 @@ public final class FileCopy {
         String name = target.getFileName().toString();
         Path shadowingFile = scene.resolve(name);
         if (Files.exists(shadowingFile) && !RegularFile.haveSameContent(file, shadowingFile, EXPECTED_FILE)) {
-            throw new IllegalArgumentException("another file " + Quote.of(name) + " is next to the scene and would be used instead");
+            throw new RefusalException("another file " + Quote.of(name) + " is next to the scene and would be used instead");
         }
         if (Files.isSymbolicLink(target)) {
-            throw new IllegalArgumentException(Quote.of(name) + " in the texture folder is a link; it is not overwritten");
+            throw new RefusalException(Quote.of(name) + " in the texture folder is a link; it is not overwritten");
         }
         if (Files.exists(target)) {
             if (RegularFile.haveSameContent(file, target, EXPECTED_FILE)) {

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.ies.IesReader;
 import lightning.format.mesh.MeshException;
 
@@ -80,7 +81,7 @@ public enum FileKind {
      *
      * @param scene folder of the scene file
      * @throws IOException if the folders cannot be read
-     * @throws IllegalArgumentException if the name is not valid in a scene
+     * @throws RefusalException if the name is not valid in a scene
      */
     public Optional<Path> find(Path scene, String name) throws IOException {
         try {
@@ -103,23 +104,23 @@ public enum FileKind {
     /**
      * Checks that a scene could use a file if it were next to it.
      *
-     * @throws IllegalArgumentException if its name or size is invalid, or it is damaged; the message contains the cause
+     * @throws RefusalException if its name or size is invalid, or it is damaged; the message contains the cause
      */
     void check(Path file) throws IOException {
         String name = file.getFileName().toString();
         FileName.check(noun, name, TextureFolder.NAME);
         String article = noun.startsWith("e") ? "an " : "a ";
         if (!isNamed(file)) {
-            throw new IllegalArgumentException(article + noun + " must be " + description + ", was " + Quote.of(name));
+            throw new RefusalException(article + noun + " must be " + description + ", was " + Quote.of(name));
         }
         if (!Files.isRegularFile(file) || Files.size(file) > maxBytes) {
-            throw new IllegalArgumentException(
+            throw new RefusalException(
                     article + noun + " must be a file of at most " + maxBytes + " bytes, was " + Quote.of(name));
         }
         try {
             read(name, file);
         } catch (UnusableFileException | MeshException e) {
-            throw new IllegalArgumentException(e.getMessage(), e);
+            throw new RefusalException(e.getMessage(), e);
         }
     }
 }

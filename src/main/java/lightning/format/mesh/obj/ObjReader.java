@@ -12,6 +12,7 @@ import java.util.Map;
 import lightning.base.math.SrgbCurve;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.mesh.BadLineException;
 import lightning.format.mesh.ByteSource;
 import lightning.format.mesh.ConversionNotes;
@@ -271,7 +272,7 @@ public final class ObjReader {
                     usesObjectName ? mesh.object : mesh.object.isEmpty() ? mesh.material : mesh.object + " (" + mesh.material + ")";
             try {
                 parts.add(new ObjFile.ObjPart(names.unique(requestedName, "mesh"), mesh.material, mesh.build(points)));
-            } catch (IllegalArgumentException e) {
+            } catch (RefusalException e) {
                 throw source.problem(mesh.object.isEmpty() ? "" : "object " + Quote.of(mesh.object), String.valueOf(e.getMessage()));
             }
         }

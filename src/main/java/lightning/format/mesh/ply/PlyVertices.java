@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.base.math.SrgbCurve;
+import lightning.base.text.RefusalException;
 import lightning.format.mesh.ByteSource;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
@@ -96,7 +97,7 @@ final class PlyVertices {
         }
         try {
             return new Mesh(positions(), triangles, normals, textureCoordinates, colors);
-        } catch (IllegalArgumentException e) {
+        } catch (RefusalException e) {
             throw source.problem("", String.valueOf(e.getMessage()));
         }
     }
