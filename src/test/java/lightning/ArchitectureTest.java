@@ -10,11 +10,14 @@ import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
 import java.io.IOException;
 import java.io.StringWriter;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
@@ -25,6 +28,8 @@ import org.junit.jupiter.api.io.TempDir;
 class ArchitectureTest {
     private static final JavaClasses PROGRAM = PackageTable.program();
     private static final PackageTable PACKAGES = PackageTable.read();
+
+    private static final Pattern CATCH = Pattern.compile("catch \\([^)]*\\bIllegalArgumentException\\b");
 
     @TempDir
     private Path folder;
@@ -58,6 +63,25 @@ class ArchitectureTest {
 
     private static void assertNone(List<String> messages) {
         assertThat(messages).as("\n" + String.join("\n", messages) + "\n").isEmpty();
+    }
+
+    /** Who catches an IllegalArgumentException shows bugs as refusals, unless a library throws it for foreign data. */
+    @Test
+    void illegalArguments_areCaughtOnlyFromLibraries() throws IOException {
+        try (Stream<Path> files = Files.walk(Path.of("src/main/java"))) {
+            List<String> catching = files.filter(file -> file.toString().endsWith(".java"))
+                    .filter(file -> CATCH.matcher(read(file)).find()).map(file -> file.getFileName().toString()).sorted().toList();
+            assertThat(catching).containsExactly("BufferReader.java", "ConeProfile.java", "KeyBindings.java", "MissingFolderFallback.java",
+                    "NearbyFile.java", "NodeSession.java", "RecoveryFolder.java", "ResidentServer.java");
+        }
+    }
+
+    private static String read(Path file) {
+        try {
+            return Files.readString(file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     @Test

@@ -80,7 +80,7 @@ final class ReviewPageOptions {
         try {
             return ReviewLooks.film(cues, shot, scene, chosen);
         } catch (RefusalException e) {
-            throw new BadInputException(String.valueOf(e.getMessage()));
+            throw new BadInputException(e.getMessage());
         }
     }
 

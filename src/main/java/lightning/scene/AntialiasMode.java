@@ -3,6 +3,7 @@ package lightning.scene;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
+import lightning.base.text.RefusalException;
 
 /** Pixels that receive several samples. */
 public enum AntialiasMode {
@@ -24,6 +25,6 @@ public enum AntialiasMode {
     /** Returns the mode with a keyword; throws an {@link IllegalArgumentException} if there is none. */
     public static AntialiasMode of(String word) {
         return Stream.of(values()).filter(mode -> mode.word().equals(word)).findFirst()
-                .orElseThrow(() -> new IllegalArgumentException(word));
+                .orElseThrow(() -> new RefusalException(word));
     }
 }

@@ -8,6 +8,7 @@ import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightRig;
 import lightning.scene.value.SceneLimits;
@@ -189,10 +190,10 @@ public sealed interface Contribution {
     }
 
     private static Light existingLight(Scene scene, String name) {
-        return scene.light(name).orElseThrow(() -> new IllegalArgumentException(Messages.tr("light {0} not found", Quote.of(name))));
+        return scene.light(name).orElseThrow(() -> new RefusalException(Messages.tr("light {0} not found", Quote.of(name))));
     }
 
     private static Dome existingDome(Scene scene, String name) {
-        return scene.world().domeOrOwn(name).orElseThrow(() -> new IllegalArgumentException("there is no dome " + Quote.of(name)));
+        return scene.world().domeOrOwn(name).orElseThrow(() -> new RefusalException("there is no dome " + Quote.of(name)));
     }
 }

@@ -5,6 +5,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.scene.light.LightRig;
 import lightning.scene.value.SceneLimits;
 
@@ -38,6 +39,6 @@ final class DomeNames {
     }
 
     private static IllegalArgumentException taken(Dome dome) {
-        return new IllegalArgumentException("dome " + Quote.of(dome.name()) + ": the name is already taken");
+        return new RefusalException("dome " + Quote.of(dome.name()) + ": the name is already taken");
     }
 }

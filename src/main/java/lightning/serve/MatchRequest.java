@@ -72,7 +72,7 @@ final class MatchRequest {
             try {
                 return LightMatch.of(session.renderer().cache(), options, reference, settings, request.progress());
             } catch (RefusalException e) {
-                throw Fields.bad("reference", String.valueOf(e.getMessage()));
+                throw Fields.bad("reference", e.getMessage());
             }
         });
         Scene matched = MatchedScene.of(scene, result);

@@ -88,6 +88,6 @@ final class PoParser {
     }
 
     private IllegalArgumentException problem(String message) {
-        return new IllegalArgumentException("line " + line + ": " + message);
+        return new RefusalException("line " + line + ": " + message);
     }
 }

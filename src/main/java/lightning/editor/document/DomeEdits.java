@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.PropertyEdit;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
@@ -59,6 +60,6 @@ public final class DomeEdits {
      */
     static Dome dome(Scene scene, String name) {
         return scene.world().dome(name)
-                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("dome {0} not found", Quote.of(name))));
+                .orElseThrow(() -> new RefusalException(Messages.tr("dome {0} not found", Quote.of(name))));
     }
 }

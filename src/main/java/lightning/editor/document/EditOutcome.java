@@ -26,7 +26,7 @@ public sealed interface EditOutcome {
         try {
             return new Applied(edit.get());
         } catch (RefusalException e) {
-            return new Refused(String.valueOf(e.getMessage()));
+            return new Refused(e.getMessage());
         }
     }
 

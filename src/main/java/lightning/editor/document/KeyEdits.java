@@ -9,6 +9,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.base.text.Messages;
+import lightning.base.text.RefusalException;
 import lightning.scene.Scene;
 import lightning.scene.attribute.KeyframeSupport;
 import lightning.scene.attribute.SceneAttribute;
@@ -40,7 +41,7 @@ public final class KeyEdits {
     public static AnimatedScene setKey(AnimatedScene scene, Scene shownScene, TrackTarget target, String attribute, int frame) {
         AnimatedScene withShot = addShot(scene);
         SceneAttribute<?, ?> keyable = target.attribute(shownScene, attribute).<SceneAttribute<?, ?>>map(a -> a)
-                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("{0} has no keyframes", attribute)));
+                .orElseThrow(() -> new RefusalException(Messages.tr("{0} has no keyframes", attribute)));
         var key = new Keyframe(frame, target.value(shownScene, attribute),
                 keyable.kind().keyframeSupport() == KeyframeSupport.STEPPED ? Interpolation.STEPPED : Interpolation.LINEAR);
         Shot shot = shot(withShot);
@@ -105,6 +106,6 @@ public final class KeyEdits {
     }
 
     private static Shot shot(AnimatedScene scene) {
-        return scene.shot().orElseThrow(() -> new IllegalArgumentException(Messages.tr("the scene has no shot")));
+        return scene.shot().orElseThrow(() -> new RefusalException(Messages.tr("the scene has no shot")));
     }
 }

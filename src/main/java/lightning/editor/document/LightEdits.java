@@ -6,6 +6,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.editor.document.manipulation.DuplicateOffset;
 import lightning.editor.document.manipulation.ViewFocus;
 import lightning.scene.Scene;
@@ -30,7 +31,7 @@ public final class LightEdits {
      * @throws IllegalArgumentException if there is none
      */
     public static Light light(Scene scene, String name) {
-        return scene.light(name).orElseThrow(() -> new IllegalArgumentException(Messages.tr("light {0} not found", Quote.of(name))));
+        return scene.light(name).orElseThrow(() -> new RefusalException(Messages.tr("light {0} not found", Quote.of(name))));
     }
 
     /** Edits one light, keeping its name. */

@@ -3,6 +3,7 @@ package lightning.editor.document;
 import java.util.function.UnaryOperator;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.scene.Scene;
 import lightning.scene.light.LightGroup;
 
@@ -22,7 +23,7 @@ public final class LightGroupEdits {
      */
     static LightGroup lightGroup(Scene scene, String name) {
         return scene.rig().lightGroup(name)
-                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("light group {0} not found", Quote.of(name))));
+                .orElseThrow(() -> new RefusalException(Messages.tr("light group {0} not found", Quote.of(name))));
     }
 
     /** Moves a light to a group, out of its current one. */

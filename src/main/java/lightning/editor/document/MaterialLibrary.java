@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.scene.Scene;
@@ -76,7 +77,7 @@ public final class MaterialLibrary {
 
     private static Scene assign(Scene scene, String node, Material material) {
         SceneNode before = scene.stage().node(node)
-                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("object {0} not found", Quote.of(node))));
+                .orElseThrow(() -> new RefusalException(Messages.tr("object {0} not found", Quote.of(node))));
         Material added = unique(scene, material);
         return with(scene, added).withNode(node, assigned(before, added.name()));
     }

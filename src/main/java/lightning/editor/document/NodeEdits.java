@@ -27,7 +27,7 @@ public final class NodeEdits {
 
     private static SceneNode node(Scene scene, String name) {
         return scene.stage().node(name)
-                .orElseThrow(() -> new IllegalArgumentException(Messages.tr("object {0} not found", Quote.of(name))));
+                .orElseThrow(() -> new RefusalException(Messages.tr("object {0} not found", Quote.of(name))));
     }
 
     /** Edits one shape or group, keeping its name. */

@@ -174,7 +174,7 @@ public final class OpenDocument {
             try {
                 show(content, content.sceneAt(frame), "");
             } catch (RefusalException e) {
-                show(content, content.base(), String.valueOf(e.getMessage()));
+                show(content, content.base(), e.getMessage());
             }
         }
         return requireNonNull(shownScene);
@@ -308,7 +308,7 @@ public final class OpenDocument {
             try {
                 edited = contentWith(to.scene());
             } catch (RefusalException e) {
-                return Optional.of(String.valueOf(e.getMessage()));
+                return Optional.of(e.getMessage());
             }
             history.edit(edited, gesture, to.label());
             if (frameProblem.isEmpty() && history.content() == edited) {
@@ -338,7 +338,7 @@ public final class OpenDocument {
             clampFrame();
             return Optional.empty();
         } catch (RefusalException e) {
-            return Optional.of(String.valueOf(e.getMessage()));
+            return Optional.of(e.getMessage());
         }
     }
 

@@ -188,7 +188,7 @@ public final class GltfMeshReader {
         try {
             return new Mesh(positions, triangles, normals, coordinates, colors, tangents);
         } catch (RefusalException e) {
-            throw primitive.problem(String.valueOf(e.getMessage()));
+            throw primitive.problem(e.getMessage());
         }
     }
 

@@ -129,7 +129,7 @@ public final class PosedMeshes {
             meshes.add(new NamedMesh(name, mesh));
             return new GltfPart(part.mesh(), part.primitive(), name, part.material(), mesh, new int[0]);
         } catch (RefusalException e) {
-            throw primitive.problem(String.valueOf(e.getMessage()));
+            throw primitive.problem(e.getMessage());
         }
     }
 

@@ -116,7 +116,7 @@ final class KeyframeParser {
             }
             return setting.isEmpty() ? -1 : hasInterpolation ? interpolationToken + 1 : interpolationToken;
         } catch (RefusalException e) {
-            problem(start, start, String.valueOf(e.getMessage()));
+            problem(start, start, e.getMessage());
             return -1;
         }
     }
@@ -155,7 +155,7 @@ final class KeyframeParser {
             property.checkValue(new Value.Numbers(numbers));
             return Optional.of(new KeyframeValue.Numbers(numbers));
         } catch (RefusalException e) {
-            problem(token, token, String.valueOf(e.getMessage()));
+            problem(token, token, e.getMessage());
             return Optional.empty();
         }
     }

@@ -146,7 +146,7 @@ final class Parser {
         try {
             SceneLimits.checkName(block.name);
         } catch (RefusalException e) {
-            problem(String.valueOf(e.getMessage()));
+            problem(e.getMessage());
         }
         position++;
     }

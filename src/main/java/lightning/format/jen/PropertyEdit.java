@@ -332,7 +332,7 @@ public final class PropertyEdit {
     }
 
     private static Scene setDome(Scene scene, String name, String property, String value, AssetSource files) {
-        Dome dome = scene.world().dome(name).orElseThrow(() -> new IllegalArgumentException("there is no dome " + Quote.of(name)
+        Dome dome = scene.world().dome(name).orElseThrow(() -> new RefusalException("there is no dome " + Quote.of(name)
                 + NameSuggestion.hint(name, scene.world().named().stream().map(Dome::name).toList())));
         return scene.withWorld(scene.world().withDome(name,
                 editProperty(SceneAssets.replacing(files, dome.image()), BlockTypes.DOME, name, dome, property, value)));

@@ -30,7 +30,7 @@ public final class PropertyQuery {
         return switch (target) {
             case PropertyEdit.PICTURE -> BlockContent.of(BlockTypes.PICTURE, scene.picture());
             case PropertyEdit.INDIRECT -> BlockContent.of(BlockTypes.INDIRECT, scene.picture().indirect().orElseThrow(
-                    () -> new IllegalArgumentException("the scene has no indirect light")));
+                    () -> new RefusalException("the scene has no indirect light")));
             case PropertyEdit.CAMERA -> BlockContent.of(BlockTypes.CAMERA, scene.camera());
             case PropertyEdit.WORLD -> BlockContent.of(BlockTypes.WORLD, scene.world());
             default -> target.startsWith(PropertyEdit.DOME) ? dome(scene, NameSyntax.parse(target.substring(PropertyEdit.DOME.length())))
@@ -50,11 +50,11 @@ public final class PropertyQuery {
 
     private static BlockContent dome(Scene scene, String name) {
         return scene.world().dome(name).map(BlockContent::of)
-                .orElseThrow(() -> new IllegalArgumentException("there is no dome " + Quote.of(name)));
+                .orElseThrow(() -> new RefusalException("there is no dome " + Quote.of(name)));
     }
 
     private static BlockContent material(Scene scene, String name) {
         return scene.material(name).map(BlockContent::of)
-                .orElseThrow(() -> new IllegalArgumentException("there is no light, light group, object or material " + Quote.of(name)));
+                .orElseThrow(() -> new RefusalException("there is no light, light group, object or material " + Quote.of(name)));
     }
 }

@@ -116,12 +116,12 @@ record SceneAssets(Scene scene, Optional<Path> folder, Optional<Environment> rep
     }
 
     private <T> T read(String property, String file, Reader<T> reader) {
-        Path assetFolder = folder.orElseThrow(() -> new IllegalArgumentException(
+        Path assetFolder = folder.orElseThrow(() -> new RefusalException(
                 property + " must be one that the scene already has, was " + Quote.of(file)));
         try {
             return reader.read(assetFolder);
         } catch (UnusableFileException e) {
-            throw new RefusalException(e.getMessage(), e);
+            throw new RefusalException(String.valueOf(e.getMessage()), e);
         }
     }
 }

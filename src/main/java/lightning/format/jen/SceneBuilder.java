@@ -211,7 +211,7 @@ final class SceneBuilder {
             try {
                 SceneLimits.checkCombinedScale(block::title, combinedMin, combinedMax);
             } catch (RefusalException e) {
-                problem(block, String.valueOf(e.getMessage()));
+                problem(block, e.getMessage());
             }
             if (block.type != BlockTypes.GROUP) {
                 checkReference(block, "material", materialNames);

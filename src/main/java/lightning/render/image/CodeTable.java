@@ -2,6 +2,7 @@ package lightning.render.image;
 
 import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
+import lightning.base.text.RefusalException;
 
 /**
  * Lookup table of a rising curve from linear values to codes 0 to 255. For every float it gives the same code as the formula {@code
@@ -73,7 +74,7 @@ record CodeTable(int[] entry, float[] threshold) {
         for (int code = 1; code < 256; code++) {
             int bits = Float.floatToRawIntBits(thresholds[code]);
             if (bits < MIN_BITS || bits >> BUCKET_SHIFT == Float.floatToRawIntBits(thresholds[code + 1]) >> BUCKET_SHIFT) {
-                throw new IllegalArgumentException("the codes of the curve are too close together at " + thresholds[code]);
+                throw new RefusalException("the codes of the curve are too close together at " + thresholds[code]);
             }
         }
         int[] entries = new int[1 << Integer.SIZE - BUCKET_SHIFT];

@@ -3,6 +3,7 @@ package lightning.render.match;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import lightning.base.text.RefusalException;
 
 /**
  * A reference over the cells of a grid.
@@ -25,7 +26,7 @@ record TargetCells(float[][] values, double[] weights, double total) {
      */
     static List<TargetCells> all(ReferenceImage reference, PixelMeans grid) {
         TargetCells counting =
-                of(reference, grid).orElseThrow(() -> new IllegalArgumentException("no pixel of the reference counts"));
+                of(reference, grid).orElseThrow(() -> new RefusalException("no pixel of the reference counts"));
         Optional<TargetCells> staying = reference.stays().length == 0 ? Optional.empty()
                 : of(new ReferenceImage(reference.film(), reference.stays()), grid);
         return Stream.concat(Stream.of(counting), staying.stream()).toList();

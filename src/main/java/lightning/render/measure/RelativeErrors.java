@@ -1,6 +1,7 @@
 package lightning.render.measure;
 
 import java.util.Arrays;
+import lightning.base.text.RefusalException;
 import lightning.render.image.Film;
 
 /**
@@ -17,7 +18,7 @@ record RelativeErrors(double[] sorted) {
      */
     static RelativeErrors of(double[] light, double[] reference) {
         if (light.length == 0) {
-            throw new IllegalArgumentException("expected at least one pixel that shows a surface, found none");
+            throw new RefusalException("expected at least one pixel that shows a surface, found none");
         }
         double floor = DARK * Arrays.stream(reference).sum() / reference.length;
         double[] errors = new double[light.length];

@@ -148,7 +148,7 @@ public final class LightRig {
         if (light.lightGroup().isEmpty()) {
             return resolved;
         }
-        return lightGroup(light.lightGroup()).orElseThrow(() -> new IllegalArgumentException(
+        return lightGroup(light.lightGroup()).orElseThrow(() -> new RefusalException(
                 "light " + Quote.of(light.name()) + ": there is no light group " + Quote.of(light.lightGroup()))).applyTo(resolved);
     }
 

@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.scene.node.NodeNames;
 import org.jspecify.annotations.Nullable;
 
@@ -67,6 +68,6 @@ final class LightRigNames {
     }
 
     private static IllegalArgumentException duplicateName(String kind, String name) {
-        return new IllegalArgumentException(kind + " " + Quote.of(name) + ": the name is already taken");
+        return new RefusalException(kind + " " + Quote.of(name) + ": the name is already taken");
     }
 }

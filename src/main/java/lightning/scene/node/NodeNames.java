@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 
 /** Sorted table of the names of shapes and groups. Sorted rather than hashed, because a file could choose names whose hashes collide. */
 public final class NodeNames {
@@ -82,6 +83,6 @@ public final class NodeNames {
     }
 
     private static IllegalArgumentException duplicateName(String name) {
-        return new IllegalArgumentException("object " + Quote.of(name) + ": the name is already taken");
+        return new RefusalException("object " + Quote.of(name) + ": the name is already taken");
     }
 }

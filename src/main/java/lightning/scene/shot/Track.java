@@ -82,7 +82,7 @@ public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
      */
     public void check(Scene scene) {
         check(target.attribute(scene, attribute).<SceneAttribute<?, ?>>map(a -> a)
-                .orElseThrow(() -> new IllegalArgumentException(target + " has no " + attribute + " that can be animated")));
+                .orElseThrow(() -> new RefusalException(target + " has no " + attribute + " that can be animated")));
     }
 
     /**

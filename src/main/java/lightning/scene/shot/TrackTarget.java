@@ -110,7 +110,7 @@ public record TrackTarget(Kind kind, String name) {
 
     private <T> KeyframeValue value(T record, List<? extends SceneAttribute<T, ?>> attributes, String attribute) {
         return attributes.stream().filter(a -> a.name().equals(attribute)).findFirst().map(a -> value(record, a))
-                .orElseThrow(() -> new IllegalArgumentException(this + " has no " + attribute + " that can be animated"));
+                .orElseThrow(() -> new RefusalException(this + " has no " + attribute + " that can be animated"));
     }
 
     private <T, V> KeyframeValue value(T record, SceneAttribute<T, V> attribute) {

@@ -87,7 +87,7 @@ final class RemoteFrameHost implements FrameHost {
         try {
             return assetTransfer.prepare(revision);
         } catch (IOException e) {
-            throw new RefusalException(e.getMessage(), e);
+            throw new RefusalException(String.valueOf(e.getMessage()), e);
         }
     }
 
@@ -96,7 +96,7 @@ final class RemoteFrameHost implements FrameHost {
         String message = Messages.tr("node {0}: {1}", name, failed.message());
         return switch (failed.reason()) {
             case CANCELED -> new CancellationException();
-            case INVALID -> new IllegalArgumentException(message);
+            case INVALID -> new RefusalException(message);
             case REJECTED -> new FrameRejectedException(message);
             case ERROR -> new IllegalStateException(message);
         };

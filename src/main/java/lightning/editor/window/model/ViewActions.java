@@ -49,7 +49,7 @@ public final class ViewActions {
         try {
             SceneLimits.checkRange("exposure", stops, EXPOSURE_RANGE.min(), EXPOSURE_RANGE.max());
         } catch (RefusalException e) {
-            return Optional.of(String.valueOf(e.getMessage()));
+            return Optional.of(e.getMessage());
         }
         return edit(view -> view.withExposure(stops), gesture);
     }

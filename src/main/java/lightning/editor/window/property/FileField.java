@@ -7,6 +7,7 @@ import javafx.beans.value.ObservableValue;
 import javafx.scene.control.MenuButton;
 import javafx.scene.layout.StackPane;
 import lightning.base.text.Messages;
+import lightning.base.text.RefusalException;
 import lightning.editor.document.Command;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.document.EditorState;
@@ -81,7 +82,7 @@ final class FileField<F extends FileAsset> extends StackPane {
         @Override
         public Scene copy(Scene source, Scene target, String lightName) {
             Light light = target.light(lightName)
-                    .orElseThrow(() -> new IllegalArgumentException(Messages.tr("the light no longer exists")));
+                    .orElseThrow(() -> new RefusalException(Messages.tr("the light no longer exists")));
             return target.withLight(attribute.copy(source.light(lightName).orElseThrow(), light));
         }
     }
@@ -120,7 +121,7 @@ final class FileField<F extends FileAsset> extends StackPane {
         @Override
         public Scene copy(Scene source, Scene target, String name) {
             Dome known = target.world().domeOrOwn(name)
-                    .orElseThrow(() -> new IllegalArgumentException(Messages.tr("the dome no longer exists")));
+                    .orElseThrow(() -> new RefusalException(Messages.tr("the dome no longer exists")));
             return target.withWorld(target.world().withDome(name, attribute().copy(source.world().domeOrOwn(name).orElseThrow(), known)));
         }
     }

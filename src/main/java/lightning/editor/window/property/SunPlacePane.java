@@ -116,6 +116,6 @@ final class SunPlacePane extends TitledPane {
 
     private static double number(TextField field, String name) {
         return DecimalNumber.parse(field.getText().strip().replace(',', '.')).orElseThrow(
-                () -> new IllegalArgumentException(Messages.tr("{0} must be a number, was {1}", name, field.getText())));
+                () -> new RefusalException(Messages.tr("{0} must be a number, was {1}", name, field.getText())));
     }
 }

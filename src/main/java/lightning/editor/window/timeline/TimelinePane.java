@@ -160,7 +160,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
             try {
                 SceneLimits.checkRange(Messages.tr(title), value, min, max);
             } catch (RefusalException e) {
-                return Optional.of(String.valueOf(e.getMessage()));
+                return Optional.of(e.getMessage());
             }
             return setter.set(value, gesture);
         });

@@ -170,7 +170,7 @@ public final class ColorSliders extends VBox {
             try {
                 edited = edit.apply(shownHsv, v);
             } catch (RefusalException e) {
-                return Optional.of(String.valueOf(e.getMessage()));
+                return Optional.of(e.getMessage());
             }
             return setHsv(edited, gesture);
         }));

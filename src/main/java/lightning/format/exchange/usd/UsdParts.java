@@ -87,7 +87,7 @@ final class UsdParts {
             try {
                 meshFile = assembler.addFile(assembler.stem() + ".meshes.glb", MeshFileWriter.write(written));
             } catch (RefusalException e) {
-                throw nodes.problem(String.valueOf(e.getMessage()));
+                throw nodes.problem(e.getMessage());
             }
         }
     }

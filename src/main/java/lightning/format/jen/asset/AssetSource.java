@@ -1,6 +1,7 @@
 package lightning.format.jen.asset;
 
 import lightning.base.text.Quote;
+import lightning.base.text.RefusalException;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureUsage;
@@ -31,8 +32,8 @@ public interface AssetSource {
             throw missing(file);
         }
 
-        private IllegalArgumentException missing(String file) {
-            return new IllegalArgumentException("expected no file, found " + Quote.of(file));
+        private RefusalException missing(String file) {
+            return new RefusalException("expected no file, found " + Quote.of(file));
         }
     };
 

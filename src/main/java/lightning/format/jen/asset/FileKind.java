@@ -120,7 +120,7 @@ public enum FileKind {
         try {
             read(name, file);
         } catch (UnusableFileException | MeshException e) {
-            throw new RefusalException(e.getMessage(), e);
+            throw new RefusalException(String.valueOf(e.getMessage()), e);
         }
     }
 }

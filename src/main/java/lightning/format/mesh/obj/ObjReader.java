@@ -273,7 +273,7 @@ public final class ObjReader {
             try {
                 parts.add(new ObjFile.ObjPart(names.unique(requestedName, "mesh"), mesh.material, mesh.build(points)));
             } catch (RefusalException e) {
-                throw source.problem(mesh.object.isEmpty() ? "" : "object " + Quote.of(mesh.object), String.valueOf(e.getMessage()));
+                throw source.problem(mesh.object.isEmpty() ? "" : "object " + Quote.of(mesh.object), e.getMessage());
             }
         }
         return List.copyOf(parts);

@@ -98,7 +98,7 @@ final class PlyVertices {
         try {
             return new Mesh(positions(), triangles, normals, textureCoordinates, colors);
         } catch (RefusalException e) {
-            throw source.problem("", String.valueOf(e.getMessage()));
+            throw source.problem("", e.getMessage());
         }
     }
 
