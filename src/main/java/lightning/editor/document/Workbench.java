@@ -194,9 +194,18 @@ public final class Workbench implements AutoCloseable {
 
     /** Applies an edit as part of a gesture: see {@link EditHistory#edit(Scene, Object)}. */
     public Optional<String> edit(EditOutcome change, @Nullable Object gesture) {
+        return edit(change, gesture, isLive);
+    }
+
+    /** Applies an edit as above, and renders it also if live mode is off, unless there is no picture yet. */
+    public Optional<String> editAndRender(EditOutcome change, @Nullable Object gesture) {
+        return edit(change, gesture, isLive || frame().isPresent());
+    }
+
+    private Optional<String> edit(EditOutcome change, @Nullable Object gesture, boolean renders) {
         Optional<String> refusal = document.apply(change, gesture);
         if (refusal.isEmpty()) {
-            afterEdit();
+            afterEdit(renders);
         }
         return refusal;
     }
@@ -219,7 +228,7 @@ public final class Workbench implements AutoCloseable {
             boolean isSameScene = document.scene().equals(before);
             autosave.documentChanged(document);
             if (!isSameScene) {
-                renderIfLive();
+                renderIf(isLive);
             }
             changeListener.run();
         }
@@ -427,19 +436,23 @@ public final class Workbench implements AutoCloseable {
     /** Switches live mode; switching it on renders pending edits. */
     public void setLive(boolean v) {
         isLive = v;
-        renderIfLive();
+        renderIf(isLive);
         changeListener.run();
     }
 
     private void afterEdit() {
+        afterEdit(isLive);
+    }
+
+    private void afterEdit(boolean renders) {
         document.clampFrame();
         autosave.documentChanged(document);
-        renderIfLive();
+        renderIf(renders);
         changeListener.run();
     }
 
-    private void renderIfLive() {
-        if (isLive && Command.GO.isEnabled(editorState())) {
+    private void renderIf(boolean renders) {
+        if (renders && Command.GO.isEnabled(editorState())) {
             sceneInProgress = Optional.of(document.scene());
             loop.render(document.scene());
         }

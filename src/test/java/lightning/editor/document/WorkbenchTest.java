@@ -392,4 +392,15 @@ class WorkbenchTest {
         assertThat(workbench.edit(DeskScene.parameter("angle").set(workbench.document().scene(), "key", 999))).isPresent();
         assertThat(changes).isEqualTo(before);
     }
+
+    @Test
+    void renderedEditWithoutLive_isToldOnce() throws Exception {
+        workbench.go();
+        awaitIdle();
+        int before = changes;
+        workbench.editAndRender(DeskScene.parameter("angle").set(workbench.document().scene(), "key", 20), null);
+        assertThat(changes).isEqualTo(before + 1);
+        awaitIdle();
+        assertThat(shownScene()).isEqualTo(workbench.document().scene());
+    }
 }

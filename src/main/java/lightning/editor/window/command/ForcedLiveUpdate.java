@@ -11,14 +11,6 @@ import lightning.editor.window.model.SceneEditor;
 public final class ForcedLiveUpdate {
     private ForcedLiveUpdate() {}
 
-    /** Renders the scene as edited, unless it is already rendered or there is no picture yet. */
-    public static void render(SceneEditor editor) {
-        EditorState state = editor.editorStateProperty().get();
-        if (!editor.liveProperty().get() && state.frame().isPresent() && state.hasPendingEdits()) {
-            editor.go();
-        }
-    }
-
     /**
      * Renders every edit, including undo and redo, while the window of a pane has focus.
      *
@@ -27,8 +19,9 @@ public final class ForcedLiveUpdate {
     public static Subscription renderWhileFocused(Node pane, SceneEditor editor, Executor window) {
         // Deferred: the pending state is known only after all listeners have run.
         return editor.sceneProperty().subscribe((_, _) -> window.execute(() -> {
-            if (isFocused(pane)) {
-                render(editor);
+            EditorState state = editor.editorStateProperty().get();
+            if (isFocused(pane) && !editor.liveProperty().get() && state.frame().isPresent() && state.hasPendingEdits()) {
+                editor.go();
             }
         }));
     }

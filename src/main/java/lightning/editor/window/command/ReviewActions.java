@@ -115,8 +115,8 @@ final class ReviewActions {
         Scene before = model.editor().scene();
         Optional<PixelCache> cache = model.workbench().cache();
         String reviewer = review.reviewer().isBlank() ? Quote.path(file.getFileName()) : review.reviewer();
-        boolean refused = model.editor().editOrReport(scene -> EditOutcome.of(() -> ReviewedScene.of(scene, review).scene())
-                .named(Messages.tr("Review of {0}", reviewer))).isPresent();
+        boolean refused = model.editor().editAndRenderOrReport(scene -> EditOutcome.of(() -> ReviewedScene.of(scene, review).scene())
+                .named(Messages.tr("Review of {0}", reviewer)), null).isPresent();
         if (refused) {
             return;
         }
@@ -133,7 +133,6 @@ final class ReviewActions {
         } else {
             notices.showNotes(Messages.tr("Review of {0}: notes with their pixels. Undo restores the lights.", reviewer), lines);
         }
-        ForcedLiveUpdate.render(model.editor());
         Scene after = model.editor().scene();
         cache.ifPresent(picture -> new ReviewedLooks(model).save(picture, before, after, reviewer));
     }

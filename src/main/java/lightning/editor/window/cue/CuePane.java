@@ -269,10 +269,7 @@ public final class CuePane extends VBox {
     }
 
     private void applyEdit(Function<Scene, EditOutcome> edit, @Nullable Object gesture) {
-        editor.edit(edit, gesture).ifPresentOrElse(this::showMessage, () -> {
-            showMessage("");
-            ForcedLiveUpdate.render(editor);
-        });
+        showMessage(editor.editAndRender(edit, gesture).orElse(""));
     }
 
     private void blendTo(double t) {

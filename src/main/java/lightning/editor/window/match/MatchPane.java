@@ -376,12 +376,11 @@ public final class MatchPane extends VBox {
             return;
         }
         MatchResult matched = found.result();
-        Optional<String> refusal = editor.editOrReport(scene -> EditOutcome.of(() -> MatchedScene.of(scene, matched))
-                .named(Messages.tr("Match Reference")));
+        Optional<String> refusal = editor.editAndRenderOrReport(scene -> EditOutcome.of(() -> MatchedScene.of(scene, matched))
+                .named(Messages.tr("Match Reference")), null);
         result.setText(refusal.orElseGet(() -> text(matched, found.scene(), found.invalidPixels())));
         if (refusal.isEmpty()) {
             view.erase();
-            ForcedLiveUpdate.render(editor);
         }
     }
 

@@ -14,7 +14,6 @@ import lightning.base.text.Messages;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.document.MixerChannel;
 import lightning.editor.document.MixerEdits;
-import lightning.editor.window.command.ForcedLiveUpdate;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
@@ -165,11 +164,7 @@ final class MixerModel {
 
     /** Applies an edit and renders it immediately. */
     Optional<String> edit(Function<Scene, EditOutcome> edit, @Nullable Object gesture) {
-        Optional<String> refusal = editor.editOrReport(edit, gesture);
-        if (refusal.isEmpty()) {
-            ForcedLiveUpdate.render(editor);
-        }
-        return refusal;
+        return editor.editAndRenderOrReport(edit, gesture);
     }
 
     /** Shows why an input is invalid; does nothing for an empty reason. */

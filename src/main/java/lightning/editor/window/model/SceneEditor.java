@@ -156,6 +156,17 @@ public final class SceneEditor {
         return workbench.edit(edit.apply(scene()), gesture);
     }
 
+    /** Applies an edit as {@link #edit(Function, Object)} does, and renders it also if Live is off, unless there is no picture yet. */
+    public Optional<String> editAndRender(Function<Scene, EditOutcome> edit, @Nullable Object gesture) {
+        message.clear();
+        return workbench.editAndRender(edit.apply(scene()), gesture);
+    }
+
+    /** Applies an edit as {@link #editAndRender} does, and shows a refusal in the status line. */
+    public Optional<String> editAndRenderOrReport(Function<Scene, EditOutcome> edit, @Nullable Object gesture) {
+        return reportRefusal(editAndRender(edit, gesture));
+    }
+
     /** Applies an edit as {@link #edit(Function)} does, and shows a refusal in the status line. */
     public Optional<String> editOrReport(Function<Scene, EditOutcome> edit) {
         return editOrReport(edit, null);

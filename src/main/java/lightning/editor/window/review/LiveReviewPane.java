@@ -29,7 +29,6 @@ import javafx.util.Subscription;
 import lightning.base.text.Messages;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.loop.Frame;
-import lightning.editor.window.command.ForcedLiveUpdate;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.SceneEditor;
@@ -260,12 +259,12 @@ public final class LiveReviewPane extends VBox {
         String reviewer = change.reviewer().isBlank() ? Messages.tr("a reviewer") : change.reviewer();
         page = change.page();
         try {
-            editor.editOrReport(scene -> EditOutcome.of(() -> change.state().applyTo(scene)).named(Messages.tr("Review of {0}", reviewer)),
+            editor.editAndRenderOrReport(
+                    scene -> EditOutcome.of(() -> change.state().applyTo(scene)).named(Messages.tr("Review of {0}", reviewer)),
                     gesture);
         } finally {
             page = "";
         }
-        ForcedLiveUpdate.render(editor);
     }
 
     private void showNotes() {
