@@ -3,13 +3,12 @@ package lightning.format.review;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.Base64;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.base.file.AtomicFile;
 import lightning.base.math.Rgb;
+import lightning.base.text.HtmlPage;
 import lightning.base.text.Language;
 import lightning.base.work.Progress;
 import lightning.render.relight.Renderer;
@@ -29,6 +28,9 @@ public final class ReviewPage {
     /** Version of the data in pages and in reviews: before 2, all environments had one fader. */
     static final int VERSION = 2;
     private static final String LAYERS = "{{layers}}";
+    private static final List<String> SCRIPTS = List.of("page/texts.js", "page/layers.js", "page/state.js", "page/picture.js",
+            "page/faders.js", "page/notes.js", "page/compare.js", "page/film.js", "page/save.js", "page/file.js", "page/live.js",
+            "page/start.js");
 
     private ReviewPage() {}
 
@@ -102,24 +104,11 @@ public final class ReviewPage {
      *
      * @param connect what the page may connect to, in the words of a content security policy
      */
-    private static String frame(String connect) throws IOException {
-        String style = PageResource.text("review.css");
-        String script = PageScript.text();
-        return PageResource.text("review.html").replace("{{style-hash}}", hash(style)).replace("{{script-hash}}", hash(script))
-                .replace("{{connect}}", connect).replace("{{style}}", style).replace("{{script}}", script);
+    static String frame(String connect) throws IOException {
+        return HtmlPage.withoutData(ReviewPage.class, "review.html", "review.css", SCRIPTS).replace("{{connect}}", connect);
     }
 
-    /** A script of data ends at the next tag, so no character of it may begin one. */
     private static String withData(String frame, ObjectNode data) {
-        return frame.replace("{{data}}", new JsonMapper().writeValueAsString(data).replace("<", "\\u003c"));
-    }
-
-    private static String hash(String text) {
-        try {
-            byte[] digest = MessageDigest.getInstance("SHA-256").digest(text.getBytes(StandardCharsets.UTF_8));
-            return "sha256-" + Base64.getEncoder().encodeToString(digest);
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException(e);
-        }
+        return HtmlPage.withData(frame, new JsonMapper().writeValueAsString(data));
     }
 }
