@@ -7,7 +7,6 @@ module lightning {
     requires jdk.incubator.vector;
     requires info.picocli;
     requires io.github.javadiffutils;
-    requires org.jfree.jfreechart;
     requires tools.jackson.databind;
     requires tools.jackson.dataformat.csv;
     requires javafx.controls;

@@ -1,7 +1,5 @@
 package lightning.bench.report;
 
-import static java.util.Objects.requireNonNull;
-
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
@@ -10,70 +8,78 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Base64;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
+import lightning.bench.result.BenchResults;
+import lightning.bench.result.SceneResult;
 import lightning.format.image.ImageFile;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Images embedded once in the page as backgrounds of style sheet classes, however often they are shown. They are compressed lossily; the
- * files next to the report have the exact pixels.
+ * Images of a report, each once in the page as a block of data, however often it is shown. They are compressed lossily; the files next to
+ * the report have the exact pixels.
  */
 final class EmbeddedPictures {
     private static final float JPEG_QUALITY = 0.92f;
     /** Mask of the bits per channel of false-color images, which limits the number of colors. */
     private static final int COARSE = 0xF8F8F8;
 
-    private final @Nullable Path folder;
-    private final Map<String, String> byFile = new HashMap<>();
-    private final Map<String, String> byContent = new LinkedHashMap<>();
+    private final Path folder;
+    private final Map<String, String> blockOfFile = new LinkedHashMap<>();
+    private final Map<String, String> blockOfContent = new LinkedHashMap<>();
 
-    /** @param folder base folder of image names */
-    EmbeddedPictures(@Nullable Path folder) {
+    private EmbeddedPictures(Path folder) {
         this.folder = folder;
     }
 
-    /** Returns the class of an image; null if it is missing or unreadable. */
-    @Nullable
-    String picture(@Nullable String file) {
-        return add(file, false);
-    }
-
-    /** Returns the class of a false-color image; null if it is missing or unreadable. */
-    @Nullable
-    String difference(@Nullable String file) {
-        return add(file, true);
-    }
-
-    private @Nullable String add(@Nullable String file, boolean fewColors) {
-        if (file == null) {
-            return null;
+    /**
+     * Reads the images that the report shows: those of the first value of each edit. Missing and unreadable ones are omitted.
+     *
+     * @param folder base folder of image names
+     */
+    static EmbeddedPictures of(BenchResults results, Path folder) {
+        var pictures = new EmbeddedPictures(folder);
+        for (SceneResult scene : results.scenes()) {
+            pictures.add(scene.before(), false);
+            scene.edits().stream().flatMap(edit -> edit.values().stream().limit(1)).flatMap(value -> value.rungs().stream())
+                    .forEach(point -> {
+                        pictures.add(point.picture(), false);
+                        pictures.add(point.difference(), true);
+                    });
         }
-        return byFile.computeIfAbsent(file, name -> {
-            try {
-                Film film = ImageFile.read(requireNonNull(folder).resolve(name));
-                String encoded = fewColors ? "png;base64," + text(png(film)) : "jpeg;base64," + text(jpeg(film));
-                return byContent.computeIfAbsent(encoded, _ -> "p" + byContent.size());
-            } catch (IOException | RuntimeException e) {
-                // An invalid name or a missing image; the page omits it.
-                return null;
-            }
-        });
+        return pictures;
     }
 
-    /** Returns the style sheet rules with the images. */
-    String styleRules() {
-        StringBuilder rules = new StringBuilder();
-        byContent.forEach((encoded, name) -> rules.append('.').append(name).append("{background-image:url(data:image/")
-                .append(encoded).append(")}\n"));
-        return rules.toString();
+    private void add(@Nullable String file, boolean hasFalseColors) {
+        if (file == null || blockOfFile.containsKey(file)) {
+            return;
+        }
+        try {
+            Film film = ImageFile.read(folder.resolve(file));
+            String content = hasFalseColors ? "png;base64," + text(png(film)) : "jpeg;base64," + text(jpeg(film));
+            blockOfFile.put(file, blockOfContent.computeIfAbsent(content, _ -> "picture-" + blockOfContent.size()));
+        } catch (IOException | RuntimeException e) {
+            // An invalid name or a missing image; the page omits it.
+        }
+    }
+
+    /** Returns the block of each image file, by the id of its element. */
+    Map<String, String> blockOfFile() {
+        return blockOfFile;
+    }
+
+    /** Returns the blocks as HTML. Base64 has no character with a meaning in HTML. */
+    String blocks() {
+        var blocks = new StringBuilder();
+        blockOfContent.forEach((content, id) -> blocks.append("<script type=\"text/plain\" id=\"").append(id).append("\">data:image/")
+                .append(content).append("</script>\n"));
+        return blocks.toString();
     }
 
     private static byte[] jpeg(Film film) throws IOException {

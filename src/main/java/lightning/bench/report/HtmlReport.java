@@ -1,21 +1,93 @@
 package lightning.bench.report;
 
+import com.fasterxml.jackson.annotation.JsonProperty;
+import com.fasterxml.jackson.annotation.JsonValue;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import lightning.base.file.AtomicFile;
+import lightning.base.text.HtmlPage;
 import lightning.bench.result.BenchResults;
-import org.jspecify.annotations.Nullable;
+import lightning.bench.result.EffectResult;
+import lightning.bench.result.IndirectAccuracy;
+import lightning.bench.result.IndirectGrowth;
+import lightning.bench.result.ModernSampling;
+import lightning.bench.result.RayThroughput;
+import lightning.bench.result.ReflectionAccuracy;
+import lightning.bench.result.SoftShadowAccuracy;
+import lightning.render.measure.AccuracySetting;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.databind.SerializationContext;
+import tools.jackson.databind.ValueSerializer;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.module.SimpleModule;
+import tools.jackson.databind.node.ObjectNode;
 
-/** Writer of a run's report as one self-contained HTML file, usable offline. */
+/** Writer of a run's report as one self-contained HTML file, usable offline. Its script builds tables and charts from the results. */
 public final class HtmlReport {
     /** File name of the report. */
     public static final String FILE = "report.html";
 
-    private static final String TITLE = "Lightning benchmark: savings of re-rendering, cost of accuracy";
+    private static final List<String> SCRIPTS = List.of("page/numbers.js", "page/elements.js", "page/axes.js", "page/charts.js",
+            "page/pictures.js", "page/scenes.js", "page/curves.js", "page/start.js");
+
+    /** Results with the numbers that their methods derive, so that the page computes none of them again. */
+    private static final JsonMapper JSON = JsonMapper.builder()
+            .addMixIn(EffectResult.class, Derived.class)
+            .addMixIn(IndirectAccuracy.class, Derived.class)
+            .addMixIn(IndirectAccuracy.Point.class, Derived.class)
+            .addMixIn(IndirectGrowth.Point.class, Derived.class)
+            .addMixIn(ModernSampling.class, Derived.class)
+            .addMixIn(RayThroughput.class, Derived.class)
+            .addMixIn(ReflectionAccuracy.Point.class, Derived.class)
+            .addMixIn(SoftShadowAccuracy.Point.class, Derived.class)
+            .addModule(new SimpleModule().addSerializer(Double.class, new AnyDouble()).addSerializer(Double.TYPE, new AnyDouble()))
+            .build();
 
     private HtmlReport() {}
+
+    /** Methods of results that the page needs; each class has some of them. */
+    private abstract static class Derived {
+        @JsonValue
+        abstract String label();
+
+        @JsonProperty
+        abstract boolean usesDefault();
+
+        @JsonProperty
+        abstract List<IndirectAccuracy.Point> grid();
+
+        @JsonProperty
+        abstract List<IndirectAccuracy.Point> byBounces();
+
+        @JsonProperty
+        abstract double extraMs();
+
+        @JsonProperty
+        abstract double certainFirstMs();
+
+        @JsonProperty
+        abstract double certainUpdateMs();
+
+        @JsonProperty
+        abstract double millionsPerSecond();
+
+        @JsonProperty
+        abstract double rivalMillionsPerSecond();
+    }
+
+    /** Writes a number for which JSON has no word as {@code {"double": "NaN"}}, which is no text. */
+    private static final class AnyDouble extends ValueSerializer<Double> {
+        @Override
+        public void serialize(Double v, JsonGenerator out, SerializationContext context) {
+            if (Double.isFinite(v)) {
+                out.writeNumber(v);
+            } else {
+                out.writeStartObject().writeStringProperty("double", v.toString()).writeEndObject();
+            }
+        }
+    }
 
     /**
      * Writes {@value #FILE}.
@@ -33,41 +105,20 @@ public final class HtmlReport {
      *
      * @param pictures base folder of the results' image names
      */
-    public static void write(BenchResults results, @Nullable Path pictures, Path folder) throws IOException {
-        byte[] page = html(results, pictures).getBytes(StandardCharsets.UTF_8);
-        AtomicFile.write(folder.resolve(FILE), out -> out.write(page));
-    }
-
-    /** Returns the page as well-formed XML. */
-    static String html(BenchResults results, @Nullable Path pictures) {
-        EmbeddedPictures embeddedPictures = new EmbeddedPictures(pictures);
-        HtmlWriter body = new HtmlWriter();
-        RunSection.write(body, TITLE, results);
-        for (int i = 0; i < results.scenes().size(); i++) {
-            SceneSection.write(body, "scene-" + (i + 1), results.scenes().get(i), embeddedPictures);
+    public static void write(BenchResults results, Path pictures, Path folder) throws IOException {
+        EmbeddedPictures embedded = EmbeddedPictures.of(results, pictures);
+        ObjectNode data = JSON.createObjectNode();
+        data.set("results", JSON.valueToTree(results));
+        data.put("busy", results.run().load().isBusy(results.run().machine().processors()));
+        data.put("usual", AccuracySetting.DEFAULT.name());
+        for (AccuracySetting setting : AccuracySetting.values()) {
+            data.withArray("settings").addObject().put("name", setting.name()).put("label", setting.label()).put("description",
+                    setting.description());
         }
-        CurveSections.write(body, results);
-        EditingTable.write(body, results);
-        MeshTable.write(body, results);
-        ModernSection.write(body, results);
-        IndirectSection.write(body, results);
-        RunSection.writeMethod(body, results.run());
-        HtmlWriter page = new HtmlWriter();
-        page.open("html", "xmlns", "http://www.w3.org/1999/xhtml", "lang", "en").open("head");
-        page.emptyElement("meta", "charset", "utf-8").emptyElement("meta", "name", "viewport", "content",
-                "width=device-width, initial-scale=1");
-        page.element("title", TITLE);
-        page.open("style").raw(resource("report.css")).raw(embeddedPictures.styleRules()).close();
-        page.close().open("body").raw(body.finish());
-        page.open("script").raw(resource("report.js")).close();
-        return "<!DOCTYPE html>\n" + page.close().close().finish();
-    }
-
-    private static String resource(String name) {
-        try (var in = HtmlReport.class.getResourceAsStream(name)) {
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-        } catch (IOException e) {
-            throw new UncheckedIOException("missing resource of the program: " + name, e);
-        }
+        data.set("pictures", JSON.valueToTree(embedded.blockOfFile()));
+        String page =
+                HtmlPage.withoutData(HtmlReport.class, "report.html", "report.css", SCRIPTS).replace("{{pictures}}", embedded.blocks());
+        byte[] bytes = HtmlPage.withData(page, JSON.writeValueAsString(data)).getBytes(StandardCharsets.UTF_8);
+        AtomicFile.write(folder.resolve(FILE), out -> out.write(bytes));
     }
 }

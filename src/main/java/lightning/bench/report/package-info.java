@@ -5,9 +5,8 @@
  * HtmlReport.write(results, folder);
  * }</pre>
  *
- * <p>All output goes through {@link lightning.bench.report.HtmlWriter}, which closes elements and escapes text, so that the page is
- * well-formed XML for any scene names. JFreeChart draws the charts in the colors of {@link lightning.bench.report.PlotColor}, which the
- * style sheet redefines for dark screens.
+ * <p>The results and images are data of the page. Its script builds tables and charts from them in the browser, and shows all names as
+ * text.
  */
 @NullMarked
 package lightning.bench.report;

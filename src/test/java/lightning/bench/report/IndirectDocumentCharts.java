@@ -6,6 +6,7 @@ import java.util.Map;
 import lightning.bench.result.BenchResults;
 import lightning.bench.result.IndirectAccuracy;
 import lightning.bench.result.IndirectGrowth;
+import lightning.bench.result.IndirectResults;
 import lightning.bench.result.ReflectionAccuracy;
 import lightning.bench.result.SoftShadowAccuracy;
 import lightning.render.measure.ParetoFront;
@@ -16,21 +17,23 @@ public final class IndirectDocumentCharts {
 
     private IndirectDocumentCharts() {}
 
-    /** Returns the charts as files for documents, by file name; each names the measured build. */
-    public static Map<String, String> of(BenchResults results) {
-        Map<String, String> charts = new LinkedHashMap<>();
-        String build = "build " + results.run().commit() + ", " + results.run().date();
-        results.indirect().accuracy()
-                .forEach(scene -> charts.put(fileName(scene), ChartSvg.file(IndirectCharts.svg(scene), scene.scene() + ", " + build)));
-        if (!results.indirect().accuracy().isEmpty()) {
-            charts.put(BOUNCES, ChartSvg.file(IndirectCharts.bounces(results.indirect()), build));
+    /** Returns the labels of charts in the report by file name. */
+    public static Map<String, String> labels(BenchResults results) {
+        Map<String, String> labels = new LinkedHashMap<>();
+        IndirectResults indirect = results.indirect();
+        indirect.accuracy().forEach(scene -> labels.put(fileName(scene), meanError("indirect light", scene.scene())));
+        if (!indirect.accuracy().isEmpty()) {
+            labels.put(BOUNCES, "Missing light against bounces");
         }
-        results.indirect().reflections().stream().filter(scene -> !scene.points().isEmpty())
-                .forEach(scene -> charts.put(fileName(scene), ChartSvg.file(IndirectCharts.svg(scene), scene.scene() + ", " + build)));
-        results.indirect().softShadows()
-                .forEach(scene -> charts.put(fileName(scene), ChartSvg.file(IndirectCharts.svg(scene), scene.scene() + ", " + build)));
-        results.indirect().growth().forEach(growth -> charts.put(fileName(growth), ChartSvg.file(IndirectCharts.svg(growth), build)));
-        return charts;
+        indirect.reflections().stream().filter(scene -> !scene.points().isEmpty())
+                .forEach(scene -> labels.put(fileName(scene), meanError("blurred reflections", scene.scene())));
+        indirect.softShadows().forEach(scene -> labels.put(fileName(scene), meanError("area lights", scene.scene())));
+        indirect.growth().forEach(growth -> labels.put(fileName(growth), "Time (ms) of indirect light against " + growth.along()));
+        return labels;
+    }
+
+    private static String meanError(String what, String scene) {
+        return "Mean error of " + what + " against time (ms), " + scene;
     }
 
     static String fileName(IndirectAccuracy scene) {

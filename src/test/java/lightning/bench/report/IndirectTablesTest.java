@@ -2,6 +2,8 @@ package lightning.bench.report;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import lightning.bench.result.BenchResults;
@@ -14,7 +16,9 @@ import lightning.bench.result.MachineSpec;
 import lightning.bench.result.SystemLoad;
 import lightning.bench.result.TimeSamples;
 import lightning.render.measure.IndirectError;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 class IndirectTablesTest {
     private static final BenchRun RUN = new BenchRun("2026-01-31T12:00:00Z", "abc", List.of(),
@@ -86,10 +90,11 @@ class IndirectTablesTest {
     }
 
     @Test
-    void charts_nameBuildAndLabelEachSetting() {
-        Map<String, String> charts = IndirectDocumentCharts.of(results());
+    @Slow
+    void charts_nameBuildAndLabelEachSetting(@TempDir Path folder) throws IOException {
+        Map<String, String> charts = DocumentCharts.draw(results(), IndirectDocumentCharts.labels(results()), folder);
         assertThat(charts).containsOnlyKeys("indirect-error-hall.svg", IndirectDocumentCharts.BOUNCES, "indirect-growth-pixels.svg");
-        assertThat(charts.values()).allMatch(svg -> svg.contains("build abc, 2026-01-31T12:00:00Z"));
+        assertThat(charts.values()).allMatch(svg -> svg.contains("build abc, 2026-01-31T12:00:00Z") && !svg.contains("var("));
         assertThat(charts.get("indirect-error-hall.svg")).contains(">8, 64<", ">16, 64<", ">16, 256<");
         assertThat(charts.get(IndirectDocumentCharts.BOUNCES)).contains(">hall<", "20 %");
         assertThat(charts.get("indirect-growth-pixels.svg")).contains(">first pass, added<", ">moved light<", ">intensity<");

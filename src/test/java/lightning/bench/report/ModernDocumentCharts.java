@@ -9,12 +9,12 @@ import lightning.bench.result.ModernScene;
 public final class ModernDocumentCharts {
     private ModernDocumentCharts() {}
 
-    /** Returns the charts as files for documents, by file name; each names the measured build. */
-    public static Map<String, String> of(BenchResults results) {
-        Map<String, String> charts = new LinkedHashMap<>();
-        results.modern().stream().filter(scene -> !scene.curves().isEmpty()).forEach(scene -> charts.put(fileName(scene),
-                ChartSvg.file(ModernCharts.svg(scene), scene.scene() + ", build " + results.run().commit() + ", " + results.run().date())));
-        return charts;
+    /** Returns the labels of charts in the report by file name. */
+    public static Map<String, String> labels(BenchResults results) {
+        Map<String, String> labels = new LinkedHashMap<>();
+        results.modern().stream().filter(scene -> !scene.curves().isEmpty())
+                .forEach(scene -> labels.put(fileName(scene), "Error against time (ms), " + scene.scene()));
+        return labels;
     }
 
     static String fileName(ModernScene scene) {

@@ -11,6 +11,7 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
+import lightning.sample.Browser;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
 import lightning.scene.light.LightGroup;

@@ -12,6 +12,7 @@ import java.util.stream.IntStream;
 import lightning.base.text.Language;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.sample.Browser;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;

@@ -11,6 +11,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.sample.Browser;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;

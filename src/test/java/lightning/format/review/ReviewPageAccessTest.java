@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import lightning.base.text.Language;
 import lightning.render.image.ViewTransform;
+import lightning.sample.Browser;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.BeforeEach;

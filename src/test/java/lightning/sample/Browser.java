@@ -1,4 +1,4 @@
-package lightning.format.review;
+package lightning.sample;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -44,7 +44,7 @@ public final class Browser implements AutoCloseable {
     }
 
     /**
-     * Opens a page and waits until it shows its picture.
+     * Opens a page and waits until it is ready.
      *
      * @param downloads folder for saved files
      */
@@ -100,7 +100,7 @@ public final class Browser implements AutoCloseable {
         while (!Boolean.TRUE.equals(run(script))) {
             if (System.nanoTime() > end) {
                 throw new AssertionError(
-                        "waited in vain for " + script + "; " + run("return document.getElementById('message').textContent") + messages());
+                        "waited in vain for " + script + "; " + run("return document.getElementById('message')?.textContent") + messages());
             }
             try {
                 Thread.sleep(POLL_MILLIS);
