@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import lightning.cli.output.Console;
+import lightning.scene.SceneElement;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 
 /** Notes of lights whose new values a shot overrides: their keyframes stay as they are. */
 final class KeyedLightNotes {
@@ -20,7 +20,7 @@ final class KeyedLightNotes {
     static void print(Optional<Shot> shot, Collection<String> lights, Console console) {
         for (String light : lights) {
             List<String> keyed = shot.stream().flatMap(s -> s.tracks().stream())
-                    .filter(track -> track.target().equals(TrackTarget.light(light)) && SET.contains(track.attribute()))
+                    .filter(track -> track.target().equals(new SceneElement.OfLight(light)) && SET.contains(track.attribute()))
                     .map(Track::attribute).toList();
             if (!keyed.isEmpty()) {
                 console.warn("%s has keyframes of its %s, which the shot shows in place of the new value", light,

@@ -38,11 +38,12 @@ import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.warmup.DelayedLanes;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.shot.Keyframe;
+import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackRetargeting;
-import lightning.scene.shot.TrackTarget;
 import lightning.shot.CacheUsage;
 import lightning.shot.LocalFrameHost;
 import lightning.shot.ShotMemoryEstimate;
@@ -304,13 +305,13 @@ final class ShotRelightCommand implements Callable<Integer> {
     /** Rejects edits of animated attributes, whose keyframes would override the edit. */
     private static void rejectKeyed(Shot shot, Scene before, Scene after) throws BadInputException {
         for (Track track : shot.tracks()) {
-            TrackTarget target = track.target();
+            SceneElement<?> target = track.target();
             boolean inBoth = target.existsIn(before) && target.existsIn(after) && target.attribute(after, track.attribute()).isPresent();
-            if (inBoth && !target.value(after, track.attribute()).equals(target.value(before, track.attribute()))) {
+            if (inBoth && !KeyframeValue.of(after, target, track.attribute()).equals(KeyframeValue.of(before, target, track.attribute()))) {
                 List<Integer> keys = track.keys().stream().map(Keyframe::frame).toList();
                 throw new BadInputException(Console.text(
                         "%s: %s is animated (keyframes at frame%s %s); edit its keyframes in the shot block, or set another property%s",
-                        target, track.attribute(), keys.size() == 1 ? "" : "s", formatFrames(keys),
+                        target.label(), track.attribute(), keys.size() == 1 ? "" : "s", formatFrames(keys),
                         track.attribute().equals("intensity") ? ", such as the intensity of a light group" : ""));
             }
         }

@@ -7,22 +7,16 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
-import lightning.base.text.Quote;
-import lightning.base.text.RefusalException;
+import lightning.scene.SceneElement.OfDome;
+import lightning.scene.SceneElement.OfLight;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightRig;
 import lightning.scene.value.SceneLimits;
 
 /** Part of a picture's light. All contributions add up to the picture; those of lights and environments have a fader. */
-public sealed interface Contribution {
+public sealed interface Contribution permits OfLight, OfDome, Contribution.OfAmbience, Contribution.OfRest {
     /** The world's own environment. */
     Contribution ENVIRONMENT = new OfDome(Dome.OWN);
-
-    /** @param name name of a light of the scene */
-    record OfLight(String name) implements Contribution {}
-
-    /** @param name name of an environment of the scene; its visible image is part of the contribution */
-    record OfDome(String name) implements Contribution {}
 
     /** Ambient light. */
     record OfAmbience() implements Contribution {}
@@ -141,12 +135,12 @@ public sealed interface Contribution {
     default FaderValues values(Scene scene) {
         World world = scene.world();
         return switch (this) {
-            case OfLight(String name) -> {
-                Light light = existingLight(scene, name);
+            case OfLight element -> {
+                Light light = element.get(scene);
                 yield new FaderValues(light.intensity(), Optional.of(light.color()), light.on(), light.solo());
             }
-            case OfDome(String name) -> {
-                Dome dome = existingDome(scene, name);
+            case OfDome element -> {
+                Dome dome = element.get(scene);
                 yield new FaderValues(dome.intensity(), Optional.empty(), dome.isOwn() ? dome.lightIntensity() > 0 : dome.on(),
                         dome.solo());
             }
@@ -168,15 +162,15 @@ public sealed interface Contribution {
             return scene;
         }
         return switch (this) {
-            case OfLight(String name) -> {
-                Light light = existingLight(scene, name);
+            case OfLight element -> {
+                Light light = element.get(scene);
                 Rgb color = v.color().orElse(light.color());
                 yield scene.withLight(light.withIntensity(v.intensity()).withColor(color).withOn(v.on()).withSolo(v.solo()));
             }
-            case OfDome(String name) -> {
-                Dome dome = existingDome(scene, name).withIntensity(v.intensity()).withSolo(v.solo());
+            case OfDome element -> {
+                Dome dome = element.get(scene).withIntensity(v.intensity()).withSolo(v.solo());
                 Dome switched = !dome.isOwn() ? dome.withOn(v.on()) : v.on() == before.on() ? dome : v.on() ? lit(dome) : dome.withGain(0);
-                yield scene.withWorld(scene.world().withDome(name, switched));
+                yield scene.withWorld(scene.world().withDome(element.name(), switched));
             }
             case OfAmbience _ -> scene.withWorld(scene.world().withAmbience(v.on() ? v.intensity() : 0));
             case OfRest _ -> scene;
@@ -187,13 +181,5 @@ public sealed interface Contribution {
     private static Dome lit(Dome dome) {
         return dome.withIntensity(dome.intensity() > 0 ? dome.intensity() : Dome.INTENSITY.initial())
                 .withGain(dome.gain() > 0 ? dome.gain() : Dome.GAIN.initial());
-    }
-
-    private static Light existingLight(Scene scene, String name) {
-        return scene.light(name).orElseThrow(() -> new RefusalException(Messages.tr("light {0} not found", Quote.of(name))));
-    }
-
-    private static Dome existingDome(Scene scene, String name) {
-        return scene.world().domeOrOwn(name).orElseThrow(() -> new RefusalException("there is no dome " + Quote.of(name)));
     }
 }

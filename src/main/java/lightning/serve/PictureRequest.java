@@ -17,9 +17,9 @@ import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.SceneView;
 import lightning.render.relight.UpdateResult;
-import lightning.scene.Contribution;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
@@ -83,7 +83,7 @@ final class PictureRequest {
         result.put("plan", update.plan().description()).put("rays", update.rays().total()).put("milliseconds", update.milliseconds());
         Renderer renderer = session.renderer();
         Progress canceled = Progress.cancellation(request::isCanceled);
-        Film film = light.isPresent() ? renderer.contribution(new Contribution.OfLight(light.get()), canceled) : renderer.film();
+        Film film = light.isPresent() ? renderer.contribution(new SceneElement.OfLight(light.get()), canceled) : renderer.film();
         var rows = new FloatRows(film, region);
         if (hasMemory && hasLayers && file.isEmpty()) {
             writePlanes(renderer, canceled, result.putObject("memory"));

@@ -2,23 +2,23 @@ package lightning.sample;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.scene.Dome;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.KeyframeSupport;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.attribute.ValueKind;
-import lightning.scene.light.Light;
-import lightning.scene.light.LightGroup;
+import lightning.scene.node.SceneNode;
 import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -43,14 +43,14 @@ public final class ShotArbitraries {
                 .as((s, first, rate) -> new Shot(first, LAST, rate, s.tracks()));
     }
 
-    private static List<TrackTarget> targets(Scene scene) {
-        Stream<TrackTarget> nodes = scene.nodes().stream().map(n -> TrackTarget.node(n.name()));
-        return Stream.of(Stream.of(TrackTarget.CAMERA), scene.lights().stream().map(Light::name).map(TrackTarget::light),
-                scene.rig().lightGroups().stream().map(LightGroup::name).map(TrackTarget::bank),
-                scene.world().named().stream().map(Dome::name).map(TrackTarget::dome), nodes).flatMap(s -> s).toList();
+    private static List<SceneElement<?>> targets(Scene scene) {
+        Set<String> outer = scene.nodes().stream().map(SceneNode::name).collect(Collectors.toSet());
+        return Stream.concat(Stream.of(SceneElement.CAMERA), SceneElement.named(scene).filter(
+                e -> !(e instanceof SceneElement.OfMaterial) && (!(e instanceof SceneElement.OfNode) || outer.contains(e.name()))))
+                .toList();
     }
 
-    private static Arbitrary<Track> tracks(TrackTarget target, SceneAttribute<?, ?> attribute) {
+    private static Arbitrary<Track> tracks(SceneElement<?> target, SceneAttribute<?, ?> attribute) {
         return Arbitraries.integers().between(0, LAST).list().ofMinSize(1).ofMaxSize(5).map(TreeSet::new)
                 .flatMap(frames -> Combinators.combine(keyframeValues(attribute.kind()).list().ofSize(frames.size()),
                         interpolations(attribute.kind()).list().ofSize(frames.size())).as((settings, passages) -> {

@@ -10,7 +10,7 @@ import lightning.scene.light.Light;
 import org.junit.jupiter.api.Test;
 
 class ContributionTest {
-    private static final Contribution LAMP = new Contribution.OfLight("environment");
+    private static final Contribution LAMP = new SceneElement.OfLight("environment");
 
     @Test
     void environment_hasItsOwnName() {
@@ -36,12 +36,12 @@ class ContributionTest {
     @Test
     void environments_areOneContributionEach() {
         Scene scene = twoEnvironments("light key point { }");
-        List<Contribution> all = List.of(new Contribution.OfLight("key"), Contribution.ENVIRONMENT, new Contribution.OfDome("studio"),
+        List<Contribution> all = List.of(new SceneElement.OfLight("key"), Contribution.ENVIRONMENT, new SceneElement.OfDome("studio"),
                 new Contribution.OfAmbience(), new Contribution.OfRest());
         assertThat(Contribution.all(scene)).isEqualTo(all);
         assertThat(Contribution.shining(scene)).isEqualTo(all.subList(0, 3));
         assertThat(all).extracting(part -> part.environmentIndex(scene)).containsExactly(-1, 0, 1, -1, -1);
-        Scene solo = new Contribution.OfDome("studio").with(scene, v -> v.withSolo(true));
+        Scene solo = new SceneElement.OfDome("studio").with(scene, v -> v.withSolo(true));
         assertThat(Contribution.shining(solo)).isEqualTo(all.subList(2, 3));
         Scene noImage = scene.withWorld(scene.world().withNamed(List.of(Dome.of("studio"))));
         assertThat(Contribution.sources(noImage)).isEqualTo(all.subList(0, 2));

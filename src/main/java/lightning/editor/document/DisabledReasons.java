@@ -3,10 +3,10 @@ package lightning.editor.document;
 import java.util.Optional;
 import java.util.function.Function;
 import lightning.base.text.Messages;
+import lightning.scene.SceneElement;
 import lightning.scene.VisibleState;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
-import lightning.scene.shot.TrackTarget;
 import lightning.scene.value.SceneLimits;
 
 /** Reasons why commands are disabled: each a clause without a period, or empty if the command is enabled. */
@@ -150,8 +150,10 @@ final class DisabledReasons {
 
     static Optional<String> noPositionKeys(EditorState s) {
         return noPlacedLight(s)
-                .or(() -> reasonUnless(s.shotFrame().flatMap(m -> m.shot().track(TrackTarget.light(s.selectedLight().orElseThrow().name()),
-                        LightAttribute.POSITION.name())).isPresent(), Messages.tr("the light has no position keyframes")));
+                .or(() -> reasonUnless(
+                        s.shotFrame().flatMap(m -> m.shot().track(new SceneElement.OfLight(s.selectedLight().orElseThrow().name()),
+                                LightAttribute.POSITION.name())).isPresent(),
+                        Messages.tr("the light has no position keyframes")));
     }
 
     static Optional<String> singleSample(EditorState s) {

@@ -10,12 +10,12 @@ import java.util.Optional;
 import java.util.function.LongSupplier;
 import java.util.stream.Stream;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightMatcher;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 
 /**
  * Scene with numbered lights, whose numbers survive renames, and a history per light. Immutable, so that undoing a document step also
@@ -76,13 +76,15 @@ record DocumentState(AnimatedScene content, List<Long> ids, Map<Long, LightHisto
         Map<Long, LightHistory> newHistories = new HashMap<>(lightHistories);
         newHistories.put(id, isUndo ? history.afterUndo(light, keys) : history.afterRedo(light, keys));
         Optional<Shot> shot = content.shot().map(s -> s.withTracks(Stream.concat(
-                s.tracks().stream().filter(t -> !t.target().equals(TrackTarget.light(light.name()))), link.keys().stream()).toList()));
+                s.tracks().stream().filter(t -> !t.target().equals(new SceneElement.OfLight(light.name()))), link.keys().stream())
+                .toList()));
         return new DocumentState(new AnimatedScene(scene().withLights(lights), shot), ids, newHistories);
     }
 
     /** Returns the tracks of a light. */
     static List<Track> lightTracks(AnimatedScene content, Light light) {
-        return content.shot().stream().flatMap(s -> s.tracks().stream()).filter(t -> t.target().equals(TrackTarget.light(light.name())))
+        return content.shot().stream().flatMap(s -> s.tracks().stream())
+                .filter(t -> t.target().equals(new SceneElement.OfLight(light.name())))
                 .toList();
     }
 

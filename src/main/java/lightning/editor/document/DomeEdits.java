@@ -11,6 +11,7 @@ import lightning.base.text.RefusalException;
 import lightning.format.jen.PropertyEdit;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.asset.Environment;
 
 /** Edits of domes. Each is refused if the named dome does not exist. */
@@ -27,7 +28,8 @@ public final class DomeEdits {
     public static Environment read(Scene scene, String file, Path folder) {
         String name = LightEdits.freeName(scene, "dome");
         Scene added = add(scene, Dome.of(name));
-        return PropertyEdit.setImage(added, dome(added, name), file, folder).world().dome(name).flatMap(Dome::image).orElseThrow();
+        return PropertyEdit.setFile(added, new SceneElement.OfDome(name), Dome.ENVIRONMENT.name(), file, folder).world().dome(name)
+                .flatMap(Dome::image).orElseThrow();
     }
 
     /** Adds a dome with an image after the others, named after its file. */

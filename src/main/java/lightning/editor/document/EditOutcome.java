@@ -2,8 +2,10 @@ package lightning.editor.document;
 
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 import lightning.base.text.RefusalException;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 
 /** Result of an edit: a new scene or a refusal. */
 public sealed interface EditOutcome {
@@ -28,6 +30,11 @@ public sealed interface EditOutcome {
         } catch (RefusalException e) {
             return new Refused(e.getMessage());
         }
+    }
+
+    /** Returns the result of an edit of one element, which is refused if the scene does not have it. */
+    static <T> EditOutcome edit(Scene scene, SceneElement<T> element, UnaryOperator<T> change) {
+        return of(() -> element.edit(scene, change));
     }
 
     /** Returns this outcome with a name for its undo step. */

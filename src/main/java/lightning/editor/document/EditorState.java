@@ -7,11 +7,11 @@ import lightning.editor.loop.DisplayMode;
 import lightning.editor.loop.Frame;
 import lightning.render.shading.RenderedScenes;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.VisibleState;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.node.SceneNode;
-import lightning.scene.shot.TrackTarget;
 
 /**
  * State of the editor that determines which commands are enabled.
@@ -53,13 +53,13 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
     }
 
     /** Returns whether Set Keyframe applies to a track: of the selected light or its group, of the selected shape or group, or of the camera. */
-    public boolean isSelected(TrackTarget target) {
-        return switch (target.kind()) {
-            case CAMERA -> true;
-            case LIGHT -> selectedLight.filter(l -> l.name().equals(target.name())).isPresent();
-            case LIGHT_GROUP -> selectedLight.filter(l -> l.lightGroup().equals(target.name())).isPresent();
-            case DOME -> false;
-            case NODE -> selectedNode.filter(n -> n.name().equals(target.name())).isPresent();
+    public boolean isSelected(SceneElement<?> target) {
+        return switch (target) {
+            case SceneElement.OfCamera _ -> true;
+            case SceneElement.OfLight(String name) -> selectedLight.filter(l -> l.name().equals(name)).isPresent();
+            case SceneElement.OfLightGroup(String name) -> selectedLight.filter(l -> l.lightGroup().equals(name)).isPresent();
+            case SceneElement.OfNode(String name) -> selectedNode.filter(n -> n.name().equals(name)).isPresent();
+            default -> false;
         };
     }
 

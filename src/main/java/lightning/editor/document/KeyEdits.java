@@ -11,14 +11,15 @@ import java.util.stream.Stream;
 import lightning.base.text.Messages;
 import lightning.base.text.RefusalException;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.attribute.KeyframeSupport;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Keyframe;
+import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 
 /** Edits of a shot's keyframes. Each throws an {@link IllegalArgumentException} if the result is not a valid shot. */
 public final class KeyEdits {
@@ -38,11 +39,11 @@ public final class KeyEdits {
     }
 
     /** Sets a keyframe of an attribute to its current value; adds a shot starting with it if there is none. */
-    public static AnimatedScene setKey(AnimatedScene scene, Scene shownScene, TrackTarget target, String attribute, int frame) {
+    public static AnimatedScene setKey(AnimatedScene scene, Scene shownScene, SceneElement<?> target, String attribute, int frame) {
         AnimatedScene withShot = addShot(scene);
-        SceneAttribute<?, ?> keyable = target.attribute(shownScene, attribute).<SceneAttribute<?, ?>>map(a -> a)
+        SceneAttribute<?, ?> keyable = target.attribute(shownScene, attribute)
                 .orElseThrow(() -> new RefusalException(Messages.tr("{0} has no keyframes", attribute)));
-        var key = new Keyframe(frame, target.value(shownScene, attribute),
+        var key = new Keyframe(frame, KeyframeValue.of(shownScene, target, attribute),
                 keyable.kind().keyframeSupport() == KeyframeSupport.STEPPED ? Interpolation.STEPPED : Interpolation.LINEAR);
         Shot shot = shot(withShot);
         return withShot.withShot(shot.with(shot.track(target, attribute).map(t -> t.with(frame, key.value()))
@@ -50,8 +51,8 @@ public final class KeyEdits {
     }
 
     /** Removes all keyframes of an attribute, which keeps its current value. */
-    public static AnimatedScene removeKeys(AnimatedScene scene, Scene shownScene, TrackTarget target, String attribute) {
-        return scene.withoutTrack(target, attribute, target.value(shownScene, attribute));
+    public static AnimatedScene removeKeys(AnimatedScene scene, Scene shownScene, SceneElement<?> target, String attribute) {
+        return scene.withoutTrack(target, attribute, KeyframeValue.of(shownScene, target, attribute));
     }
 
     /** Deletes keyframes; an attribute without any left keeps its current value. */
@@ -83,7 +84,7 @@ public final class KeyEdits {
     /** Sets the interpolation of keyframes; those of words and whole numbers stay stepped. */
     public static AnimatedScene setInterpolation(AnimatedScene scene, Set<KeyId> keys, Interpolation interpolation) {
         Set<KeyId> interpolated = new HashSet<>(keys);
-        interpolated.removeIf(k -> k.target().attribute(scene.base(), k.attribute()).<SceneAttribute<?, ?>>map(a -> a)
+        interpolated.removeIf(k -> k.target().attribute(scene.base(), k.attribute())
                 .filter(a -> a.kind().keyframeSupport() == KeyframeSupport.INTERPOLATED).isEmpty());
         return editKeys(scene, interpolated, key -> new Keyframe(key.frame(), key.value(), interpolation));
     }

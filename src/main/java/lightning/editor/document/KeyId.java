@@ -1,11 +1,11 @@
 package lightning.editor.document;
 
+import lightning.scene.SceneElement;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 
 /** Identifier of one keyframe of a shot. */
-public record KeyId(TrackTarget target, String attribute, int frame) {
+public record KeyId(SceneElement<?> target, String attribute, int frame) {
     static KeyId of(Track track, Keyframe key) {
         return new KeyId(track.target(), track.attribute(), key.frame());
     }

@@ -8,6 +8,7 @@ import lightning.base.text.Quote;
 import lightning.base.text.RefusalException;
 import lightning.format.jen.PropertyEdit;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.light.Emission;
 import lightning.scene.light.LightType;
@@ -79,6 +80,6 @@ public final class MaterialEdits {
      */
     public static EditOutcome setTexture(Scene scene, String name, MaterialAttribute<Optional<TextureMap>> attribute, String file,
             Path folder) {
-        return EditOutcome.of(() -> PropertyEdit.setTexture(scene, name, attribute, file, folder));
+        return EditOutcome.of(() -> PropertyEdit.setFile(scene, new SceneElement.OfMaterial(name), attribute.name(), file, folder));
     }
 }

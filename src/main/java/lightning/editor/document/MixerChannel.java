@@ -7,6 +7,7 @@ import java.util.function.UnaryOperator;
 import lightning.scene.Contribution;
 import lightning.scene.FaderValues;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightGroup;
 import lightning.scene.light.LightRig;
@@ -24,7 +25,7 @@ public sealed interface MixerChannel {
 
     /** Returns the channel of a light. */
     static MixerChannel ofLight(String name) {
-        return new OfContribution(new Contribution.OfLight(name));
+        return new OfContribution(new SceneElement.OfLight(name));
     }
 
     /**
@@ -38,7 +39,7 @@ public sealed interface MixerChannel {
             all.add(new OfLightGroup(bank.name()));
             all.addAll(members(rig, bank.name()));
         }
-        scene.world().domes().stream().map(dome -> new Contribution.OfDome(dome.name())).filter(dome -> dome.isIn(scene))
+        scene.world().domes().stream().map(dome -> new SceneElement.OfDome(dome.name())).filter(dome -> dome.isIn(scene))
                 .forEach(dome -> all.add(new OfContribution(dome)));
         return all;
     }
@@ -49,7 +50,7 @@ public sealed interface MixerChannel {
 
     /** Returns the name of its light; empty for other channels. */
     default Optional<String> lightName() {
-        return this instanceof OfContribution(Contribution.OfLight(String name)) ? Optional.of(name) : Optional.empty();
+        return this instanceof OfContribution(SceneElement.OfLight(String name)) ? Optional.of(name) : Optional.empty();
     }
 
     /** Returns the title for people, which no other channel of the scene has. */

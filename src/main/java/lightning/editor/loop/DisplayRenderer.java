@@ -7,8 +7,8 @@ import lightning.base.work.Progress;
 import lightning.render.image.Film;
 import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.Renderer;
-import lightning.scene.Contribution;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.effects.ViewEffects;
 import org.jspecify.annotations.Nullable;
 
@@ -25,7 +25,7 @@ final class DisplayRenderer implements AutoCloseable {
      */
     Film film(Renderer renderer, DisplayMode mode, Progress progress) {
         Renderer source = mode.effects().equals(ViewEffects.ALL) ? renderer : renderWithEffects(renderer, mode.effects(), progress);
-        return mode.light().isPresent() ? source.contribution(new Contribution.OfLight(mode.light().get()), progress) : source.film();
+        return mode.light().isPresent() ? source.contribution(new SceneElement.OfLight(mode.light().get()), progress) : source.film();
     }
 
     /** Renders the image without some effects. Its reflections show the scene that the full image's reflections show. */

@@ -22,6 +22,7 @@ import lightning.format.gltf.GltfAnimation;
 import lightning.format.gltf.GltfLight;
 import lightning.format.gltf.GltfNode;
 import lightning.scene.Camera;
+import lightning.scene.SceneElement;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.node.NodeGroup;
@@ -29,7 +30,6 @@ import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 import lightning.scene.value.Placement;
 import lightning.scene.value.SceneLimits;
 
@@ -130,7 +130,7 @@ final class GltfShot {
         nodes.forEach(this::animateNode);
         lights.forEach(this::animateLight);
         Camera rest = assembler.camera.orElse(Camera.DEFAULT);
-        camera.ifPresent(node -> addTracks("animated cameras that cannot be placed", () -> tracks().of(TrackTarget.CAMERA,
+        camera.ifPresent(node -> addTracks("animated cameras that cannot be placed", () -> tracks().of(SceneElement.CAMERA,
                 Camera.ATTRIBUTES, rest, states(frame -> rounded(cameras.create(world(node, frame),
                         animation.fieldOfView(node.camera(), fieldOfView, frame)))))));
         if (keys > Shot.MAX_KEYS) {
@@ -217,11 +217,12 @@ final class GltfShot {
         boolean isMoving = moves(moving.node);
         boolean hasKeys = animation.changesLight(moving.source.index());
         assembler.notes.add("animated intensities and colors of lights with settings of Lightning", isRestored && hasKeys ? 1 : 0);
-        addTracks("animated lights that cannot be placed", () -> tracks().of(TrackTarget.light(light.name()), LIGHT_ATTRIBUTES, light,
-                states(frame -> {
-                    Light placed = isMoving ? placed(light, world(moving.node, frame)) : light;
-                    return isRestored || !hasKeys ? placed : withValues(placed, moving, frame);
-                })));
+        addTracks("animated lights that cannot be placed",
+                () -> tracks().of(new SceneElement.OfLight(light.name()), LIGHT_ATTRIBUTES, light,
+                        states(frame -> {
+                            Light placed = isMoving ? placed(light, world(moving.node, frame)) : light;
+                            return isRestored || !hasKeys ? placed : withValues(placed, moving, frame);
+                        })));
     }
 
     private static Light placed(Light light, Transform world) {

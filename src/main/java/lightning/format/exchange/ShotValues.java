@@ -7,16 +7,11 @@ import lightning.base.text.RefusalException;
 import lightning.format.exchange.json.AttributeJson;
 import lightning.format.exchange.json.TransformJson;
 import lightning.format.mesh.ConversionNotes;
-import lightning.scene.Camera;
-import lightning.scene.Dome;
 import lightning.scene.Scene;
-import lightning.scene.light.Light;
-import lightning.scene.light.LightAttribute;
-import lightning.scene.light.LightGroup;
+import lightning.scene.SceneElement;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
@@ -53,37 +48,35 @@ record ShotValues(AnimatedScene animated, Shot shot, ConversionNotes notes) {
         for (Track track : shot.tracks()) {
             write(tracks, track, frames);
         }
-        shot.tracks().stream().map(Track::target).filter(target -> target.kind() == TrackTarget.Kind.NODE).distinct()
+        shot.tracks().stream().map(Track::target).filter(target -> target instanceof SceneElement.OfNode).distinct()
                 .forEach(target -> writeMatrices(tracks, target.name(), frames));
     }
 
     private void write(ArrayNode tracks, Track track, List<Scene> frames) {
-        String name = track.target().name();
-        String attribute = track.attribute();
-        switch (track.target().kind()) {
-            case LIGHT -> {
-                addValues(tracks.addObject().put("light", name), attribute, frames,
-                        (json, scene) -> AttributeJson.write(json, light(scene, name), LightAttribute.ALL));
-                if (attribute.equals("intensity")) {
+        switch (track.target()) {
+            case SceneElement.OfLight light -> {
+                addValues(tracks.addObject().put("light", light.name()), track, frames);
+                if (track.attribute().equals("intensity")) {
                     String relative = LightExport.RELATIVE_INTENSITY;
-                    addValues(tracks.addObject().put("light", name), relative, frames,
-                            (json, scene) -> json.put(relative, LightExport.relativeIntensity(light(scene, name), scene)));
+                    addValues(tracks.addObject().put("light", light.name()), relative, frames,
+                            (json, scene) -> json.put(relative, LightExport.relativeIntensity(light.get(scene), scene)));
                 }
             }
-            case LIGHT_GROUP -> addValues(tracks.addObject().put("bank", name), attribute, frames,
-                    (json, scene) -> AttributeJson.write(json, scene.rig().lightGroup(name).orElseThrow(), LightGroup.ATTRIBUTES));
-            case CAMERA -> addValues(tracks.addObject().put("camera", true), attribute, frames,
-                    (json, scene) -> AttributeJson.write(json, scene.camera(), Camera.ATTRIBUTES));
-            case DOME -> addValues(tracks.addObject().put("dome", name), attribute, frames,
-                    (json, scene) -> AttributeJson.write(json, scene.world().dome(name).orElseThrow(), Dome.ATTRIBUTES));
-            case NODE -> {
+            case SceneElement.OfLightGroup(String name) -> addValues(tracks.addObject().put("bank", name), track, frames);
+            case SceneElement.OfCamera _ -> addValues(tracks.addObject().put("camera", true), track, frames);
+            case SceneElement.OfDome(String name) -> addValues(tracks.addObject().put("dome", name), track, frames);
+            default -> {
                 // A matrix has all attributes of an object.
             }
         }
     }
 
-    private static Light light(Scene scene, String name) {
-        return scene.light(name).orElseThrow();
+    private static void addValues(ObjectNode out, Track track, List<Scene> frames) {
+        addValues(out, track.attribute(), frames, (json, scene) -> write(json, scene, track.target()));
+    }
+
+    private static <T> void write(ObjectNode json, Scene scene, SceneElement<T> element) {
+        AttributeJson.write(json, element.get(scene), element.attributes(scene));
     }
 
     private static void addValues(ObjectNode track, String attribute, List<Scene> frames, BiConsumer<ObjectNode, Scene> writer) {

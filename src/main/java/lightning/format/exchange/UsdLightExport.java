@@ -21,6 +21,7 @@ import lightning.format.exchange.usd.UsdSparseLights;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.usd.UsdLayer;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.light.Beam;
 import lightning.scene.light.Falloff;
@@ -31,7 +32,6 @@ import lightning.scene.light.LightType;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 
 /** Writer of a scene's lights as a layer over the stage that the scene was imported from. */
 public final class UsdLightExport {
@@ -81,7 +81,7 @@ public final class UsdLightExport {
             Shot shot = animated.shot().get();
             layer.metadata("timeCodesPerSecond", String.valueOf(shot.rate()));
             if (shot.tracks().stream()
-                    .anyMatch(t -> t.target().kind() == TrackTarget.Kind.LIGHT || t.target().kind() == TrackTarget.Kind.LIGHT_GROUP)) {
+                    .anyMatch(t -> t.target() instanceof SceneElement.OfLight || t.target() instanceof SceneElement.OfLightGroup)) {
                 for (int frame = shot.first(); frame <= shot.last(); frame++) {
                     frames.add(animated.sceneAt(frame));
                 }
@@ -114,7 +114,7 @@ public final class UsdLightExport {
             prim.set(UsdPrimWriter.ORDER, UsdPrimWriter.RESET_ORDER);
         });
         notes.add("animation of domes", (int) animated.shot().stream().flatMap(s -> s.tracks().stream())
-                .filter(t -> t.target().kind() == TrackTarget.Kind.DOME).map(Track::target).distinct().count());
+                .filter(t -> t.target() instanceof SceneElement.OfDome).map(Track::target).distinct().count());
     }
 
     private UsdLayer.Prim prim(String name, Optional<UsdPaths.Prim> original, String type) {

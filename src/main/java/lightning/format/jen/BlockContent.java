@@ -5,6 +5,8 @@ import static java.util.Objects.requireNonNull;
 import java.util.List;
 import java.util.Map;
 import lightning.scene.Dome;
+import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
 import lightning.scene.material.Material;
@@ -22,6 +24,10 @@ record BlockContent(BlockType<?> type, String name, Map<String, Value> values, L
 
     static <T> BlockContent of(BlockType<T> type, T record) {
         return new BlockContent(type, "", type.values(record), List.of());
+    }
+
+    static <T> BlockContent of(Scene scene, SceneElement<T> element) {
+        return of(BlockTypes.of(scene, element), element.get(scene)).withName(element.name());
     }
 
     static BlockContent of(Material m) {

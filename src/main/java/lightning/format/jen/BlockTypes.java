@@ -16,6 +16,8 @@ import lightning.scene.Dome;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
+import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.ViewCurve;
 import lightning.scene.ViewSettings;
 import lightning.scene.World;
@@ -135,6 +137,31 @@ final class BlockTypes {
 
     static Optional<BlockType<?>> of(String keyword) {
         return Optional.ofNullable(BY_KEYWORD.get(keyword));
+    }
+
+    /** Returns the type of the block that describes an element, which the scene must have if it is a shape or group. */
+    // A type of elements has one type of records, but shapes and groups.
+    @SuppressWarnings("unchecked")
+    static <T> BlockType<T> of(Scene scene, SceneElement<T> element) {
+        return (BlockType<T>) switch (element) {
+            case SceneElement.OfPicture _ -> PICTURE;
+            case SceneElement.OfIndirect _ -> INDIRECT;
+            case SceneElement.OfCamera _ -> CAMERA;
+            case SceneElement.OfWorld _ -> WORLD;
+            case SceneElement.OfLight _ -> LIGHT;
+            case SceneElement.OfLightGroup _ -> LIGHT_GROUP;
+            case SceneElement.OfDome _ -> DOME;
+            case SceneElement.OfNode node -> of(node.get(scene));
+            case SceneElement.OfMaterial _ -> MATERIAL;
+        };
+    }
+
+    /** Returns the type of the block of a shape or group. */
+    static BlockType<? extends SceneNode> of(SceneNode node) {
+        return switch (node) {
+            case NodeGroup _ -> GROUP;
+            case Shape shape -> of(shape.solid());
+        };
     }
 
     /** Returns the block type of a shape. */

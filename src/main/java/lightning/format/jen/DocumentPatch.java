@@ -10,10 +10,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.TrackRetargeting;
-import lightning.scene.shot.TrackTarget;
 
 /**
  * Minimal text edits that update a valid scene file to an edited scene.
@@ -72,13 +72,13 @@ final class DocumentPatch {
     private void patchShot(TextEdits edits, Block shot, Scene original, Scene edited) {
         var succession = new TrackRetargeting(original, edited);
         for (Block child : shot.children) {
-            TrackTarget updatedTarget = succession.retarget(ShotBuilder.target(child)).orElse(null);
+            SceneElement<?> updatedTarget = succession.retarget(ShotBuilder.target(child)).orElse(null);
             if (updatedTarget == null) {
                 remove(edits, child);
                 continue;
             }
             String head = new ShotWriter(edited, source.newline()).header(updatedTarget);
-            if (ShotWriter.type(edited, updatedTarget) != child.type || !updatedTarget.name().equals(child.name)) {
+            if (BlockTypes.of(edited, updatedTarget) != child.type || !updatedTarget.name().equals(child.name)) {
                 edits.replace(start(child), tokens.end(child.nameToken), head);
             }
             List<String> attributes = updatedTarget.attributes(edited).stream().map(SceneAttribute::name).toList();

@@ -6,10 +6,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.base.text.RefusalException;
-import lightning.scene.Dome;
 import lightning.scene.Scene;
-import lightning.scene.light.Light;
-import lightning.scene.light.LightGroup;
+import lightning.scene.SceneElement;
 
 /** Changes of lights, light groups, the world and domes as edits in words: the opposite of {@link PropertyEdit}. */
 public final class PropertyChanges {
@@ -23,27 +21,20 @@ public final class PropertyChanges {
      */
     public static Optional<List<String>> between(Scene before, Scene after, Path folder) {
         List<String> edits = new ArrayList<>();
-        for (Light light : after.lights()) {
-            before.light(light.name())
-                    .ifPresent(old -> add(NameSyntax.format(light.name()), BlockContent.of(old), BlockContent.of(light), edits));
-        }
-        for (LightGroup group : after.rig().lightGroups()) {
-            before.rig().lightGroup(group.name())
-                    .ifPresent(old -> add(NameSyntax.format(group.name()), BlockContent.of(old), BlockContent.of(group), edits));
-        }
-        add(PropertyEdit.WORLD, BlockContent.of(BlockTypes.WORLD, before.world()), BlockContent.of(BlockTypes.WORLD, after.world()), edits);
-        for (Dome dome : after.world().named()) {
-            before.world().dome(dome.name())
-                    .ifPresent(old -> add(PropertyEdit.target(dome), BlockContent.of(old), BlockContent.of(dome), edits));
-        }
+        Stream.of(SceneElement.named(after).filter(e -> e instanceof SceneElement.OfLight || e instanceof SceneElement.OfLightGroup),
+                Stream.of(SceneElement.WORLD), SceneElement.named(after).filter(SceneElement.OfDome.class::isInstance))
+                .flatMap(elements -> elements).filter(element -> element.existsIn(before))
+                .forEach(element -> add(element, before, after, edits));
         return makes(edits, before, after, folder) ? Optional.of(edits) : Optional.empty();
     }
 
-    private static void add(String target, BlockContent before, BlockContent after, List<String> edits) {
-        for (String property : after.values().keySet()) {
-            String value = PropertyEdit.text(after, property);
-            if (!value.equals(PropertyEdit.text(before, property))) {
-                edits.add(target + "." + property + "=" + value);
+    private static void add(SceneElement<?> element, Scene before, Scene after, List<String> edits) {
+        BlockContent old = BlockContent.of(before, element);
+        BlockContent current = BlockContent.of(after, element);
+        for (String property : current.values().keySet()) {
+            String value = PropertyEdit.text(current, property);
+            if (!value.equals(PropertyEdit.text(old, property))) {
+                edits.add(PropertyEdit.target(element) + "." + property + "=" + value);
             }
         }
     }

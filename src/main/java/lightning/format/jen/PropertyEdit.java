@@ -20,20 +20,17 @@ import lightning.format.jen.asset.TextureFolder;
 import lightning.scene.Dome;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.World;
-import lightning.scene.asset.FileAsset;
-import lightning.scene.asset.TextureMap;
+import lightning.scene.asset.Environment;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
-import lightning.scene.light.LightGroup;
 import lightning.scene.light.LightRig;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
-import lightning.scene.node.Shape;
 import lightning.scene.value.SceneLimits;
-import lightning.scene.value.ShapeLinks;
 
 /**
  * Scene edits in the syntax of the scene file: {@code key.intensity=0.4}, {@code picture.size=640 480}.
@@ -62,6 +59,9 @@ public final class PropertyEdit {
     static final String WORLD = "world";
     /** Blocks that can be added alone. */
     private static final List<BlockType<?>> ADDED = List.of(BlockTypes.LIGHT, BlockTypes.LIGHT_GROUP, BlockTypes.DOME);
+    /** Types of elements that can be deleted. */
+    private static final List<Class<?>> DELETABLE =
+            List.of(SceneElement.OfLight.class, SceneElement.OfLightGroup.class, SceneElement.OfDome.class);
     /** Targets for parts of the scene without names. */
     private static final List<String> SCENE_TARGETS = List.of(PICTURE, INDIRECT, CAMERA, WORLD);
 
@@ -71,7 +71,7 @@ public final class PropertyEdit {
      * Returns the scene after an assignment.
      *
      * @param assignment {@code target.property=value}
-     * @throws RefusalException if it has another form, there is no such target or property, or the value is invalid
+     * @throws IllegalArgumentException if it has another form, there is no such target or property, or the value is invalid
      */
     public static Scene apply(Scene scene, String assignment) {
         return apply(scene, assignment, new SceneAssets(scene, Optional.empty()));
@@ -110,7 +110,7 @@ public final class PropertyEdit {
         /**
          * Parses an assignment.
          *
-         * @throws RefusalException if the text has another form
+         * @throws IllegalArgumentException if the text has another form
          */
         static Assignment of(String text) {
             int name = nameEnd(text);
@@ -139,73 +139,91 @@ public final class PropertyEdit {
      * Returns the scene with one property set.
      *
      * @param value value in file syntax
-     * @throws RefusalException as {@link #apply(Scene, String)}
+     * @throws IllegalArgumentException as {@link #apply(Scene, String)}
      */
     public static Scene set(Scene scene, String target, String property, String value) {
         return set(scene, target, property, value, new SceneAssets(scene, Optional.empty()));
     }
 
     /**
-     * Returns the scene with an image file on a material; its repeat is kept.
+     * Returns the scene with one property of an element set.
      *
-     * @param folder folder that the image is resolved against
-     * @throws RefusalException if the material or the image does not exist
+     * @param value value in file syntax
+     * @throws IllegalArgumentException as {@link #apply(Scene, String)}, and if the scene does not have the element
      */
-    public static Scene setTexture(Scene scene, String material, MaterialAttribute<Optional<TextureMap>> attribute, String file,
-            Path folder) {
-        FileName.check(attribute.name(), file, TextureFolder.NAME);
-        return set(scene, MATERIAL + NameSyntax.format(material), attribute.name(), new Value.Quoted(file).text(),
-                new SceneAssets(scene, Optional.of(folder)));
+    public static Scene set(Scene scene, SceneElement<?> element, String property, String value) {
+        return set(scene, element, property, value, new SceneAssets(scene, Optional.empty()));
     }
 
     /**
-     * Returns the scene with a file on a light: a gobo, a profile or a texture.
+     * Returns the scene with a file of an element: an image or an IES profile. An image of a material keeps its placement.
      *
      * @param file file name; empty for none
      * @param folder folder that the file is resolved against
-     * @throws RefusalException if the light or the file does not exist
+     * @throws IllegalArgumentException if the element or the file does not exist
      */
-    public static <F extends FileAsset> Scene setFile(Scene scene, String light, LightAttribute<Optional<F>> attribute, String file,
-            Path folder) {
-        return setFile(scene, NameSyntax.format(light), attribute.name(), file, folder);
-    }
-
-    private static Scene setFile(Scene scene, String target, String property, String file, Path folder) {
+    public static Scene setFile(Scene scene, SceneElement<?> element, String property, String file, Path folder) {
         if (file.isEmpty()) {
-            return set(scene, target, property, NONE);
+            return set(scene, element, property, NONE);
         }
         FileName.check(property, file, TextureFolder.NAME);
-        return set(scene, target, property, new Value.Quoted(file).text(), new SceneAssets(scene, Optional.of(folder)));
+        return set(scene, element, property, new Value.Quoted(file).text(), new SceneAssets(scene, Optional.of(folder)));
     }
 
-    /** Returns the target that addresses a material in an assignment. */
-    public static String target(Material material) {
-        return MATERIAL + NameSyntax.format(material.name());
+    /** Returns the value of a property in file syntax, as read by {@link #set(Scene, SceneElement, String, String)}. */
+    public static String text(Scene scene, SceneElement<?> element, String property) {
+        return text(BlockContent.of(scene, element), property);
     }
 
-    /** Returns the target that addresses an environment in an assignment. */
-    public static String target(Dome dome) {
-        return dome.isOwn() ? WORLD : DOME + NameSyntax.format(dome.name());
+    /** Returns the target that addresses an element in an assignment. */
+    static String target(SceneElement<?> element) {
+        return switch (element) {
+            case SceneElement.OfPicture _ -> PICTURE;
+            case SceneElement.OfIndirect _ -> INDIRECT;
+            case SceneElement.OfCamera _ -> CAMERA;
+            case SceneElement.OfWorld _ -> WORLD;
+            case SceneElement.OfDome(String name) -> name.equals(Dome.OWN) ? WORLD : DOME + NameSyntax.format(name);
+            case SceneElement.OfMaterial(String name) -> MATERIAL + NameSyntax.format(name);
+            case SceneElement.OfLight _,SceneElement.OfLightGroup _,SceneElement.OfNode _ -> NameSyntax.format(element.name());
+        };
     }
 
-    /** Returns the scene with the image of an environment; empty file name for none. */
-    public static Scene setImage(Scene scene, Dome dome, String file, Path folder) {
-        return setFile(scene, target(dome), Dome.ENVIRONMENT.name(), file, folder);
+    /**
+     * Returns the element that a target addresses.
+     *
+     * @throws IllegalArgumentException if the scene does not have it
+     */
+    static SceneElement<?> element(Scene scene, String target) {
+        return switch (target) {
+            case PICTURE -> SceneElement.PICTURE;
+            case INDIRECT -> SceneElement.INDIRECT;
+            case CAMERA -> SceneElement.CAMERA;
+            case WORLD -> SceneElement.WORLD;
+            default -> target.startsWith(DOME) ? existing(scene, new SceneElement.OfDome(NameSyntax.parse(target.substring(DOME.length()))))
+                    : target.startsWith(MATERIAL)
+                            ? existing(scene, new SceneElement.OfMaterial(NameSyntax.parse(target.substring(MATERIAL.length()))))
+                    : named(scene, NameSyntax.parse(target));
+        };
     }
 
-    /** Returns the value of a light's attribute in file syntax, as read by {@link #set(Scene, String, String, String)}. */
-    public static String text(Light light, LightAttribute<?> attribute) {
-        return text(BlockContent.of(light), attribute.name());
+    private static SceneElement<?> existing(Scene scene, SceneElement<?> element) {
+        if (element.name().isEmpty() || !element.existsIn(scene)) {
+            throw new RefusalException("there is no " + element.label() + hint(scene, element.name(), List.of(element.getClass())));
+        }
+        return element;
     }
 
-    /** Returns the value of a material's property in file syntax. */
-    public static String text(Material material, String property) {
-        return text(BlockContent.of(material), property);
+    private static SceneElement<?> named(Scene scene, String name) {
+        return SceneElement.named(scene, name).orElseThrow(() -> new RefusalException("the scene has nothing named "
+                + Quote.of(name) + NameSuggestion.hint(name, Stream.concat(SCENE_TARGETS.stream(),
+                        SceneElement.named(scene).map(SceneElement::name))
+                        .filter(known -> !known.equals(name)).toList())));
     }
 
-    /** Returns the value of a property of a shape or group in file syntax. */
-    public static String text(SceneNode node, String property) {
-        return text(BlockContent.of(node), property);
+    /** Returns a hint about a similar name of an element of one of the types. */
+    private static String hint(Scene scene, String name, List<? extends Class<?>> types) {
+        return NameSuggestion.hint(name, SceneElement.named(scene).filter(e -> types.contains(e.getClass()))
+                .map(SceneElement::name).toList());
     }
 
     static String text(BlockContent element, String property) {
@@ -214,20 +232,31 @@ public final class PropertyEdit {
     }
 
     private static Scene set(Scene scene, String target, String property, String value, AssetSource files) {
-        return switch (target) {
-            case PICTURE -> scene.withPicture(editProperty(files, BlockTypes.PICTURE, "", scene.picture(), property, value));
-            case INDIRECT -> scene.withPicture(scene.picture().withIndirect(Optional.of(editProperty(files, BlockTypes.INDIRECT, "",
-                    scene.picture().indirect().orElse(IndirectSettings.DEFAULT), property, value))));
-            case CAMERA -> scene.withCamera(editProperty(files, BlockTypes.CAMERA, "", scene.camera(), property, value));
-            case WORLD ->
-                    scene.withWorld(
-                            editProperty(SceneAssets.replacing(files, scene.world().own().image()), BlockTypes.WORLD, "", scene.world(),
-                                    property, value).withNamed(scene.world().named()));
-            default -> target.startsWith(DOME) ? setDome(scene, NameSyntax.parse(target.substring(DOME.length())), property, value, files)
-                    : target.startsWith(MATERIAL)
-                            ? setMaterial(scene, NameSyntax.parse(target.substring(MATERIAL.length())), property, value, files)
-                    : setNamed(scene, NameSyntax.parse(target), property, value, files);
-        };
+        return set(scene, element(scene, target), property, value, files);
+    }
+
+    // An element that is matched by its type has its type of records.
+    @SuppressWarnings("unchecked")
+    private static <T> Scene set(Scene scene, SceneElement<T> element, String property, String value, AssetSource files) {
+        T before = element instanceof SceneElement.OfIndirect
+                ? (T) scene.picture().indirect().orElse(IndirectSettings.DEFAULT) : element.get(scene);
+        Optional<Environment> replaced = before instanceof World world ? world.own().image()
+                : before instanceof Dome dome ? dome.image() : Optional.empty();
+        if (before instanceof Material material) {
+            checkModel(material, property);
+        }
+        T edited = editProperty(SceneAssets.replacing(files, replaced), BlockTypes.of(scene, element), element.name(), before, property,
+                value);
+        if (edited instanceof Light light) {
+            checkNames(scene, light.illuminates().names());
+            checkNames(scene, light.shadowedBy().names());
+            checkNames(scene, light.contribution().gains().names());
+        }
+        return element.with(scene, edited instanceof World world ? (T) world.withNamed(scene.world().named())
+                // Changing the material model keeps the color.
+                : before instanceof Material old && edited instanceof Material material && material.model() != old.model()
+                        ? (T) old.withModel(material.model())
+                : edited);
     }
 
     /**
@@ -235,7 +264,7 @@ public final class PropertyEdit {
      *
      * @param text a block as in the file, {@code light fill point { intensity 0.5 }}, {@code bank left {}} or {@code dome sky {}}, or a light in
      *     short form, {@code fill point intensity=0.5 at=0 1 2}, its name in quotes unless it is a word
-     * @throws RefusalException if the text is not one valid light, bank or dome, or its name is in use
+     * @throws IllegalArgumentException if the text is not one valid light, bank or dome, or its name is in use
      */
     public static Scene add(Scene scene, String text) {
         String block = hasBrace(text) ? text : lightBlock(text);
@@ -263,22 +292,12 @@ public final class PropertyEdit {
      * Returns the scene without a light, a dome, or a bank, whose lights remain.
      *
      * @param light name, with or without quotes
-     * @throws RefusalException if there is no such light, bank or dome
+     * @throws IllegalArgumentException if there is no such light, bank or dome
      */
     public static Scene delete(Scene scene, String light) {
         String name = NameSyntax.parse(light);
-        if (scene.rig().lightGroup(name).isPresent()) {
-            return scene.withRig(scene.rig().removeLightGroup(name));
-        }
-        if (scene.world().dome(name).isPresent()) {
-            return scene.withWorld(scene.world().withNamed(scene.world().named().stream().filter(d -> !d.name().equals(name)).toList()));
-        }
-        List<String> names = Stream.of(scene.lights().stream().map(Light::name), scene.rig().lightGroups().stream().map(LightGroup::name),
-                scene.world().named().stream().map(Dome::name)).flatMap(s -> s).toList();
-        if (!names.contains(name)) {
-            throw new RefusalException("there is no light " + Quote.of(name) + NameSuggestion.hint(name, names));
-        }
-        return scene.withLights(scene.lights().stream().filter(l -> !l.name().equals(name)).toList());
+        return SceneElement.named(scene, name).filter(element -> DELETABLE.contains(element.getClass())).orElseThrow(
+                () -> new RefusalException("there is no light " + Quote.of(name) + hint(scene, name, DELETABLE))).delete(scene);
     }
 
     private static boolean hasBrace(String text) {
@@ -298,84 +317,20 @@ public final class PropertyEdit {
                 + (words.length <= type + 1 ? "" : words[type + 1].replace('=', ' ')) + "\n}";
     }
 
-    private static Scene setNamed(Scene scene, String target, String property, String value, AssetSource files) {
-        Optional<Light> light = scene.light(target);
-        if (light.isPresent()) {
-            Light edited = editProperty(files, BlockTypes.LIGHT, target, light.get(), property, value);
-            checkLinks(scene, edited.illuminates());
-            checkLinks(scene, edited.shadowedBy());
-            checkNames(scene, edited.contribution().gains().names());
-            return edited.name().equals(target) ? scene.withLight(edited) : scene.renameLight(target, edited.name());
-        }
-        Optional<LightGroup> group = scene.rig().lightGroup(target);
-        if (group.isPresent()) {
-            LightGroup edited = editProperty(files, BlockTypes.LIGHT_GROUP, target, group.get(), property, value);
-            return scene
-                    .withRig(edited.name().equals(target) ? scene.rig().with(edited) : scene.rig().renameLightGroup(target, edited.name()));
-        }
-        if (scene.world().dome(target).isPresent()) {
-            return setDome(scene, target, property, value, files);
-        }
-        Optional<SceneNode> node = scene.stage().node(target);
-        if (node.isPresent()) {
-            return scene.withNode(target, editNode(files, node.get(), target, property, value));
-        }
-        if (scene.material(target).isPresent()) {
-            return setMaterial(scene, target, property, value, files);
-        }
-        List<String> knownNames = Stream.of(SCENE_TARGETS.stream(), scene.lights().stream().map(Light::name),
-                scene.rig().lightGroups().stream().map(LightGroup::name), scene.world().named().stream().map(Dome::name),
-                nodeNames(scene.nodes()), scene.materials().stream().map(Material::name))
-                .flatMap(s -> s).filter(k -> !k.equals(target))
-                .toList();
-        throw new RefusalException("the scene has nothing named " + Quote.of(target) + NameSuggestion.hint(target, knownNames));
-    }
-
-    private static Scene setDome(Scene scene, String name, String property, String value, AssetSource files) {
-        Dome dome = scene.world().dome(name).orElseThrow(() -> new RefusalException("there is no dome " + Quote.of(name)
-                + NameSuggestion.hint(name, scene.world().named().stream().map(Dome::name).toList())));
-        return scene.withWorld(scene.world().withDome(name,
-                editProperty(SceneAssets.replacing(files, dome.image()), BlockTypes.DOME, name, dome, property, value)));
-    }
-
-    private static void checkLinks(Scene scene, ShapeLinks links) {
-        checkNames(scene, links.names());
-    }
-
     private static void checkNames(Scene scene, List<String> names) {
         for (String name : names) {
             if (!scene.stage().hasNode(name)) {
                 throw new RefusalException("there is no shape or group " + Quote.of(name)
-                        + NameSuggestion.hint(name, nodeNames(scene.nodes()).toList()));
+                        + hint(scene, name, List.of(SceneElement.OfNode.class)));
             }
         }
     }
 
-    private static Scene setMaterial(Scene scene, String name, String property, String value, AssetSource files) {
-        Material material = scene.materialsByName().get(name);
-        if (material == null) {
-            List<String> knownNames = scene.materials().stream().map(Material::name).toList();
-            throw new RefusalException("there is no material " + Quote.of(name) + NameSuggestion.hint(name, knownNames));
-        }
+    private static void checkModel(Material material, String property) {
         MaterialAttribute.ALL.stream().filter(a -> a.name().equals(property)).findFirst().flatMap(a -> a.inactiveReason(material.model()))
                 .ifPresent(reason -> {
-                    throw new RefusalException("material " + Quote.of(name) + ": " + reason);
+                    throw new RefusalException("material " + Quote.of(material.name()) + ": " + reason);
                 });
-        Material edited = editProperty(files, BlockTypes.MATERIAL, name, material, property, value);
-        // Changing the material model keeps the color.
-        return scene.withMaterial(edited.model() == material.model() ? edited : material.withModel(edited.model()));
-    }
-
-    private static SceneNode editNode(AssetSource files, SceneNode node, String target, String property, String value) {
-        return switch (node) {
-            case NodeGroup g -> editProperty(files, BlockTypes.GROUP, target, g, property, value);
-            case Shape s -> editProperty(files, BlockTypes.of(s.solid()), target, s, property, value);
-        };
-    }
-
-    private static Stream<String> nodeNames(List<SceneNode> nodes) {
-        return nodes.stream().flatMap(n -> Stream.concat(Stream.of(n.name()),
-                n instanceof NodeGroup g ? nodeNames(g.children()) : Stream.empty()));
     }
 
     /** Returns the record with one property set. */

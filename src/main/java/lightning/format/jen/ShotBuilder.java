@@ -9,9 +9,9 @@ import lightning.base.text.RefusalException;
 import lightning.format.jen.asset.AssetSource;
 import lightning.format.jen.asset.NameSuggestion;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 
 /** Builder of the shot from its parsed block; reports conflicts with the scene. */
 record ShotBuilder(TokenList tokens, ProblemList problems, Scene scene) {
@@ -22,9 +22,9 @@ record ShotBuilder(TokenList tokens, ProblemList problems, Scene scene) {
             return Optional.empty();
         }
         List<Track> tracks = new ArrayList<>();
-        Map<TrackTarget, Block> blocksByTarget = new HashMap<>();
+        Map<SceneElement<?>, Block> blocksByTarget = new HashMap<>();
         for (Block child : block.children) {
-            TrackTarget target = target(child);
+            SceneElement<?> target = target(child);
             if (!exists(child)) {
                 problem(child, "there is no " + child.title() + " in the scene" + NameSuggestion.hint(child.name, scene.lights().stream()
                         .map(l -> l.name()).filter(_ -> child.type == BlockTypes.LIGHT).toList()));
@@ -44,7 +44,7 @@ record ShotBuilder(TokenList tokens, ProblemList problems, Scene scene) {
         }
     }
 
-    private Optional<Track> buildTrack(Block child, TrackTarget target, Block.PropertyKeys keys) {
+    private Optional<Track> buildTrack(Block child, SceneElement<?> target, Block.PropertyKeys keys) {
         try {
             Track track = new Track(target, keys.property().name(), keys.keys());
             track.check(scene);
@@ -55,15 +55,15 @@ record ShotBuilder(TokenList tokens, ProblemList problems, Scene scene) {
         }
     }
 
-    static TrackTarget target(Block child) {
-        return child.type == BlockTypes.CAMERA ? TrackTarget.CAMERA : child.type == BlockTypes.LIGHT ? TrackTarget.light(child.name)
-                : child.type == BlockTypes.LIGHT_GROUP ? TrackTarget.bank(child.name)
-                : child.type == BlockTypes.DOME ? TrackTarget.dome(child.name) : TrackTarget.node(child.name);
+    static SceneElement<?> target(Block child) {
+        return child.type == BlockTypes.CAMERA ? SceneElement.CAMERA : child.type == BlockTypes.LIGHT ? new SceneElement.OfLight(child.name)
+                : child.type == BlockTypes.LIGHT_GROUP ? new SceneElement.OfLightGroup(child.name)
+                : child.type == BlockTypes.DOME ? new SceneElement.OfDome(child.name) : new SceneElement.OfNode(child.name);
     }
 
     private boolean exists(Block child) {
-        TrackTarget target = target(child);
-        return target.existsIn(scene) && ShotWriter.type(scene, target) == child.type;
+        SceneElement<?> target = target(child);
+        return target.existsIn(scene) && BlockTypes.of(scene, target) == child.type;
     }
 
     private void problem(Block block, String message) {

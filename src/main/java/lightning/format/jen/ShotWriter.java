@@ -7,13 +7,11 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.scene.Scene;
-import lightning.scene.node.NodeGroup;
-import lightning.scene.node.Shape;
+import lightning.scene.SceneElement;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 
 /** Writer for shot blocks. */
 record ShotWriter(Scene scene, String newline) {
@@ -25,7 +23,7 @@ record ShotWriter(Scene scene, String newline) {
         BlockContent content = BlockContent.of(BlockTypes.SHOT, shot);
         BlockTypes.SHOT.properties().stream().filter(content::mustWrite)
                 .forEach(p -> lines.add(INDENT + JenWriter.property(p, content.value(p))));
-        Map<TrackTarget, List<Track>> targets = new LinkedHashMap<>();
+        Map<SceneElement<?>, List<Track>> targets = new LinkedHashMap<>();
         shot.tracks().forEach(t -> targets.computeIfAbsent(t.target(), _ -> new ArrayList<>()).add(t));
         targets.forEach((target, tracks) -> {
             lines.add(INDENT + header(target) + " {");
@@ -36,27 +34,13 @@ record ShotWriter(Scene scene, String newline) {
     }
 
     /** Returns the text before the brace of an animated block. */
-    String header(TrackTarget target) {
-        String keyword = type(scene, target).keyword();
+    String header(SceneElement<?> target) {
+        String keyword = BlockTypes.of(scene, target).keyword();
         return target.name().isEmpty() ? keyword : keyword + " " + NameSyntax.format(target.name());
     }
 
-    /** Returns the block type of an animated object. */
-    static BlockType<?> type(Scene scene, TrackTarget target) {
-        return switch (target.kind()) {
-            case CAMERA -> BlockTypes.CAMERA;
-            case LIGHT -> BlockTypes.LIGHT;
-            case LIGHT_GROUP -> BlockTypes.LIGHT_GROUP;
-            case DOME -> BlockTypes.DOME;
-            case NODE -> switch (scene.stage().node(target.name()).orElseThrow()) {
-                case NodeGroup _ -> BlockTypes.GROUP;
-                case Shape s -> BlockTypes.of(s.solid());
-            };
-        };
-    }
-
     private String keys(Track track) {
-        BlockType<?> type = type(scene, track.target());
+        BlockType<?> type = BlockTypes.of(scene, track.target());
         Property<?> property = Stream.concat(type.header().stream(), type.properties().stream())
                 .filter(p -> p.name().equals(track.attribute())).findFirst().orElseThrow();
         String indent = INDENT + INDENT;

@@ -12,6 +12,7 @@ import lightning.render.shading.FilmParts;
 import lightning.render.shading.WeightedLight;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.light.Light;
 
 /**
@@ -51,7 +52,7 @@ record LightSet(String name, Set<Contribution> contributions) {
     }
 
     boolean isEnvironment() {
-        return contributions.stream().noneMatch(Contribution.OfLight.class::isInstance);
+        return contributions.stream().noneMatch(SceneElement.OfLight.class::isInstance);
     }
 
     /** Returns the films of each set, and last those of no set. Dark films are in none. */

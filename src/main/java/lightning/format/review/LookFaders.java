@@ -8,6 +8,7 @@ import lightning.base.math.Rgb;
 import lightning.scene.Contribution;
 import lightning.scene.FaderValues;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.light.Emission;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
@@ -43,7 +44,7 @@ final class LookFaders {
         Set<Contribution> shown = Set.copyOf(Contribution.shining(page));
         // The layer of an environment has its background, which stays where another light is solo.
         if (!shown.containsAll(shining)
-                || !shining.containsAll(shown.stream().filter(part -> !(part instanceof Contribution.OfLight)).toList())
+                || !shining.containsAll(shown.stream().filter(part -> !(part instanceof SceneElement.OfLight)).toList())
                 || !neutral(page, shining).equals(neutral(look, shining))) {
             return Optional.empty();
         }

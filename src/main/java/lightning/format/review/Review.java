@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 
 /**
  * What a reviewer changed in a page, and wrote.
@@ -31,7 +32,7 @@ public record Review(String scene, String reviewer, double exposure, List<LightC
         List<Contribution> in(Scene scene) {
             // The first pages gave the environment a name only.
             boolean isEnvironment = light.equals(Contribution.ENVIRONMENT)
-                    || light.equals(new Contribution.OfLight("environment")) && !light.isIn(scene);
+                    || light.equals(new SceneElement.OfLight("environment")) && !light.isIn(scene);
             return areTogether && isEnvironment ? Contribution.environments(scene) : light.isIn(scene) ? List.of(light) : List.of();
         }
     }

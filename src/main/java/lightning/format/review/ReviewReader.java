@@ -10,6 +10,7 @@ import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
 import lightning.format.json.CheckedJson;
 import lightning.scene.Contribution;
+import lightning.scene.SceneElement;
 import lightning.scene.shot.Shot;
 import tools.jackson.databind.JsonNode;
 
@@ -74,11 +75,11 @@ public final class ReviewReader {
     private Contribution light(JsonNode node, String at, boolean areTogether) throws IOException {
         String name = json.text(node, at, "name", 1000);
         if (!node.has("environment") || areTogether && !json.flag(node, at, "environment")) {
-            return new Contribution.OfLight(name);
+            return new SceneElement.OfLight(name);
         }
         return switch (areTogether ? "world" : json.text(node, at, "environment", 1000)) {
             case "world" -> Contribution.ENVIRONMENT;
-            case "dome" -> new Contribution.OfDome(name);
+            case "dome" -> new SceneElement.OfDome(name);
             default -> throw json.failure(at + "environment: expected \"world\" or \"dome\", found " + node.get("environment"));
         };
     }

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
-import lightning.scene.Contribution;
+import lightning.scene.SceneElement;
 
 /**
  * Finds factors of images with which their sum comes closest to a reference:
@@ -93,7 +93,7 @@ final class LinearMatch {
                 problem.fix(l, 1);
                 continue;
             }
-            boolean isEnvironment = !(images.names().get(l) instanceof Contribution.OfLight);
+            boolean isEnvironment = !(images.names().get(l) instanceof SceneElement.OfLight);
             problem.addLight(l, TargetCells.means(images.lights().get(l)),
                     settings.changes().contains(MatchChange.COLORS) && !isEnvironment);
         }

@@ -8,6 +8,7 @@ import java.util.List;
 import lightning.scene.Contribution;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.light.Light;
 
 /**
@@ -111,7 +112,7 @@ public final class FilmParts {
     /** Returns the films of a contribution; none if the scene does not have it. */
     public BitSet of(Contribution contribution) {
         int environment = contribution.environmentIndex(scene);
-        int light = contribution instanceof Contribution.OfLight(String name) ? scene.rig().indexOf(name) : -1;
+        int light = contribution instanceof SceneElement.OfLight(String name) ? scene.rig().indexOf(name) : -1;
         BitSet films = new BitSet();
         for (int part = 0; part < parts.length; part++) {
             films.set(part, switch (parts[part].kind()) {

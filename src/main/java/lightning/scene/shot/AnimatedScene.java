@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 
 /**
  * Scene with an optional shot: an ordinary, editable scene at each frame.
@@ -27,7 +28,7 @@ public record AnimatedScene(Scene base, Optional<Shot> shot) {
     /**
      * Returns the scene without the keyframes of an attribute, which has the given value at all frames; the same if it has no keyframes.
      */
-    public AnimatedScene withoutTrack(TrackTarget target, String attribute, KeyframeValue value) {
+    public AnimatedScene withoutTrack(SceneElement<?> target, String attribute, KeyframeValue value) {
         if (shot.flatMap(s -> s.track(target, attribute)).isEmpty()) {
             return this;
         }
@@ -69,17 +70,17 @@ public record AnimatedScene(Scene base, Optional<Shot> shot) {
         Shot newShot = retargeting.retarget(shot.get());
         List<Track> baseTracks = new ArrayList<>();
         for (Track track : shot.get().tracks()) {
-            TrackTarget target = retargeting.retarget(track.target()).orElse(null);
+            SceneElement<?> target = retargeting.retarget(track.target()).orElse(null);
             if (target == null || target.attribute(edited, track.attribute()).isEmpty()) {
                 continue;
             }
-            KeyframeValue value = target.value(edited, track.attribute());
-            if (!value.equals(track.target().value(shown, track.attribute()))) {
+            KeyframeValue value = KeyframeValue.of(edited, target, track.attribute());
+            if (!value.equals(KeyframeValue.of(shown, track.target(), track.attribute()))) {
                 newShot = newShot.with(track.withTarget(target).with(frame, value));
             }
-            if (target.kind() != TrackTarget.Kind.NODE || !sameNodes) {
+            if (!(target instanceof SceneElement.OfNode) || !sameNodes) {
                 baseTracks.add(new Track(target, track.attribute(),
-                        List.of(new Keyframe(0, track.target().value(base, track.attribute()), Interpolation.STEPPED))));
+                        List.of(new Keyframe(0, KeyframeValue.of(base, track.target(), track.attribute()), Interpolation.STEPPED))));
             }
         }
         Scene template = sameNodes ? edited.withStage(base.stage().withMaterials(edited.materials())) : edited;

@@ -8,8 +8,8 @@ import lightning.base.text.RefusalException;
 import lightning.scene.Camera;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.attribute.SceneAttribute;
-import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightGroup;
 import lightning.scene.light.LightRig;
@@ -20,7 +20,7 @@ import lightning.scene.value.LensShift;
 
 /** Evaluation of the scene at one frame. Sets dependent values together, so that no intermediate state is rejected. */
 final class FrameEvaluator {
-    private final Map<TrackTarget, List<Track>> tracks;
+    private final Map<SceneElement<?>, List<Track>> tracks;
     private final double frame;
 
     FrameEvaluator(List<Track> tracks, double frame) {
@@ -30,21 +30,25 @@ final class FrameEvaluator {
 
     Scene evaluate(Scene scene) {
         Scene result = scene;
-        if (tracks.containsKey(TrackTarget.CAMERA)) {
-            result = result.withCamera(camera(scene.camera(), tracks.get(TrackTarget.CAMERA)));
+        if (tracks.containsKey(SceneElement.CAMERA)) {
+            result = result.withCamera(camera(scene.camera(), tracks.get(SceneElement.CAMERA)));
         }
-        if (has(TrackTarget.Kind.LIGHT) || has(TrackTarget.Kind.LIGHT_GROUP)) {
-            result = result.withRig(LightRig.of(scene.lights().stream().map(this::light).toList(),
-                    scene.rig().lightGroups().stream().map(this::animateLightGroup).toList()));
+        if (has(SceneElement.OfLight.class) || has(SceneElement.OfLightGroup.class)) {
+            result = result.withRig(LightRig.of(
+                    scene.lights().stream().map(light -> animate(light, new SceneElement.OfLight(light.name()), LightAttribute.ALL))
+                            .toList(),
+                    scene.rig().lightGroups().stream()
+                            .map(group -> animate(group, new SceneElement.OfLightGroup(group.name()), LightGroup.ATTRIBUTES)).toList()));
         }
-        if (has(TrackTarget.Kind.DOME)) {
-            result = result.withWorld(scene.world().withNamed(scene.world().named().stream().map(this::dome).toList()));
+        if (has(SceneElement.OfDome.class)) {
+            result = result.withWorld(scene.world().withNamed(scene.world().named().stream()
+                    .map(dome -> animate(dome, new SceneElement.OfDome(dome.name()), Dome.ATTRIBUTES)).toList()));
         }
-        return has(TrackTarget.Kind.NODE) ? result.withNodes(nodes(scene.nodes())) : result;
+        return has(SceneElement.OfNode.class) ? result.withNodes(nodes(scene.nodes())) : result;
     }
 
-    private boolean has(TrackTarget.Kind kind) {
-        return tracks.keySet().stream().anyMatch(t -> t.kind() == kind);
+    private boolean has(Class<?> type) {
+        return tracks.keySet().stream().anyMatch(type::isInstance);
     }
 
     private Camera camera(Camera base, List<Track> keys) {
@@ -69,18 +73,6 @@ final class FrameEvaluator {
         return new Camera(from, to, up, fov, shift);
     }
 
-    private Light light(Light light) {
-        return animate(light, TrackTarget.light(light.name()), LightAttribute.ALL);
-    }
-
-    private LightGroup animateLightGroup(LightGroup group) {
-        return animate(group, TrackTarget.bank(group.name()), LightGroup.ATTRIBUTES);
-    }
-
-    private Dome dome(Dome dome) {
-        return animate(dome, TrackTarget.dome(dome.name()), Dome.ATTRIBUTES);
-    }
-
     private List<SceneNode> nodes(List<SceneNode> nodes) {
         return nodes.stream().map(this::node).toList();
     }
@@ -91,10 +83,10 @@ final class FrameEvaluator {
             case NodeGroup g -> g;
             case Shape s -> s;
         };
-        return animate(withChildren, TrackTarget.node(node.name()), node.attributes());
+        return animate(withChildren, new SceneElement.OfNode(node.name()), node.attributes());
     }
 
-    private <T> T animate(T record, TrackTarget target, List<? extends SceneAttribute<T, ?>> attributes) {
+    private <T> T animate(T record, SceneElement<T> target, List<? extends SceneAttribute<T, ?>> attributes) {
         T result = record;
         for (Track track : tracks.getOrDefault(target, List.of())) {
             for (SceneAttribute<T, ?> attribute : attributes) {
@@ -112,7 +104,7 @@ final class FrameEvaluator {
             attribute.kind().check(attribute.name(), value);
             return attribute.with(record, value);
         } catch (RefusalException e) {
-            throw new RefusalException(track.target() + ": " + e.getMessage(), e);
+            throw new RefusalException(track.target().label() + ": " + e.getMessage(), e);
         }
     }
 }

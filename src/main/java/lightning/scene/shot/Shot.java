@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import lightning.base.text.RefusalException;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.value.SceneLimits;
 
 /**
@@ -32,12 +33,12 @@ public record Shot(int first, int last, double rate, List<Track> tracks) {
         checkFrame("the first frame", first);
         SceneLimits.checkRange("the last frame", last, first, MAX_FRAME);
         SceneLimits.checkRange("rate", rate, MIN_RATE, MAX_RATE);
-        Map<TrackTarget, List<Track>> byTarget = new LinkedHashMap<>();
+        Map<SceneElement<?>, List<Track>> byTarget = new LinkedHashMap<>();
         Set<String> seen = new HashSet<>();
         long keys = 0;
         for (Track track : tracks) {
             if (!seen.add(track.target() + "." + track.attribute())) {
-                throw new RefusalException(track.target() + ": " + track.attribute() + " must have its keys once");
+                throw new RefusalException(track.target().label() + ": " + track.attribute() + " must have its keys once");
             }
             keys += track.keys().size();
             byTarget.computeIfAbsent(track.target(), _ -> new ArrayList<>()).add(track);
@@ -51,7 +52,7 @@ public record Shot(int first, int last, double rate, List<Track> tracks) {
     }
 
     /** Returns the keyframes of an attribute. */
-    public Optional<Track> track(TrackTarget target, String attribute) {
+    public Optional<Track> track(SceneElement<?> target, String attribute) {
         return tracks.stream().filter(t -> t.target().equals(target) && t.attribute().equals(attribute)).findFirst();
     }
 
@@ -83,7 +84,7 @@ public record Shot(int first, int last, double rate, List<Track> tracks) {
     /**
      * Checks that the shot matches a scene.
      *
-     * @throws RefusalException if a target is missing in the scene or lacks the attribute, or if the attribute may not have a
+     * @throws IllegalArgumentException if a target is missing in the scene or lacks the attribute, or if the attribute may not have a
      *     keyframe's value
      */
     public void check(Scene scene) {
@@ -95,7 +96,7 @@ public record Shot(int first, int last, double rate, List<Track> tracks) {
      *
      * @param scene a scene that passes {@link #check}
      * @param frame any frame, also fractional; before the first and after the last keyframe, their values hold
-     * @throws RefusalException if the values are inconsistent there, for example if a camera is at its target; the message begins
+     * @throws IllegalArgumentException if the values are inconsistent there, for example if a camera is at its target; the message begins
      *     with the frame
      */
     public Scene sceneAt(Scene scene, double frame) {

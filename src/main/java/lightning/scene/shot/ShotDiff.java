@@ -13,6 +13,7 @@ import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.scene.Scene;
 import lightning.scene.SceneDiff;
+import lightning.scene.SceneElement;
 import lightning.scene.attribute.SceneAttribute;
 import org.jspecify.annotations.Nullable;
 
@@ -98,13 +99,13 @@ public final class ShotDiff {
     }
 
     /** Returns a target's name in lists. */
-    public static String name(TrackTarget target) {
-        return target.kind() == TrackTarget.Kind.CAMERA ? Messages.tr("camera") : Quote.path(target.name());
+    public static String name(SceneElement<?> target) {
+        return target instanceof SceneElement.OfCamera ? Messages.tr("camera") : Quote.path(target.name());
     }
 
     private String title(Track track) {
         String name = track.attribute();
         return Messages.tr(track.target().existsIn(scene)
-                ? track.target().attribute(scene, name).<SceneAttribute<?, ?>>map(a -> a).map(SceneAttribute::title).orElse(name) : name);
+                ? track.target().attribute(scene, name).map(SceneAttribute::title).orElse(name) : name);
     }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.base.text.RefusalException;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.KeyframeSupport;
 import lightning.scene.attribute.NumericKind;
@@ -17,22 +18,31 @@ import lightning.scene.attribute.ValueKind;
  * @param attribute keyword in a file
  * @param keys      at least one keyframe, in order, at most one per frame
  */
-public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
+public record Track(SceneElement<?> target, String attribute, List<Keyframe> keys) {
     public Track {
         keys = List.copyOf(keys);
         if (keys.isEmpty()) {
-            throw new RefusalException(target + ": " + attribute + " must have a keyframe");
+            throw new RefusalException(target.label() + ": " + attribute + " must have a keyframe");
         }
         for (int i = 1; i < keys.size(); i++) {
             if (keys.get(i).frame() <= keys.get(i - 1).frame()) {
-                throw new RefusalException(target + ": " + attribute + ": keyframes must be in frame order, found "
+                throw new RefusalException(target.label() + ": " + attribute + ": keyframes must be in frame order, found "
                         + keys.get(i).frame() + " after " + keys.get(i - 1).frame());
             }
         }
     }
 
+    /** Returns whether the attributes of an element can have keyframes. */
+    public static boolean canAnimate(SceneElement<?> element) {
+        return switch (element) {
+            case SceneElement.OfCamera _,SceneElement.OfLight _,SceneElement.OfLightGroup _,SceneElement.OfDome _,SceneElement.OfNode _ ->
+                    true;
+            case SceneElement.OfPicture _,SceneElement.OfIndirect _,SceneElement.OfWorld _,SceneElement.OfMaterial _ -> false;
+        };
+    }
+
     /** Returns these keyframes for another target. */
-    public Track withTarget(TrackTarget newTarget) {
+    public Track withTarget(SceneElement<?> newTarget) {
         return new Track(newTarget, attribute, keys);
     }
 
@@ -77,26 +87,30 @@ public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
     /**
      * Checks that the scene can have these keyframes.
      *
-     * @throws RefusalException if the target is missing or lacks the attribute, or if the attribute cannot be animated or may not
+     * @throws IllegalArgumentException if the target is missing or lacks the attribute, or if the attribute cannot be animated or may not
      *     have a keyframe's value
      */
     public void check(Scene scene) {
-        check(target.attribute(scene, attribute).<SceneAttribute<?, ?>>map(a -> a)
-                .orElseThrow(() -> new RefusalException(target + " has no " + attribute + " that can be animated")));
+        if (!target.existsIn(scene)) {
+            throw new RefusalException("there is no " + target.label());
+        }
+        check(target.attribute(scene, attribute).filter(_ -> canAnimate(target))
+                .orElseThrow(() -> new RefusalException(target.label() + " has no " + attribute + " that can be animated")));
     }
 
     /**
      * Checks that the attribute can have these keyframes.
      *
-     * @throws RefusalException if it cannot be animated, if a value is invalid, or if words or whole numbers are interpolated
+     * @throws IllegalArgumentException if it cannot be animated, if a value is invalid, or if words or whole numbers are interpolated
      */
     private void check(SceneAttribute<?, ?> definition) {
         if (definition.kind().keyframeSupport() == KeyframeSupport.NONE) {
-            throw new RefusalException(target + ": " + attribute + " cannot be animated: only numbers and words can");
+            throw new RefusalException(target.label() + ": " + attribute + " cannot be animated: only numbers and words can");
         }
         for (Keyframe key : keys) {
             if (definition.kind().keyframeSupport() == KeyframeSupport.STEPPED && key.interpolation() != Interpolation.STEPPED) {
-                throw new RefusalException(target + ": " + attribute + " holds until its next keyframe, so it must be stepped");
+                throw new RefusalException(
+                        target.label() + ": " + attribute + " holds until its next keyframe, so it must be stepped");
             }
             check(definition.kind(), key.value());
         }
@@ -109,7 +123,7 @@ public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
             case ValueKind.AssetKind<?> _,ValueKind.LinksKind _,ValueKind.GainsKind _,ValueKind.NameKind _,ValueKind.TextureKind _ -> false;
         };
         if (!isValid) {
-            throw new RefusalException(target + ": " + attribute + " cannot be " + setting);
+            throw new RefusalException(target.label() + ": " + attribute + " cannot be " + setting);
         }
         if (kind instanceof NumericKind<V> n && setting instanceof KeyframeValue.Numbers(List<Double> all)) {
             all.forEach(number -> n.check(attribute, number.doubleValue()));

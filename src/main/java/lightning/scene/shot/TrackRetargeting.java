@@ -8,38 +8,37 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Stream;
-import lightning.scene.Dome;
+import java.util.stream.Collectors;
 import lightning.scene.Scene;
-import lightning.scene.light.Light;
-import lightning.scene.light.LightGroup;
-import lightning.scene.node.NodeGroup;
-import lightning.scene.node.SceneNode;
+import lightning.scene.SceneElement;
 
 /** Transfer of tracks to the objects of an edited scene. */
 public final class TrackRetargeting {
     private final Scene after;
     /** Renamed objects. */
-    private final Map<TrackTarget, TrackTarget> renamed = new HashMap<>();
+    private final Map<SceneElement<?>, SceneElement<?>> renamed = new HashMap<>();
 
     public TrackRetargeting(Scene before, Scene after) {
         this.after = after;
-        for (TrackTarget.Kind kind : TrackTarget.Kind.values()) {
-            matchRenamed(kind, names(before, kind), names(after, kind));
-        }
+        Map<Class<?>, List<SceneElement<?>>> current = byType(after);
+        byType(before).forEach((type, previous) -> matchRenamed(previous, current.getOrDefault(type, List.of())));
     }
 
-    private void matchRenamed(TrackTarget.Kind kind, List<String> oldNames, List<String> newNames) {
-        if (oldNames.equals(newNames)) {
+    private static Map<Class<?>, List<SceneElement<?>>> byType(Scene scene) {
+        return SceneElement.named(scene).collect(Collectors.groupingBy(Object::getClass));
+    }
+
+    private void matchRenamed(List<SceneElement<?>> previous, List<SceneElement<?>> current) {
+        if (previous.equals(current)) {
             return;
         }
-        Set<String> unmatched = new LinkedHashSet<>(newNames);
-        unmatched.removeAll(new HashSet<>(oldNames));
-        Set<String> retained = new HashSet<>(newNames);
-        for (int i = 0; i < oldNames.size(); i++) {
-            for (int index : new int[] {i, i + newNames.size() - oldNames.size()}) {
-                if (!retained.contains(oldNames.get(i)) && index >= 0 && index < newNames.size() && unmatched.remove(newNames.get(index))) {
-                    renamed.put(new TrackTarget(kind, oldNames.get(i)), new TrackTarget(kind, newNames.get(index)));
+        Set<SceneElement<?>> unmatched = new LinkedHashSet<>(current);
+        unmatched.removeAll(new HashSet<>(previous));
+        Set<SceneElement<?>> retained = new HashSet<>(current);
+        for (int i = 0; i < previous.size(); i++) {
+            for (int index : new int[] {i, i + current.size() - previous.size()}) {
+                if (!retained.contains(previous.get(i)) && index >= 0 && index < current.size() && unmatched.remove(current.get(index))) {
+                    renamed.put(previous.get(i), current.get(index));
                     break;
                 }
             }
@@ -63,22 +62,7 @@ public final class TrackRetargeting {
      * Returns the new target of the tracks of {@code old}: the object with its name; else the one at its index among objects of its kind,
      * counted from the front or the back, if its name is new. Empty if the object is gone.
      */
-    public Optional<TrackTarget> retarget(TrackTarget old) {
+    public Optional<SceneElement<?>> retarget(SceneElement<?> old) {
         return old.existsIn(after) ? Optional.of(old) : Optional.ofNullable(renamed.get(old));
-    }
-
-    private static List<String> names(Scene scene, TrackTarget.Kind kind) {
-        return switch (kind) {
-            case CAMERA -> List.of("");
-            case LIGHT -> scene.lights().stream().map(Light::name).toList();
-            case LIGHT_GROUP -> scene.rig().lightGroups().stream().map(LightGroup::name).toList();
-            case DOME -> scene.world().named().stream().map(Dome::name).toList();
-            case NODE -> scene.nodes().stream().flatMap(TrackRetargeting::names).toList();
-        };
-    }
-
-    private static Stream<String> names(SceneNode node) {
-        return Stream.concat(Stream.of(node.name()),
-                node instanceof NodeGroup g ? g.children().stream().flatMap(TrackRetargeting::names) : Stream.empty());
     }
 }

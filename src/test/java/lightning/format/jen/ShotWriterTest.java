@@ -8,12 +8,12 @@ import java.util.List;
 import java.util.Optional;
 import lightning.sample.ShotArbitraries;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -85,16 +85,16 @@ class ShotWriterTest {
                 }
                 """).shot().orElseThrow();
         assertThat(shot).isEqualTo(new Shot(1, 48, 25, List.of(
-                new Track(TrackTarget.CAMERA, "fov", List.of(key(1, Interpolation.SMOOTH, 40.0), key(24, Interpolation.STEPPED, 30.0),
+                new Track(SceneElement.CAMERA, "fov", List.of(key(1, Interpolation.SMOOTH, 40.0), key(24, Interpolation.STEPPED, 30.0),
                         key(48, Interpolation.LINEAR, 20.0))),
-                new Track(TrackTarget.light("key"), "type", List.of(word(1, "spot"), word(9, "point"))),
-                new Track(TrackTarget.light("key"), "at", List.of(key(1, Interpolation.LINEAR, 0.0, 3.0, 2.0))),
-                new Track(TrackTarget.light("key"), "samples", List.of(key(3, Interpolation.STEPPED, 9.0))),
-                new Track(TrackTarget.bank("3\" row"), "on", List.of(word(1, "no"))),
-                new Track(TrackTarget.dome("sky"), "intensity",
+                new Track(new SceneElement.OfLight("key"), "type", List.of(word(1, "spot"), word(9, "point"))),
+                new Track(new SceneElement.OfLight("key"), "at", List.of(key(1, Interpolation.LINEAR, 0.0, 3.0, 2.0))),
+                new Track(new SceneElement.OfLight("key"), "samples", List.of(key(3, Interpolation.STEPPED, 9.0))),
+                new Track(new SceneElement.OfLightGroup("3\" row"), "on", List.of(word(1, "no"))),
+                new Track(new SceneElement.OfDome("sky"), "intensity",
                         List.of(key(1, Interpolation.LINEAR, 0.5), key(48, Interpolation.LINEAR, 0.0))),
-                new Track(TrackTarget.dome("sky"), "on", List.of(word(30, "no"))),
-                new Track(TrackTarget.node("tree"), "rotate", List.of(key(1, Interpolation.LINEAR, 0.0, 0.0, 0.0),
+                new Track(new SceneElement.OfDome("sky"), "on", List.of(word(30, "no"))),
+                new Track(new SceneElement.OfNode("tree"), "rotate", List.of(key(1, Interpolation.LINEAR, 0.0, 0.0, 0.0),
                         key(48, Interpolation.LINEAR, 0.0, 360.0, 0.0))))));
     }
 
@@ -187,7 +187,7 @@ class ShotWriterTest {
         assertThat(edited.text()).contains("  frames 1 9   # short\n  light \"main light\" { angle { 1 20 } }  # the angle\n",
                 "  frustum trunk { top { 1 0.5 } }\n}").doesNotContain("fill");
         assertThat(edited.shot().orElseThrow().tracks()).extracting(Track::target)
-                .containsExactly(TrackTarget.light("main light"), TrackTarget.node("trunk"));
+                .containsExactly(new SceneElement.OfLight("main light"), new SceneElement.OfNode("trunk"));
         assertThat(JenReader.read(edited.text(), "s.jen", Path.of("")).shot()).isEqualTo(edited.shot());
     }
 

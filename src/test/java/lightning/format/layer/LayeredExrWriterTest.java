@@ -40,10 +40,10 @@ import lightning.sample.JenScenes;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.sample.TryFolder;
-import lightning.scene.Contribution;
 import lightning.scene.GatherSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.light.FaceVisibility;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
@@ -130,7 +130,7 @@ class LayeredExrWriterTest {
                 if (layers.isEmpty()) {
                     continue;
                 }
-                Film contribution = renderer.contribution(new Contribution.OfLight(light.name()), Progress.NONE);
+                Film contribution = renderer.contribution(new SceneElement.OfLight(light.name()), Progress.NONE);
                 float[] sum = file.sum(layers);
                 for (int i = 0; i < sum.length / 3; i++) {
                     int x = i % contribution.width();

@@ -15,13 +15,13 @@ import lightning.render.image.ViewTransform;
 import lightning.sample.Browser;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.light.Light;
 import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -42,11 +42,11 @@ class ReviewFilmPageTest {
     /** The sun goes down, and the camera moves. */
     private static Shot shot() {
         return new Shot(1, 9, 24, List.of(
-                track(TrackTarget.light("sun"), "intensity", List.of(1.0), List.of(0.2)),
-                track(TrackTarget.CAMERA, "from", List.of(0.0, 2.0, 7.0), List.of(2.0, 2.0, 6.0))));
+                track(new SceneElement.OfLight("sun"), "intensity", List.of(1.0), List.of(0.2)),
+                track(SceneElement.CAMERA, "from", List.of(0.0, 2.0, 7.0), List.of(2.0, 2.0, 6.0))));
     }
 
-    private static Track track(TrackTarget target, String attribute, List<Double> first, List<Double> last) {
+    private static Track track(SceneElement<?> target, String attribute, List<Double> first, List<Double> last) {
         return new Track(target, attribute, List.of(new Keyframe(1, new KeyframeValue.Numbers(first), Interpolation.LINEAR),
                 new Keyframe(9, new KeyframeValue.Numbers(last), Interpolation.LINEAR)));
     }

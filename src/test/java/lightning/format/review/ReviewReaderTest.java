@@ -12,6 +12,7 @@ import java.util.OptionalInt;
 import lightning.sample.StudioScene;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.light.Light;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -36,7 +37,7 @@ class ReviewReaderTest {
     void validReview_isRead() throws IOException {
         Review review = read(VALID);
         assertThat(review.lights())
-                .containsExactly(new Review.LightChange(new Contribution.OfLight("sun"), true, Optional.of(-1.0), List.of(1.0, 0.5, 1.0), 3,
+                .containsExactly(new Review.LightChange(new SceneElement.OfLight("sun"), true, Optional.of(-1.0), List.of(1.0, 0.5, 1.0), 3,
                         List.of(1.0, 1.0, 1.0), false, true));
         assertThat(review.groups()).containsExactly(new Review.GroupChange("soft", Optional.empty(), true, false));
         assertThat(review.notes()).containsExactly(new Review.Note(0.25, 1, "darker"));
@@ -48,7 +49,7 @@ class ReviewReaderTest {
                 "\"name\": \"sun\", \"environment\": \"world\"");
         assertThat(read(world).lights()).extracting(Review.LightChange::light).containsExactly(Contribution.ENVIRONMENT);
         assertThat(read(world.replace("\"world\"", "\"dome\"")).lights()).extracting(Review.LightChange::light)
-                .containsExactly(new Contribution.OfDome("sun"));
+                .containsExactly(new SceneElement.OfDome("sun"));
         assertThatIOException().isThrownBy(() -> read(world.replace("\"world\"", "\"sky\"")))
                 .withMessageContaining("lights[0].environment: expected \"world\" or \"dome\", found \"sky\"");
     }

@@ -7,6 +7,7 @@ import java.util.Optional;
 import lightning.sample.JenScenes;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
@@ -14,7 +15,7 @@ class ReviewedSceneTest {
     private static final Scene DARK = JenScenes.of("light environment point { intensity 3 }\nlight key point { }");
 
     private static Scene reviewed(Scene scene, boolean isEnvironment, double stops, boolean solo) {
-        return reviewed(scene, isEnvironment ? Contribution.ENVIRONMENT : new Contribution.OfLight("environment"), true, stops, solo);
+        return reviewed(scene, isEnvironment ? Contribution.ENVIRONMENT : new SceneElement.OfLight("environment"), true, stops, solo);
     }
 
     private static Scene reviewed(Scene scene, Contribution light, boolean areTogether, double stops, boolean solo) {
@@ -60,7 +61,7 @@ class ReviewedSceneTest {
     void faderOfADome_changesItAlone() {
         Scene sky = JenScenes.withSky(DARK);
         Scene both = sky.withWorld(sky.world().withNamed(List.of(JenScenes.dome("a", 2), JenScenes.dome("b", 1))));
-        Scene changed = reviewed(both, new Contribution.OfDome("a"), false, 1, true);
+        Scene changed = reviewed(both, new SceneElement.OfDome("a"), false, 1, true);
         assertThat(changed.world())
                 .isEqualTo(both.world().withNamed(List.of(JenScenes.dome("a", 4).withSolo(true), JenScenes.dome("b", 1))));
     }

@@ -28,6 +28,7 @@ import lightning.scene.Contribution;
 import lightning.scene.Dome;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.value.Attenuation;
@@ -253,8 +254,8 @@ class LightMatchTest {
         Film right;
         try (Renderer renderer = new Renderer(OPTIONS)) {
             renderer.render(two, Progress.NONE);
-            left = renderer.contribution(new Contribution.OfLight("fill"), Progress.NONE);
-            right = renderer.contribution(new Contribution.OfLight("back"), Progress.NONE);
+            left = renderer.contribution(new SceneElement.OfLight("fill"), Progress.NONE);
+            right = renderer.contribution(new SceneElement.OfLight("back"), Progress.NONE);
         }
         List<BrushDab> dabs = new ArrayList<>();
         for (int i = 0; i < 40 * 32; i++) {
@@ -350,7 +351,7 @@ class LightMatchTest {
     }
 
     private static Contribution light(String name) {
-        return new Contribution.OfLight(name);
+        return new SceneElement.OfLight(name);
     }
 
     private static boolean isAmbiguous(MatchResult result, Contribution light) {

@@ -18,6 +18,7 @@ import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.light.Light;
@@ -117,7 +118,7 @@ class LightSearchTest {
             }
         };
         assertThatThrownBy(() -> match(scene.withLight(key.withPosition(new Vec3(1, 4, 2))), scene, MatchChange.POSITIONS,
-                Optional.of(Set.of(new Contribution.OfLight(KEY))), canceled)).isInstanceOf(CancellationException.class);
+                Optional.of(Set.of(new SceneElement.OfLight(KEY))), canceled)).isInstanceOf(CancellationException.class);
     }
 
     /** Returns the studio below a sky that is bright and red on one side. */
@@ -151,7 +152,7 @@ class LightSearchTest {
     }
 
     private static MatchResult match(Scene start, Scene reference, MatchChange change, String light) {
-        return match(start, reference, change, Optional.of(Set.of(new Contribution.OfLight(light))), Progress.NONE);
+        return match(start, reference, change, Optional.of(Set.of(new SceneElement.OfLight(light))), Progress.NONE);
     }
 
     private static MatchResult match(Scene start, Scene reference, MatchChange change, Optional<Set<Contribution>> lights,

@@ -13,8 +13,8 @@ import lightning.format.jen.JenReader;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.RenderOptions;
-import lightning.scene.Contribution;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import org.junit.jupiter.api.Test;
 
 /** Paint on a floor where two spots light two separate places, seen from above: x grows to the right in the picture. */
@@ -62,7 +62,7 @@ class PaintedMatchTest {
         }
 
         LightFactor factor(String light) {
-            return result.factors().stream().filter(f -> f.light().equals(new Contribution.OfLight(light))).findFirst().orElseThrow();
+            return result.factors().stream().filter(f -> f.light().equals(new SceneElement.OfLight(light))).findFirst().orElseThrow();
         }
     }
 
@@ -106,14 +106,14 @@ class PaintedMatchTest {
     void brighterPaint_raisesOnlyTheSpotThere() {
         Painted painted = paintLeft(SPOTS, BrushDab.Wish.BRIGHTER, Set.of());
         assertThat(painted.factor("left").red()).isCloseTo(2, within(0.1));
-        assertThat(painted.factor("right")).isEqualTo(new LightFactor(new Contribution.OfLight("right"), 1, 1, 1));
+        assertThat(painted.factor("right")).isEqualTo(new LightFactor(new SceneElement.OfLight("right"), 1, 1, 1));
     }
 
     @Test
     void fillThatLightsAll_staysWhereASpotCanDoIt() {
         Painted painted = paintLeft(SPOTS + FILL, BrushDab.Wish.BRIGHTER, Set.of());
-        assertThat(painted.factor("fill")).isEqualTo(new LightFactor(new Contribution.OfLight("fill"), 1, 1, 1));
-        assertThat(painted.factor("right")).isEqualTo(new LightFactor(new Contribution.OfLight("right"), 1, 1, 1));
+        assertThat(painted.factor("fill")).isEqualTo(new LightFactor(new SceneElement.OfLight("fill"), 1, 1, 1));
+        assertThat(painted.factor("right")).isEqualTo(new LightFactor(new SceneElement.OfLight("right"), 1, 1, 1));
         assertThat(painted.change(true, 1)).isCloseTo(2, within(0.1));
         assertThat(painted.change(false, 1)).isCloseTo(1, within(0.05));
     }
@@ -121,7 +121,7 @@ class PaintedMatchTest {
     @Test
     void darkerPaint_dimsOnlyTheSpotThere() {
         Painted painted = paintLeft(SPOTS + FILL, BrushDab.Wish.DARKER, Set.of());
-        assertThat(painted.factor("fill")).isEqualTo(new LightFactor(new Contribution.OfLight("fill"), 1, 1, 1));
+        assertThat(painted.factor("fill")).isEqualTo(new LightFactor(new SceneElement.OfLight("fill"), 1, 1, 1));
         assertThat(painted.factor("left").red()).isLessThan(0.6);
         assertThat(painted.change(true, 1)).isCloseTo(0.5, within(0.1));
         assertThat(painted.change(false, 1)).isCloseTo(1, within(0.05));
@@ -131,8 +131,8 @@ class PaintedMatchTest {
     void warmerAndCoolerPaint_tintOnlyTheSpotThere() {
         for (BrushDab.Wish wish : List.of(BrushDab.Wish.WARMER, BrushDab.Wish.COOLER)) {
             Painted painted = paintLeft(SPOTS + FILL, wish, COLORS);
-            assertThat(painted.factor("fill")).isEqualTo(new LightFactor(new Contribution.OfLight("fill"), 1, 1, 1));
-            assertThat(painted.factor("right")).isEqualTo(new LightFactor(new Contribution.OfLight("right"), 1, 1, 1));
+            assertThat(painted.factor("fill")).isEqualTo(new LightFactor(new SceneElement.OfLight("fill"), 1, 1, 1));
+            assertThat(painted.factor("right")).isEqualTo(new LightFactor(new SceneElement.OfLight("right"), 1, 1, 1));
             for (int c = 0; c < 3; c++) {
                 assertThat(painted.change(true, c)).isCloseTo(wish.factor(c), within(0.06));
                 assertThat(painted.change(false, c)).isCloseTo(1, within(0.03));
@@ -150,7 +150,7 @@ class PaintedMatchTest {
     @Test
     void lightThatDoesNotReachPaint_isNotDimmedToBalanceIt() {
         Painted painted = paintLeft(FILL + "light right spot { at 3 4 0  direction 0 -1 0  angle 15 }\n", BrushDab.Wish.BRIGHTER, Set.of());
-        assertThat(painted.factor("right")).isEqualTo(new LightFactor(new Contribution.OfLight("right"), 1, 1, 1));
+        assertThat(painted.factor("right")).isEqualTo(new LightFactor(new SceneElement.OfLight("right"), 1, 1, 1));
     }
 
     @Test

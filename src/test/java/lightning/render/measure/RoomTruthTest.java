@@ -20,6 +20,8 @@ import lightning.sample.Nightly;
 import lightning.sample.PythonPrograms;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
+import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -102,7 +104,7 @@ class RoomTruthTest {
     private static Scene scene(String room) throws Exception {
         boolean isUniform = room.endsWith("-uniform");
         Scene scene = JenReader.read(ROOMS.resolve(room.replace("-uniform", "") + ".jen")).scene();
-        return isUniform ? PropertyEdit.setImage(scene, scene.world().own(), "uniform_sky.hdr", ROOMS) : scene;
+        return isUniform ? PropertyEdit.setFile(scene, SceneElement.WORLD, World.ENVIRONMENT.name(), "uniform_sky.hdr", ROOMS) : scene;
     }
 
     private static void assertError(String truth, Scene scene, double mean, double high, double bias) throws Exception {

@@ -6,6 +6,7 @@ import lightning.base.math.Rgb;
 import lightning.scene.Contribution;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.Stage;
 import lightning.scene.World;
 import lightning.scene.light.FaceVisibility;
@@ -20,7 +21,7 @@ public final class ContributionScene {
 
     /** @param light name of the light; the picture is black if no light has it */
     public static Scene of(Scene scene, String light) {
-        return of(scene, new Contribution.OfLight(light));
+        return of(scene, new SceneElement.OfLight(light));
     }
 
     /** The picture is black if the contribution is off or muted by another's solo. */
@@ -48,11 +49,11 @@ public final class ContributionScene {
         int index = contribution.environmentIndex(scene);
         boolean isMuted = index >= 0 && !scene.rig().isEnvironmentActive(index);
         return switch (contribution) {
-            case Contribution.OfDome(String name) -> {
+            case SceneElement.OfDome(String name) -> {
                 Dome dome = world.domeOrOwn(name).orElseThrow();
                 yield dark.withDome(name, dome.withGain(isMuted ? 0 : dome.gain()));
             }
-            case Contribution.OfLight _,Contribution.OfAmbience _,Contribution.OfRest _ -> dark;
+            case SceneElement.OfLight _,Contribution.OfAmbience _,Contribution.OfRest _ -> dark;
         };
     }
 }

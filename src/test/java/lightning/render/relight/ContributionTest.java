@@ -25,6 +25,7 @@ import lightning.sample.StudioScene;
 import lightning.scene.Contribution;
 import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.World;
 import lightning.scene.light.Emission;
 import lightning.scene.light.IntensityUnit;
@@ -150,7 +151,7 @@ class ContributionTest {
                         plain.contribution(contribution, Progress.NONE), "stale");
             }
             renderer.updateReflections(Progress.NONE);
-            FilmAssert.assertSameBits(renderer.contribution(new Contribution.OfLight(StudioScene.KEY), Progress.NONE),
+            FilmAssert.assertSameBits(renderer.contribution(new SceneElement.OfLight(StudioScene.KEY), Progress.NONE),
                     new ReferenceTracer(ContributionScene.of(moved, StudioScene.KEY)).trace(), "current");
         }
     }
@@ -179,7 +180,7 @@ class ContributionTest {
     private static void assertIsBlack(String light, Scene scene) {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
             renderer.render(scene, Progress.NONE);
-            Film film = renderer.contribution(new Contribution.OfLight(light), Progress.NONE);
+            Film film = renderer.contribution(new SceneElement.OfLight(light), Progress.NONE);
             assertThat(film.hasSameBits(Film.black(film.width(), film.height()))).isTrue();
         }
     }
@@ -192,7 +193,7 @@ class ContributionTest {
                 .withWorld(new World(0, Rgb.BLACK).withMeters(0.01));
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
             renderer.render(alone, Progress.NONE);
-            Film film = renderer.contribution(new Contribution.OfLight(StudioScene.KEY), Progress.NONE);
+            Film film = renderer.contribution(new SceneElement.OfLight(StudioScene.KEY), Progress.NONE);
             assertThat(film.hasSameBits(renderer.film())).isTrue();
             assertThat(film.hasSameBits(Film.black(film.width(), film.height()))).isFalse();
         }
@@ -205,7 +206,7 @@ class ContributionTest {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1));
                 WorkerPool workers = new WorkerPool(1)) {
             renderer.render(scene, Progress.NONE);
-            Film film = renderer.contribution(new Contribution.OfLight("panel"), Progress.NONE);
+            Film film = renderer.contribution(new SceneElement.OfLight("panel"), Progress.NONE);
             Film traced = new TraditionalTracer(one).trace(workers, Progress.NONE).film();
             assertThat(film.hasSameBits(traced)).isTrue();
         }
@@ -243,7 +244,7 @@ class ContributionTest {
         Scene mirroring = scene.withPicture(scene.picture().withDepth(2));
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withStorage(MirrorStorage.HIT_SHAPES))) {
             renderer.render(mirroring, Progress.NONE);
-            assertThatThrownBy(() -> renderer.contribution(new Contribution.OfLight(StudioScene.KEY), Progress.NONE))
+            assertThatThrownBy(() -> renderer.contribution(new SceneElement.OfLight(StudioScene.KEY), Progress.NONE))
                     .isInstanceOf(IllegalStateException.class)
                     .hasMessage("mirror levels are stored as hit shapes");
         }

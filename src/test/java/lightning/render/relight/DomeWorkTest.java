@@ -15,9 +15,9 @@ import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
-import lightning.scene.Contribution;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.World;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
@@ -206,10 +206,10 @@ class DomeWorkTest {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
             renderer.render(scene, Progress.NONE);
             LightShares shares = LightShares.of(renderer.cache(), RenderOptions.DEFAULT, Progress.NONE);
-            assertThat(shares.of(new Contribution.OfDome("a"))).isCloseTo(0.25, Offset.offset(1e-5));
-            assertThat(shares.of(new Contribution.OfDome("b"))).isCloseTo(0.75, Offset.offset(1e-5));
+            assertThat(shares.of(new SceneElement.OfDome("a"))).isCloseTo(0.25, Offset.offset(1e-5));
+            assertThat(shares.of(new SceneElement.OfDome("b"))).isCloseTo(0.75, Offset.offset(1e-5));
             Scene brighter = scene.withWorld(scene.world().withDome("a", scene.world().named().getFirst().withIntensity(3)));
-            assertThat(shares.in(brighter).orElseThrow().of(new Contribution.OfDome("a"))).isCloseTo(0.5, Offset.offset(1e-5));
+            assertThat(shares.in(brighter).orElseThrow().of(new SceneElement.OfDome("a"))).isCloseTo(0.5, Offset.offset(1e-5));
         }
     }
 }

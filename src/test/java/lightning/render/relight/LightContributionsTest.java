@@ -25,6 +25,7 @@ import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.World;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
@@ -61,7 +62,7 @@ class LightContributionsTest {
             for (LightContribution one : found.lights()) {
                 boolean isSolo = one.light().light(scene).filter(light -> scene.rig().effectiveLight(light).solo()).isPresent();
                 // Without the only solo light, others would shine.
-                if (one.shines() && one.light() instanceof Contribution.OfLight && !isSolo) {
+                if (one.shines() && one.light() instanceof SceneElement.OfLight && !isSolo) {
                     Film filmOff = new ReferenceTracer(LightContributions.switchOff(scene, List.of(one.light()))).trace(sampled);
                     assertThat(one.changeWhenOff())
                             .isEqualTo(FilmChange.between(picture, filmOff, ViewTransform.DEFAULT));
@@ -230,7 +231,7 @@ class LightContributionsTest {
     }
 
     private static Contribution light(String name) {
-        return new Contribution.OfLight(name);
+        return new SceneElement.OfLight(name);
     }
 
     private static double luminance(Film film) {

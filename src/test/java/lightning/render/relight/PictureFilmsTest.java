@@ -18,6 +18,7 @@ import lightning.sample.Slow;
 import lightning.scene.Contribution;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.World;
 import lightning.scene.light.Light;
 import net.jqwik.api.Arbitraries;
@@ -113,7 +114,7 @@ class PictureFilmsTest {
     }
 
     private static World withoutGain(World world, Contribution environment) {
-        return environment instanceof Contribution.OfDome(String name)
+        return environment instanceof SceneElement.OfDome(String name)
                 ? world.withDome(name, world.domeOrOwn(name).orElseThrow().withGain(0))
                 : world.withOwn(own -> own.withGain(0));
     }

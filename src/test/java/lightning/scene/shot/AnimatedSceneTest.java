@@ -11,6 +11,7 @@ import lightning.sample.Slow;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.Stage;
 import lightning.scene.World;
 import lightning.scene.light.Light;
@@ -29,7 +30,7 @@ import org.junit.jupiter.api.Test;
 class AnimatedSceneTest {
     private static final Scene SCENE = new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT, Stage.EMPTY, LightRig.of(
             List.of(Light.of("key", LightType.SPOT).withIntensity(7), Light.of("fill", LightType.POINT)), List.of(LightGroup.of("desk"))));
-    private static final Track INTENSITY = new Track(TrackTarget.light("key"), "intensity",
+    private static final Track INTENSITY = new Track(new SceneElement.OfLight("key"), "intensity",
             List.of(key(10, Interpolation.SMOOTH, 1), key(20, Interpolation.LINEAR, 3), key(30, Interpolation.STEPPED, 2)));
     private static final AnimatedScene MOVING = AnimatedScene.of(SCENE).withShot(new Shot(1, 40, 24, List.of(INTENSITY)));
 
@@ -50,7 +51,7 @@ class AnimatedSceneTest {
     }
 
     private static List<Keyframe> keys(AnimatedScene scene) {
-        return scene.shot().orElseThrow().track(TrackTarget.light("key"), "intensity").orElseThrow().keys();
+        return scene.shot().orElseThrow().track(new SceneElement.OfLight("key"), "intensity").orElseThrow().keys();
     }
 
     @Test
@@ -79,7 +80,7 @@ class AnimatedSceneTest {
         Scene shown = MOVING.sceneAt(15);
         AnimatedScene edited = MOVING.withEdit(15, shown, shown.withLights(
                 List.of(shown.lights().getFirst().withName("main"), shown.lights().getLast())));
-        assertThat(edited.shot().orElseThrow().tracks()).containsExactly(INTENSITY.withTarget(TrackTarget.light("main")));
+        assertThat(edited.shot().orElseThrow().tracks()).containsExactly(INTENSITY.withTarget(new SceneElement.OfLight("main")));
         assertThat(edited.base().light("main").orElseThrow().intensity()).isEqualTo(7);
     }
 

@@ -12,6 +12,7 @@ import lightning.sample.ShotArbitraries;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.Stage;
 import lightning.scene.World;
 import lightning.scene.attribute.ChoiceKind;
@@ -69,7 +70,8 @@ class ShotTest {
     }
 
     private static double intensity(int frame, Keyframe... keys) {
-        return valueAt(frame, new Track(TrackTarget.light("key"), "intensity", List.of(keys))).light("key").orElseThrow().intensity();
+        return valueAt(frame, new Track(new SceneElement.OfLight("key"), "intensity", List.of(keys))).light("key").orElseThrow()
+                .intensity();
     }
 
     @Test
@@ -80,7 +82,7 @@ class ShotTest {
 
     @Test
     void fractionalFrame_interpolates() {
-        Track track = new Track(TrackTarget.light("key"), "intensity",
+        Track track = new Track(new SceneElement.OfLight("key"), "intensity",
                 List.of(key(10, Interpolation.LINEAR, 1), key(14, Interpolation.LINEAR, 3)));
         Shot shot = Shot.DEFAULT.withTracks(List.of(track));
         assertThat(shot.sceneAt(SCENE, 11.5).light("key").orElseThrow().intensity()).isEqualTo(1.75);
@@ -110,7 +112,7 @@ class ShotTest {
     @Test
     void direction_followsShorterArc() {
         Track quarter =
-                new Track(TrackTarget.light("key"), "direction",
+                new Track(new SceneElement.OfLight("key"), "direction",
                         List.of(key(0, Interpolation.LINEAR, 1, 0, 0), key(2, Interpolation.LINEAR, 0, 3, 0)));
         Vec3 half = valueAt(1, quarter).light("key").orElseThrow().direction();
         assertThat(half.x()).isCloseTo(Math.sqrt(2), org.assertj.core.data.Offset.offset(1e-15));
@@ -119,12 +121,12 @@ class ShotTest {
 
     @Test
     void everyTarget_isAnimated() {
-        Scene scene = valueAt(5, new Track(TrackTarget.CAMERA, "fov", List.of(key(5, Interpolation.LINEAR, 20))),
-                new Track(TrackTarget.light("fill"), "on", List.of(word(0, "no"))),
-                new Track(TrackTarget.bank("desk"), "intensity", List.of(key(5, Interpolation.LINEAR, 0.5))),
-                new Track(TrackTarget.node("all"), "at", List.of(key(5, Interpolation.LINEAR, 1, 2, 3))),
-                new Track(TrackTarget.node("ball"), "top", List.of(key(5, Interpolation.LINEAR, 0.25))),
-                new Track(TrackTarget.node("ball"), "visible", List.of(word(5, "no"))));
+        Scene scene = valueAt(5, new Track(SceneElement.CAMERA, "fov", List.of(key(5, Interpolation.LINEAR, 20))),
+                new Track(new SceneElement.OfLight("fill"), "on", List.of(word(0, "no"))),
+                new Track(new SceneElement.OfLightGroup("desk"), "intensity", List.of(key(5, Interpolation.LINEAR, 0.5))),
+                new Track(new SceneElement.OfNode("all"), "at", List.of(key(5, Interpolation.LINEAR, 1, 2, 3))),
+                new Track(new SceneElement.OfNode("ball"), "top", List.of(key(5, Interpolation.LINEAR, 0.25))),
+                new Track(new SceneElement.OfNode("ball"), "visible", List.of(word(5, "no"))));
         assertThat(scene.camera().fov()).isEqualTo(20);
         assertThat(scene.light("fill").orElseThrow().on()).isFalse();
         assertThat(scene.rig().lightGroup("desk").orElseThrow().intensity()).isEqualTo(0.5);
@@ -134,41 +136,41 @@ class ShotTest {
 
     @Test
     void cameraWithCrossingPaths_isEvaluated() {
-        Camera camera = valueAt(5, new Track(TrackTarget.CAMERA, "from", List.of(key(5, Interpolation.LINEAR, 0, 0, 0))),
-                new Track(TrackTarget.CAMERA, "to", List.of(key(5, Interpolation.LINEAR, 0, 0, 10)))).camera();
+        Camera camera = valueAt(5, new Track(SceneElement.CAMERA, "from", List.of(key(5, Interpolation.LINEAR, 0, 0, 0))),
+                new Track(SceneElement.CAMERA, "to", List.of(key(5, Interpolation.LINEAR, 0, 0, 10)))).camera();
         assertThat(camera).isEqualTo(new Camera(Vec3.ZERO, new Vec3(0, 0, 10), Vec3.Y, Camera.DEFAULT.fov()));
     }
 
     @Test
     void lightKeys_shareTheStage() {
-        assertThat(valueAt(5, new Track(TrackTarget.light("key"), "angle", List.of(key(5, Interpolation.LINEAR, 12)))).stage())
+        assertThat(valueAt(5, new Track(new SceneElement.OfLight("key"), "angle", List.of(key(5, Interpolation.LINEAR, 12)))).stage())
                 .isSameAs(SCENE.stage());
     }
 
     @Test
     void invalidFrame_isReportedWithNumber() {
-        Track through = new Track(TrackTarget.node("ball"), "scale",
+        Track through = new Track(new SceneElement.OfNode("ball"), "scale",
                 List.of(key(0, Interpolation.LINEAR, 1, 1, 1), key(2, Interpolation.LINEAR, -1, 1, 1)));
         assertThatThrownBy(() -> valueAt(1, through)).isInstanceOf(IllegalArgumentException.class).hasMessage(
                 "frame 1: object or group 'ball': scale must be at least 1e-9 in absolute value on every axis, was 0");
-        Track blind = new Track(TrackTarget.CAMERA, "from", List.of(key(0, Interpolation.LINEAR, 0, 0, 0)));
+        Track blind = new Track(SceneElement.CAMERA, "from", List.of(key(0, Interpolation.LINEAR, 0, 0, 0)));
         assertThatThrownBy(() -> valueAt(7, blind)).hasMessage("frame 7: from and to must be different points");
     }
 
     @Test
     void unkeyableAttribute_isRejected() {
         assertRejected("there is no light 'rim'",
-                new Track(TrackTarget.light("rim"), "intensity", List.of(key(0, Interpolation.LINEAR, 1))));
-        assertRejected("has no top", new Track(TrackTarget.node("all"), "top", List.of(key(0, Interpolation.LINEAR, 1))));
-        assertRejected("only numbers and words", new Track(TrackTarget.light("key"), "bank", List.of(word(0, "desk"))));
-        assertRejected("must be stepped", new Track(TrackTarget.light("key"), "samples", List.of(key(0, Interpolation.LINEAR, 9))));
+                new Track(new SceneElement.OfLight("rim"), "intensity", List.of(key(0, Interpolation.LINEAR, 1))));
+        assertRejected("has no top", new Track(new SceneElement.OfNode("all"), "top", List.of(key(0, Interpolation.LINEAR, 1))));
+        assertRejected("only numbers and words", new Track(new SceneElement.OfLight("key"), "bank", List.of(word(0, "desk"))));
+        assertRejected("must be stepped", new Track(new SceneElement.OfLight("key"), "samples", List.of(key(0, Interpolation.LINEAR, 9))));
         assertRejected("intensity must be ≥ 0",
-                new Track(TrackTarget.light("key"), "intensity", List.of(key(0, Interpolation.LINEAR, -1))));
-        assertRejected("cannot be", new Track(TrackTarget.light("key"), "at", List.of(key(0, Interpolation.LINEAR, 1))));
+                new Track(new SceneElement.OfLight("key"), "intensity", List.of(key(0, Interpolation.LINEAR, -1))));
+        assertRejected("cannot be", new Track(new SceneElement.OfLight("key"), "at", List.of(key(0, Interpolation.LINEAR, 1))));
         assertThatThrownBy(
-                () -> new Track(TrackTarget.CAMERA, "fov", List.of(key(3, Interpolation.LINEAR, 9), key(3, Interpolation.LINEAR, 9))))
+                () -> new Track(SceneElement.CAMERA, "fov", List.of(key(3, Interpolation.LINEAR, 9), key(3, Interpolation.LINEAR, 9))))
                 .hasMessageContaining("found 3 after 3");
-        Track once = new Track(TrackTarget.CAMERA, "fov", List.of(key(3, Interpolation.LINEAR, 9)));
+        Track once = new Track(SceneElement.CAMERA, "fov", List.of(key(3, Interpolation.LINEAR, 9)));
         assertThatThrownBy(() -> Shot.DEFAULT.withTracks(List.of(once, once))).hasMessageContaining("once");
     }
 
@@ -214,7 +216,7 @@ class ShotTest {
         }
         for (Light light : c.scene.lights()) {
             for (LightAttribute<?> attribute : LightAttribute.ALL) {
-                if (c.shot.track(TrackTarget.light(light.name()), attribute.name()).isEmpty()) {
+                if (c.shot.track(new SceneElement.OfLight(light.name()), attribute.name()).isEmpty()) {
                     assertThat(attribute.get(scene.light(light.name()).orElseThrow())).isEqualTo(attribute.get(light));
                 }
             }

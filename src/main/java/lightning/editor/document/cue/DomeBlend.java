@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.function.BinaryOperator;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.UnaryOperator;
-import lightning.scene.Contribution;
 import lightning.scene.Dome;
+import lightning.scene.SceneElement;
 
 /**
  * Interpolation between the domes of two lightings. Domes with the same name and image are interpolated; all others fade out or in.
@@ -55,7 +55,7 @@ record DomeBlend(SoloState from, SoloState to, double t, boolean keepsSolos) {
 
     /** Returns the light gain at an end; 0 if a solo mutes the dome and does not stay. */
     double gain(SoloState end, Dome dome) {
-        return !keepsSolos && dome.isPresent() && end.isMuted(new Contribution.OfDome(dome.name())) ? 0 : dome.gain();
+        return !keepsSolos && dome.isPresent() && end.isMuted(new SceneElement.OfDome(dome.name())) ? 0 : dome.gain();
     }
 
     /** Returns the mean of a dome of both ends; parameters as above. */
@@ -71,6 +71,6 @@ record DomeBlend(SoloState from, SoloState to, double t, boolean keepsSolos) {
                 : lerp.applyAsDouble(fromIntensity * fromGain, toIntensity * toGain) / intensity;
         return numbers.apply(first, last).withIntensity(intensity)
                 .withGain(Math.clamp(gain, Math.min(fromGain, toGain), Math.max(fromGain, toGain)))
-                .withOn(isOn).withSolo(keepsSolos && from.solos().contains(new Contribution.OfDome(first.name())));
+                .withOn(isOn).withSolo(keepsSolos && from.solos().contains(new SceneElement.OfDome(first.name())));
     }
 }

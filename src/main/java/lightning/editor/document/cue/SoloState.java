@@ -3,6 +3,7 @@ package lightning.editor.document.cue;
 import java.util.HashSet;
 import java.util.Set;
 import lightning.scene.Contribution;
+import lightning.scene.SceneElement;
 import lightning.scene.light.Light;
 
 /**
@@ -16,7 +17,7 @@ record SoloState(Lighting lighting, Set<Contribution> solos) {
         lighting.rig().lights().stream().filter(l -> lighting.rig().effectiveLight(l).solo() && lighting.rig().effectiveLight(l).on())
                 .forEach(l -> solos.add(Contribution.of(l)));
         lighting.world().domes().stream().filter(d -> d.solo() && d.lightIntensity() > 0)
-                .forEach(d -> solos.add(new Contribution.OfDome(d.name())));
+                .forEach(d -> solos.add(new SceneElement.OfDome(d.name())));
         return new SoloState(lighting, Set.copyOf(solos));
     }
 

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.base.math.Vec3;
+import lightning.scene.SceneElement;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.shot.Interpolation;
@@ -12,7 +13,6 @@ import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 import lightning.scene.value.SceneLimits;
 
 /**
@@ -43,7 +43,7 @@ public record RecordedShot(int interval, Shot shot) {
             Vec3 v = attribute.get(sample);
             keys.add(new Keyframe(keys.size() * interval, new KeyframeValue.Numbers(List.of(v.x(), v.y(), v.z())), Interpolation.LINEAR));
         }
-        return new Track(TrackTarget.light(samples.getFirst().name()), attribute.name(), keys);
+        return new Track(new SceneElement.OfLight(samples.getFirst().name()), attribute.name(), keys);
     }
 
     private static RecordedShot ofTracks(int interval, List<Track> tracks) {
@@ -56,7 +56,7 @@ public record RecordedShot(int interval, Shot shot) {
      */
     public static Optional<RecordedShot> of(Shot shot, String light) {
         List<Track> tracks = Stream.of(LightAttribute.POSITION, LightAttribute.DIRECTION)
-                .flatMap(a -> shot.track(TrackTarget.light(light), a.name()).stream()).toList();
+                .flatMap(a -> shot.track(new SceneElement.OfLight(light), a.name()).stream()).toList();
         if (tracks.size() < 2 || tracks.getFirst().keys().size() > MAX_KEYS) {
             return Optional.empty();
         }

@@ -21,9 +21,9 @@ import lightning.editor.window.widget.DisplayColors;
 import lightning.editor.window.widget.LightTypes;
 import lightning.editor.window.widget.NumberField;
 import lightning.editor.window.widget.NumberSetting;
-import lightning.scene.Contribution;
 import lightning.scene.FaderValues;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import org.jspecify.annotations.Nullable;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
@@ -195,7 +195,7 @@ final class MixerStrip extends VBox {
     /** Shows the channel's state in a scene. */
     void show(Scene scene) {
         Ikon icon = switch (channel) {
-            case MixerChannel.OfContribution(Contribution.OfLight(String light)) ->
+            case MixerChannel.OfContribution(SceneElement.OfLight(String light)) ->
                     LightTypes.icon(scene.light(light).orElseThrow().type());
             case MixerChannel.OfLightGroup _ -> MaterialDesignT.TUNE_VERTICAL;
             case MixerChannel.OfContribution _ -> MaterialDesignI.IMAGE_FILTER_HDR;

@@ -9,8 +9,8 @@ import javafx.scene.layout.HBox;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.document.MixerChannel;
 import lightning.editor.document.MixerEdits;
-import lightning.scene.Contribution;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import org.jspecify.annotations.Nullable;
 
 /** Mouse handler of the strips' headers: a click selects, a drag reorders the lights of the scene. */
@@ -90,7 +90,7 @@ final class StripDrag {
             Optional<MixerStrip> next = dropTarget(strip.channel(), e.getSceneX());
             if (next.isEmpty() || next.get() != strip) {
                 model.edit(scene -> switch (strip.channel()) {
-                    case MixerChannel.OfContribution(Contribution.OfLight(String light)) -> dropLight(scene, light, next);
+                    case MixerChannel.OfContribution(SceneElement.OfLight(String light)) -> dropLight(scene, light, next);
                     case MixerChannel.OfLightGroup(String bank) ->
                             MixerEdits.moveLightGroup(scene, bank, next.map(s -> s.channel().title(scene)));
                     case MixerChannel.OfContribution _ -> new EditOutcome.Applied(scene);
@@ -106,7 +106,7 @@ final class StripDrag {
     }
 
     private EditOutcome dropLight(Scene scene, String light, Optional<MixerStrip> next) {
-        if (next.isPresent() && next.get().channel() instanceof MixerChannel.OfContribution(Contribution.OfLight(String before))) {
+        if (next.isPresent() && next.get().channel() instanceof MixerChannel.OfContribution(SceneElement.OfLight(String before))) {
             return MixerEdits.moveBefore(scene, light, before);
         }
         List<MixerStrip> strips = shownStrips.get();
@@ -114,7 +114,7 @@ final class StripDrag {
         // Drop after the last preceding strip of a light or light group.
         for (int i = index - 1; i >= 0; i--) {
             switch (strips.get(i).channel()) {
-                case MixerChannel.OfContribution(Contribution.OfLight(String name)) -> {
+                case MixerChannel.OfContribution(SceneElement.OfLight(String name)) -> {
                     return MixerEdits.moveToEnd(scene, light, scene.light(name).map(l -> l.lightGroup()).orElse(""));
                 }
                 case MixerChannel.OfLightGroup(String bank) -> {

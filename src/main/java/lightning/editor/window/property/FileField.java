@@ -20,6 +20,7 @@ import lightning.format.jen.PropertyEdit;
 import lightning.format.jen.asset.FileKind;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.World;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.FileAsset;
@@ -76,7 +77,7 @@ final class FileField<F extends FileAsset> extends StackPane {
 
         @Override
         public Scene read(Scene scene, String lightName, String file, Path folder) {
-            return PropertyEdit.setFile(scene, lightName, attribute, file, folder);
+            return PropertyEdit.setFile(scene, new SceneElement.OfLight(lightName), attribute.name(), file, folder);
         }
 
         @Override
@@ -115,7 +116,8 @@ final class FileField<F extends FileAsset> extends StackPane {
 
         @Override
         public Scene read(Scene scene, String name, String file, Path folder) {
-            return PropertyEdit.setImage(scene, scene.world().domeOrOwn(name).orElseThrow(), file, folder);
+            return PropertyEdit.setFile(scene, name.equals(Dome.OWN) ? SceneElement.WORLD : new SceneElement.OfDome(name),
+                    Dome.ENVIRONMENT.name(), file, folder);
         }
 
         @Override

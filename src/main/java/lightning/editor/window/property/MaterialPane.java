@@ -33,6 +33,7 @@ import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.editor.window.widget.VectorField;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
@@ -147,7 +148,8 @@ final class MaterialPane extends VBox {
     private void add(PropertySection propertySection, Row row) {
         rows.add(row);
         propertySection.rows().add(row);
-        menu.attach(row.node(), new SelectedProperty.MaterialProperty(materials, row.attribute()));
+        menu.attach(row.node(), new SelectedProperty<>(
+                () -> Optional.ofNullable(materials.material()).map(m -> new SceneElement.OfMaterial(m.name())), row.attribute()));
         Material material = materials.material();
         row.setDisabledReason().accept(disabledReason(material));
         propertySection.showApplicable(material);

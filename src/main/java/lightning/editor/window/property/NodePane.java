@@ -25,6 +25,8 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.editor.window.widget.VectorField;
+import lightning.scene.SceneElement;
+import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
@@ -86,7 +88,7 @@ final class NodePane extends VBox {
         var field = new VectorField(property,
                 (v, gesture) -> editor.edit(scene -> NodeEdits.setPlacement(scene, shownName, p -> edit.apply(p, v)), gesture));
         field.setId("shape-" + property);
-        menu.attach(field, new SelectedProperty.NodeProperty(editor.selection(), property));
+        menu.attach(field, property(property.equals("at") ? SceneNode.AT : SceneNode.SCALE));
         return field;
     }
 
@@ -97,8 +99,12 @@ final class NodePane extends VBox {
                         (degrees, gesture) -> editor
                                 .edit(scene -> NodeEdits.setPlacement(scene, shownName, p -> withRotation(p, axis, degrees)), gesture)));
         widget.setId("rotate-" + label);
-        menu.attach(widget, new SelectedProperty.NodeProperty(editor.selection(), "rotate"));
+        menu.attach(widget, property(SceneNode.ROTATE));
         return widget;
+    }
+
+    private SelectedProperty<SceneNode> property(SceneAttribute<SceneNode, ?> attribute) {
+        return new SelectedProperty<>(() -> editor.selection().node().map(n -> new SceneElement.OfNode(n.name())), attribute);
     }
 
     private static Placement withRotation(Placement p, int axis, double degrees) {

@@ -41,7 +41,7 @@ final class PropertyMenu {
     }
 
     /** Attaches the menu to a property's widget. */
-    void attach(Node widget, SelectedProperty property) {
+    void attach(Node widget, SelectedProperty<?> property) {
         var menu = new ContextMenu();
         widget.setOnContextMenuRequested(e -> {
             menu.getItems().setAll(items(property));
@@ -49,15 +49,14 @@ final class PropertyMenu {
             e.consume();
         });
         editor.editorStateProperty().subscribe(state -> {
-            Optional<Track> keys = state.shotFrame().filter(_ -> property.text().isPresent())
-                    .flatMap(m -> m.shot().track(property.keyTarget(), property.name()));
+            Optional<Track> keys = state.shotFrame().flatMap(m -> property.track(m.shot()));
             widget.pseudoClassStateChanged(KEYED, keys.isPresent());
             widget.pseudoClassStateChanged(KEYED_AT_FRAME, keys.flatMap(t -> t.key(state.shotFrame().get().frame())).isPresent());
         });
     }
 
-    private MenuItem[] items(SelectedProperty property) {
-        String title = SectionLayout.title(property.title());
+    private MenuItem[] items(SelectedProperty<?> property) {
+        String title = SectionLayout.title(property.attribute().title());
         String clipboardValue = value(property, clipboardText());
         var copy = items.value(Command.COPY_PROPERTY, Messages.tr("Copy {0}", title), () -> copy(property));
         var paste = items.value(Command.PASTE_PROPERTY,
@@ -66,7 +65,7 @@ final class PropertyMenu {
                 () -> paste(property));
         var reset =
                 items.value(Command.RESET_PROPERTY, Messages.tr("Reset {0}", title), () -> editor.editOrReport(property::reset));
-        boolean hasNoValue = property.text().isEmpty();
+        boolean hasNoValue = !property.isPresent();
         copy.setDisable(copy.isDisable() || hasNoValue);
         paste.setDisable(paste.isDisable() || hasNoValue || clipboardValue.isEmpty());
         reset.setDisable(reset.isDisable() || hasNoValue);
@@ -75,7 +74,7 @@ final class PropertyMenu {
         }
         var key = items.value(Command.KEY_PROPERTY, keyTitle(title), () -> setKeyframe(property));
         var unkey = items.value(Command.UNKEY_PROPERTY, Messages.tr("Clear Keyframes of {0}", title), () -> removeKeyframes(property));
-        unkey.setDisable(unkey.isDisable() || shotFrame().flatMap(f -> f.shot().track(property.keyTarget(), property.name())).isEmpty());
+        unkey.setDisable(unkey.isDisable() || shotFrame().flatMap(f -> property.track(f.shot())).isEmpty());
         return new MenuItem[] {copy, paste, reset, new SeparatorMenuItem(), key, unkey};
     }
 
@@ -84,12 +83,12 @@ final class PropertyMenu {
                 .orElse(Messages.tr("Set Keyframe of {0} in a New Shot", title));
     }
 
-    private void setKeyframe(SelectedProperty property) {
+    private void setKeyframe(SelectedProperty<?> property) {
         Scene shownScene = editor.scene();
         Optional<String> refusal = editor.editShotOrReport(scene -> {
             AnimatedScene sceneWithShot = KeyEdits.addShot(scene);
             int frame = shotFrame().map(ShotFrame::frame).orElseGet(() -> sceneWithShot.shot().orElseThrow().first());
-            return KeyEdits.setKey(sceneWithShot, shownScene, property.keyTarget(), property.name(), frame);
+            return KeyEdits.setKey(sceneWithShot, shownScene, property.element(), property.name(), frame);
         }, null);
         if (refusal.isEmpty()) {
             layout.timelineShownProperty().set(true);
@@ -100,9 +99,9 @@ final class PropertyMenu {
         return editor.document().shotFrame();
     }
 
-    private void removeKeyframes(SelectedProperty property) {
+    private void removeKeyframes(SelectedProperty<?> property) {
         Scene shownScene = editor.scene();
-        editor.editShotOrReport(scene -> KeyEdits.removeKeys(scene, shownScene, property.keyTarget(), property.name()), null);
+        editor.editShotOrReport(scene -> KeyEdits.removeKeys(scene, shownScene, property.element(), property.name()), null);
     }
 
     private static String clipboardText() {
@@ -111,19 +110,19 @@ final class PropertyMenu {
     }
 
     /** Returns the property's value in a copied text, or an empty string if the text describes another property. */
-    private String value(SelectedProperty property, String text) {
+    private String value(SelectedProperty<?> property, String text) {
         return text.startsWith(property.name() + " ") && text.indexOf('\n') < 0 ? text.substring(property.name().length() + 1).strip()
                 : "";
     }
 
-    private void copy(SelectedProperty property) {
+    private void copy(SelectedProperty<?> property) {
         var content = new ClipboardContent();
-        content.putString(property.name() + " " + property.text().orElseThrow());
+        content.putString(property.name() + " " + property.text(editor.scene()));
         Clipboard.getSystemClipboard().setContent(content);
         editor.message().show(Messages.tr("Copied {0}", content.getString()));
     }
 
-    private void paste(SelectedProperty property) {
+    private void paste(SelectedProperty<?> property) {
         String value = value(property, clipboardText());
         editor.editOrReport(scene -> property.set(scene, value));
     }

@@ -24,6 +24,7 @@ import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.TemperatureSlider;
 import lightning.editor.window.widget.VectorField;
+import lightning.scene.SceneElement;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.ValueKind;
@@ -189,7 +190,8 @@ public final class PropertyPane extends VBox {
     }
 
     private <N extends Node> N withMenu(N widget, LightAttribute<?> attribute) {
-        menu.attach(widget, new SelectedProperty.LightProperty(editor.selection(), attribute));
+        menu.attach(widget, new SelectedProperty<>(
+                () -> Optional.ofNullable(editor.selection().light()).map(l -> new SceneElement.OfLight(l.name())), attribute));
         return widget;
     }
 

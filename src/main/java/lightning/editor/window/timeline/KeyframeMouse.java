@@ -14,8 +14,8 @@ import lightning.editor.document.Selection;
 import lightning.editor.document.Workbench;
 import lightning.editor.window.model.KeySelection;
 import lightning.editor.window.model.SceneEditor;
+import lightning.scene.SceneElement;
 import lightning.scene.shot.AnimatedScene;
-import lightning.scene.shot.TrackTarget;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -102,13 +102,11 @@ final class KeyframeMouse {
         }
     }
 
-    private void select(TrackTarget target) {
-        switch (target.kind()) {
-            case LIGHT -> editor.selection().selectLight(target.name());
-            case NODE -> workbench.select(new Selection.OfNode(target.name()));
-            case CAMERA, LIGHT_GROUP, DOME -> {
-                // The timeline does not select these.
-            }
+    private void select(SceneElement<?> target) {
+        if (target instanceof SceneElement.OfLight(String name)) {
+            editor.selection().selectLight(name);
+        } else if (target instanceof SceneElement.OfNode(String name)) {
+            workbench.select(new Selection.OfNode(name));
         }
     }
 

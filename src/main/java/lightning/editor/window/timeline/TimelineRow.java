@@ -2,25 +2,25 @@ package lightning.editor.window.timeline;
 
 import java.util.ArrayList;
 import java.util.List;
+import lightning.scene.SceneElement;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 
 /** Row of the timeline: an animated object, or below it one of its attributes. */
 sealed interface TimelineRow {
     /** Returns the animated object. */
-    TrackTarget target();
+    SceneElement<?> target();
 
     /** Returns the tracks whose keyframes the row shows. */
     List<Track> tracks();
 
     /** Row of an object, with the keyframes of all of its attributes. */
-    record ObjectRow(TrackTarget target, List<Track> tracks) implements TimelineRow {}
+    record ObjectRow(SceneElement<?> target, List<Track> tracks) implements TimelineRow {}
 
     /** Row of one attribute. */
     record TrackRow(Track track) implements TimelineRow {
         @Override
-        public TrackTarget target() {
+        public SceneElement<?> target() {
             return track.target();
         }
 
@@ -32,11 +32,11 @@ sealed interface TimelineRow {
 
     static List<TimelineRow> of(Shot shot) {
         List<TimelineRow> rows = new ArrayList<>();
-        TrackTarget last = null;
+        SceneElement<?> last = null;
         for (Track track : shot.tracks()) {
             if (!track.target().equals(last)) {
                 last = track.target();
-                TrackTarget target = last;
+                SceneElement<?> target = last;
                 rows.add(new ObjectRow(target, shot.tracks().stream().filter(t -> t.target().equals(target)).toList()));
             }
             rows.add(new TrackRow(track));

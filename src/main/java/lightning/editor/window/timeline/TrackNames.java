@@ -4,18 +4,18 @@ import java.util.List;
 import lightning.base.text.Messages;
 import lightning.scene.Camera;
 import lightning.scene.Dome;
+import lightning.scene.SceneElement;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightGroup;
 import lightning.scene.shot.ShotDiff;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 
 /** Names of tracks and animated objects. */
 final class TrackNames {
     private TrackNames() {}
 
-    static String name(TrackTarget target) {
+    static String name(SceneElement<?> target) {
         return ShotDiff.name(target);
     }
 
@@ -25,12 +25,12 @@ final class TrackNames {
     }
 
     static String attribute(Track track) {
-        List<? extends SceneAttribute<?, ?>> attributes = switch (track.target().kind()) {
-            case CAMERA -> Camera.ATTRIBUTES;
-            case LIGHT -> LightAttribute.ALL;
-            case LIGHT_GROUP -> LightGroup.ATTRIBUTES;
-            case DOME -> Dome.ATTRIBUTES;
-            case NODE -> List.of();
+        List<? extends SceneAttribute<?, ?>> attributes = switch (track.target()) {
+            case SceneElement.OfCamera _ -> Camera.ATTRIBUTES;
+            case SceneElement.OfLight _ -> LightAttribute.ALL;
+            case SceneElement.OfLightGroup _ -> LightGroup.ATTRIBUTES;
+            case SceneElement.OfDome _ -> Dome.ATTRIBUTES;
+            default -> List.of();
         };
         return Messages.tr(attributes.stream().filter(a -> a.name().equals(track.attribute())).map(SceneAttribute::title).findFirst()
                 .orElse(track.attribute()));

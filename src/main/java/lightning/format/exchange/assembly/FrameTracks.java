@@ -3,6 +3,7 @@ package lightning.format.exchange.assembly;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import lightning.scene.SceneElement;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.KeyframeSupport;
 import lightning.scene.attribute.NumericKind;
@@ -13,7 +14,6 @@ import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 
 /**
  * Keyframes of attributes whose values are known at every frame. Frames on a straight line between two others get none.
@@ -32,7 +32,7 @@ public record FrameTracks(int first) {
      *
      * @param frames values at each frame
      */
-    public <T> List<Track> of(TrackTarget target, List<? extends SceneAttribute<T, ?>> attributes, List<T> frames) {
+    public <T> List<Track> of(SceneElement<?> target, List<? extends SceneAttribute<T, ?>> attributes, List<T> frames) {
         return of(target, attributes, frames.getFirst(), frames);
     }
 
@@ -42,7 +42,7 @@ public record FrameTracks(int first) {
      * @param rest values without animation
      * @param frames values at each frame
      */
-    public <T> List<Track> of(TrackTarget target, List<? extends SceneAttribute<T, ?>> attributes, T rest, List<T> frames) {
+    public <T> List<Track> of(SceneElement<?> target, List<? extends SceneAttribute<T, ?>> attributes, T rest, List<T> frames) {
         List<Track> tracks = new ArrayList<>();
         for (SceneAttribute<T, ?> attribute : attributes) {
             track(target, attribute, rest, frames).ifPresent(tracks::add);
@@ -67,11 +67,11 @@ public record FrameTracks(int first) {
      */
     @SuppressWarnings("unchecked")
     public List<Track> of(SceneNode node, SceneNode rest, List<SceneNode> states) {
-        return of(TrackTarget.node(node.name()), (List<SceneAttribute<SceneNode, ?>>) (List<?>) node.attributes().stream()
+        return of(new SceneElement.OfNode(node.name()), (List<SceneAttribute<SceneNode, ?>>) (List<?>) node.attributes().stream()
                 .filter(a -> List.of("at", "rotate", "scale", "visible").contains(a.name())).toList(), rest, states);
     }
 
-    private <T, V> Optional<Track> track(TrackTarget target, SceneAttribute<T, V> attribute, T rest, List<T> frames) {
+    private <T, V> Optional<Track> track(SceneElement<?> target, SceneAttribute<T, V> attribute, T rest, List<T> frames) {
         ValueKind<V> kind = attribute.kind();
         V start = attribute.get(frames.getFirst());
         if (kind.keyframeSupport() == KeyframeSupport.NONE

@@ -31,13 +31,13 @@ import lightning.scene.ObjectLight;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 
 /**
  * Scene converted from another program's file, not written yet.
@@ -132,7 +132,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
         List<AssetCopy> usedCopies = copies.stream().filter(copy -> !unused.contains(FileNaming.nameIn(folder, copy.target()))).toList();
         // A new light may have the name of one of the file's that moved.
         Optional<Shot> others = shot().map(s -> s.withTracks(s.tracks().stream()
-                .filter(track -> !isLighting(track.target()) && (keepsCamera || track.target().kind() != TrackTarget.Kind.CAMERA))
+                .filter(track -> !isLighting(track.target()) && (keepsCamera || !(track.target() instanceof SceneElement.OfCamera)))
                 .toList()));
         return new ImportedScene(lit, others.map(s -> validTracks(s, lit)), Set.of(), Set.of(), Optional.empty(), List.copyOf(newComments),
                 sceneFile,
@@ -140,8 +140,8 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
                 subject, closingComments);
     }
 
-    private static boolean isLighting(TrackTarget target) {
-        return target.kind() == TrackTarget.Kind.LIGHT || target.kind() == TrackTarget.Kind.LIGHT_GROUP;
+    private static boolean isLighting(SceneElement<?> target) {
+        return target instanceof SceneElement.OfLight || target instanceof SceneElement.OfLightGroup;
     }
 
     /**
@@ -231,7 +231,7 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
 
     /** Returns the keys of an intensity in the units of the scene; those of other attributes as they are. */
     private Track scaled(Track track) {
-        boolean isRaw = track.target().kind() == TrackTarget.Kind.LIGHT && !restored.contains(track.target().name())
+        boolean isRaw = track.target() instanceof SceneElement.OfLight && !restored.contains(track.target().name())
                 && track.attribute().equals(LightAttribute.INTENSITY.name());
         Optional<Light> light = isRaw ? unscaledScene.light(track.target().name()) : Optional.empty();
         if (units.isEmpty() || light.isEmpty()) {

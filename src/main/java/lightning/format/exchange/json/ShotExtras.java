@@ -10,12 +10,12 @@ import lightning.format.exchange.assembly.KeyframeReduction;
 import lightning.format.exchange.assembly.NearestAngles;
 import lightning.format.exchange.assembly.TransformDecomposition;
 import lightning.format.mesh.ConversionNotes;
+import lightning.scene.SceneElement;
 import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 import lightning.scene.value.Placement;
 import tools.jackson.databind.JsonNode;
 
@@ -59,14 +59,14 @@ final class ShotExtras {
     private void readTrack(JsonNode track) {
         String name = track.path("name").asString("");
         switch (track.path("target").asString("")) {
-            case "camera" -> addTrack(TrackTarget.CAMERA, track);
-            case "light" -> addTrack(TrackTarget.light(name), track);
-            case "node" -> addPlacements(TrackTarget.node(nodeNames.getOrDefault(name, name)), track.path("matrices"));
+            case "camera" -> addTrack(SceneElement.CAMERA, track);
+            case "light" -> addTrack(new SceneElement.OfLight(name), track);
+            case "node" -> addPlacements(new SceneElement.OfNode(nodeNames.getOrDefault(name, name)), track.path("matrices"));
             default -> notes.add("animated properties that cannot be used");
         }
     }
 
-    private void addTrack(TrackTarget target, JsonNode track) {
+    private void addTrack(SceneElement<?> target, JsonNode track) {
         List<Keyframe> keys = new ArrayList<>();
         for (JsonNode key : track.path("keys")) {
             JsonNode value = key.get(1);
@@ -90,7 +90,7 @@ final class ShotExtras {
     }
 
     /** Adds the keys of an object's position, rotation and scale, each only if it changes. */
-    private void addPlacements(TrackTarget target, JsonNode matrices) {
+    private void addPlacements(SceneElement<?> target, JsonNode matrices) {
         List<Integer> frames = new ArrayList<>();
         List<Vec3> positions = new ArrayList<>();
         List<Vec3> rotations = new ArrayList<>();
@@ -115,7 +115,7 @@ final class ShotExtras {
         addVectors(target, "scale", frames, scales);
     }
 
-    private void addVectors(TrackTarget target, String attribute, List<Integer> frames, List<Vec3> values) {
+    private void addVectors(SceneElement<?> target, String attribute, List<Integer> frames, List<Vec3> values) {
         double size = values.stream().mapToDouble(Vec3::maxAbs).max().orElse(0);
         if (values.stream().anyMatch(v -> v.minus(values.getFirst()).maxAbs() > KeyframeReduction.TOLERANCE * Math.max(1, size))) {
             List<Keyframe> keys = new ArrayList<>();

@@ -23,12 +23,12 @@ import lightning.format.mesh.MeshException;
 import lightning.format.usd.StageChoice;
 import lightning.format.usd.UsdStage;
 import lightning.scene.Camera;
+import lightning.scene.SceneElement;
 import lightning.scene.ViewSettings;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 import lightning.scene.value.LensShift;
 import lightning.scene.value.SceneLimits;
 import lightning.scene.value.ShapeLinks;
@@ -162,7 +162,7 @@ public final class UsdImport {
             moving.add(converter.convert(light.name(), frames.element(i)).orElse(light));
         }
         if (!moving.isEmpty()) {
-            tracks.addAll(new FrameTracks(firstFrame).of(TrackTarget.light(light.name()), LightAttribute.ALL, moving));
+            tracks.addAll(new FrameTracks(firstFrame).of(new SceneElement.OfLight(light.name()), LightAttribute.ALL, moving));
         }
     }
 
@@ -210,7 +210,7 @@ public final class UsdImport {
                 moving.add(camera(state, isShifted));
             }
             if (!moving.isEmpty()) {
-                tracks.addAll(new FrameTracks(firstFrame).of(TrackTarget.CAMERA, Camera.ATTRIBUTES, moving));
+                tracks.addAll(new FrameTracks(firstFrame).of(SceneElement.CAMERA, Camera.ATTRIBUTES, moving));
             }
         } catch (RefusalException | ArithmeticException e) {
             assembler.notes.add("cameras that cannot be placed");

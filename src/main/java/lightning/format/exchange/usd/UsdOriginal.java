@@ -15,6 +15,7 @@ import lightning.format.exchange.json.AttributeJson;
 import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
+import lightning.scene.SceneElement;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
@@ -22,7 +23,6 @@ import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -129,7 +129,7 @@ public record UsdOriginal(Light light, Map<String, String> tracks, JsonNode stag
     static Map<String, String> hashes(String light, Optional<Shot> shot) {
         Map<String, String> result = new LinkedHashMap<>();
         for (Track track : shot.map(Shot::tracks).orElse(List.of())) {
-            if (track.target().equals(TrackTarget.light(light))) {
+            if (track.target().equals(new SceneElement.OfLight(light))) {
                 String keys = track.keys().stream().map(UsdOriginal::text).collect(Collectors.joining("; "));
                 result.put(track.attribute(), ContentHash.of(keys.getBytes(UTF_8)).hex().substring(0, HASH_LENGTH));
             }

@@ -10,6 +10,7 @@ import lightning.editor.document.manipulation.PreviewCameraTest;
 import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.World;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
@@ -18,7 +19,6 @@ import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -77,8 +77,8 @@ class RecordedShotTest {
     void keys_areInPositionAndDirectionTracks() {
         RecordedShot recorded = RecordedShot.of(10, List.of(light(1), light(2)));
         assertThat(recorded.shot().tracks()).containsExactly(
-                new Track(TrackTarget.light("key"), "at", List.of(key(0, 1, 0, 0), key(10, 2, 0, 0))),
-                new Track(TrackTarget.light("key"), "direction", List.of(key(0, 0, -1, 0), key(10, 0, -1, 0))));
+                new Track(new SceneElement.OfLight("key"), "at", List.of(key(0, 1, 0, 0), key(10, 2, 0, 0))),
+                new Track(new SceneElement.OfLight("key"), "direction", List.of(key(0, 0, -1, 0), key(10, 0, -1, 0))));
     }
 
     private static Keyframe key(int frame, double x, double y, double z) {
@@ -154,13 +154,13 @@ class RecordedShotTest {
     void addToShot_replacesKeysAndKeepsFrames() {
         RecordedShot recorded = RecordedShot.of(10, List.of(light(1), light(2)));
         Track intensity =
-                new Track(TrackTarget.light("key"), "intensity",
+                new Track(new SceneElement.OfLight("key"), "intensity",
                         List.of(new Keyframe(3, new KeyframeValue.Numbers(List.of(2.0)), Interpolation.LINEAR)));
         Shot shot = recorded.addTo(new Shot(1, 12, 24, List.of(intensity)), 5);
         assertThat(shot.first()).isEqualTo(1);
         assertThat(shot.last()).isEqualTo(15);
         assertThat(shot.tracks()).contains(intensity).hasSize(3);
-        assertThat(recorded.addTo(shot, 0).track(TrackTarget.light("key"), "at").orElseThrow().keys())
+        assertThat(recorded.addTo(shot, 0).track(new SceneElement.OfLight("key"), "at").orElseThrow().keys())
                 .containsExactly(key(0, 1, 0, 0), key(10, 2, 0, 0));
         assertThatThrownBy(() -> recorded.addTo(shot, Shot.MAX_FRAME))
                 .hasMessage("the frame of a key must be from 0 to 1e9, was 1.00000001e9");
@@ -176,8 +176,9 @@ class RecordedShotTest {
         assertNone(shot, key(16, 0, 0, 0));
         assertThat(RecordedShot.of(shot.withTracks(shot.tracks().subList(0, 1)), "key")).isEmpty();
         assertThat(RecordedShot.of(RecordedShot.of(1, List.of(LIGHT)).addTo(Shot.DEFAULT, 0)
-                .with(new Track(TrackTarget.light("key"), "at", List.of(key(0, 0, 0, 0), key(10_001, 0, 0, 0))))
-                .with(new Track(TrackTarget.light("key"), "direction", List.of(key(0, 0, 1, 0), key(10_001, 0, 1, 0)))), "key")).isEmpty();
+                .with(new Track(new SceneElement.OfLight("key"), "at", List.of(key(0, 0, 0, 0), key(10_001, 0, 0, 0))))
+                .with(new Track(new SceneElement.OfLight("key"), "direction", List.of(key(0, 0, 1, 0), key(10_001, 0, 1, 0)))), "key"))
+                .isEmpty();
     }
 
     private static void assertNone(Shot shot, Keyframe other) {

@@ -19,11 +19,11 @@ import lightning.editor.window.TestEditors;
 import lightning.editor.window.command.PathPrompt;
 import lightning.editor.window.model.EditorModel;
 import lightning.sample.Slow;
+import lightning.scene.SceneElement;
 import lightning.scene.light.Light;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
@@ -104,7 +104,8 @@ class MotionRecordingTest {
     }
 
     private List<Keyframe> keys(String attribute) {
-        return model.editor().document().content().shot().flatMap(shot -> shot.track(TrackTarget.light("key"), attribute)).map(Track::keys)
+        return model.editor().document().content().shot().flatMap(shot -> shot.track(new SceneElement.OfLight("key"), attribute))
+                .map(Track::keys)
                 .orElse(List.of());
     }
 

@@ -17,12 +17,12 @@ import lightning.editor.window.EditorFixture;
 import lightning.editor.window.OwnEditor;
 import lightning.format.jen.JenReader;
 import lightning.render.shading.reference.ReferenceTracer;
+import lightning.scene.SceneElement;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -54,7 +54,8 @@ class TimelinePaneTest extends EditorFixture {
     }
 
     private List<Keyframe> keys() {
-        return model().editor().document().content().shot().orElseThrow().track(TrackTarget.light("lamp"), "intensity").map(Track::keys)
+        return model().editor().document().content().shot().orElseThrow().track(new SceneElement.OfLight("lamp"), "intensity")
+                .map(Track::keys)
                 .orElse(List.of());
     }
 
@@ -202,13 +203,15 @@ class TimelinePaneTest extends EditorFixture {
         robot.clickOn(onRuler(5));
         robot.clickOn("#intensity .label", MouseButton.SECONDARY);
         robot.clickOn("Set Keyframe of Intensity at Frame 5");
-        assertThat(model().editor().document().content().shot().orElseThrow().track(TrackTarget.light("sun"), "intensity").orElseThrow()
-                .keys())
+        assertThat(
+                model().editor().document().content().shot().orElseThrow().track(new SceneElement.OfLight("sun"), "intensity").orElseThrow()
+                        .keys())
                 .containsExactly(key(5, Interpolation.LINEAR, 0.4));
         assertThat(isShown("key-sun-intensity-5")).isTrue();
         robot.clickOn("#intensity .label", MouseButton.SECONDARY);
         robot.clickOn("Clear Keyframes of Intensity");
-        assertThat(model().editor().document().content().shot().orElseThrow().track(TrackTarget.light("sun"), "intensity")).isEmpty();
+        assertThat(model().editor().document().content().shot().orElseThrow().track(new SceneElement.OfLight("sun"), "intensity"))
+                .isEmpty();
     }
 
     @Test

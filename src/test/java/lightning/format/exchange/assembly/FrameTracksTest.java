@@ -9,6 +9,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import lightning.sample.StudioScene;
+import lightning.scene.SceneElement;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
@@ -16,7 +17,6 @@ import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
-import lightning.scene.shot.TrackTarget;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -26,7 +26,7 @@ class FrameTracksTest {
     private static final Light LAMP = Light.of("lamp", LightType.POINT);
 
     private static List<Track> tracks(int frames, IntToDoubleFunction intensity) {
-        return new FrameTracks(0).of(TrackTarget.light("lamp"), LightAttribute.ALL,
+        return new FrameTracks(0).of(new SceneElement.OfLight("lamp"), LightAttribute.ALL,
                 IntStream.range(0, frames).mapToObj(frame -> LAMP.withIntensity(intensity.applyAsDouble(frame))).toList());
     }
 

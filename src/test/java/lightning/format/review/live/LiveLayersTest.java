@@ -17,6 +17,7 @@ import lightning.sample.JenScenes;
 import lightning.sample.StudioScene;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
 import net.jqwik.api.ForAll;
@@ -78,10 +79,10 @@ class LiveLayersTest {
         LiveLayers first = LiveLayers.of(cache(scene), OPTIONS, List.of(), Progress.NONE);
         assertThat(first.parts()).extracting(LiveLayers.Part::light).isEqualTo(Contribution.sources(scene));
         assertShow(first, cache(scene));
-        Contribution studio = new Contribution.OfDome("studio");
+        Contribution studio = new SceneElement.OfDome("studio");
         for (Scene edited : List.of(studio.with(scene, v -> v.withIntensity(0.5)), studio.with(scene, v -> v.withSolo(true)),
                 studio.with(scene, v -> v.withOn(false)), Contribution.ENVIRONMENT.with(scene, v -> v.withIntensity(0)),
-                new Contribution.OfDome("off").with(scene, v -> v.withOn(true)))) {
+                new SceneElement.OfDome("off").with(scene, v -> v.withOn(true)))) {
             LiveLayers second = LiveLayers.of(cache(edited), OPTIONS, List.of(first), Progress.NONE);
             assertThat(second.parts()).isSameAs(first.parts());
             assertShow(second, cache(edited));
