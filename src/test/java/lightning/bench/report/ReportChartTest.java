@@ -153,6 +153,19 @@ class ReportChartTest {
     }
 
     @Test
+    void everyPoint_isInsideTheChart() {
+        List<Double> places = numbers(page.evaluate("""
+                [...paretoChart("chart", [%s, %s, %s], 400, 300, powerTick).querySelectorAll("[transform]")]
+                  .flatMap(p => p.getAttribute("transform").match(/[\\d.]+/g).map(Number))"""
+                .formatted(point("a", 1, 2, 3, 1e-8), point("b", 8, 9, 10, 0), point("c", 50, 60, 70, 5))));
+        assertThat(places).hasSize(6);
+        for (int i = 0; i < 6; i += 2) {
+            assertThat(places.get(i)).isBetween(30.0, 390.0);
+            assertThat(places.get(i + 1)).isBetween(10.0, 275.0);
+        }
+    }
+
+    @Test
     void equalPoints_giveAChart() {
         assertThat(pareto(point("full trace", 5, 5, 5, 0))).contains(">full trace<").doesNotContain("NaN", "Infinity");
         assertThat(pareto()).contains(">no measurements<").doesNotContain("NaN", "Infinity");
@@ -243,6 +256,12 @@ class ReportChartTest {
         assertThat(widths).hasSize(2);
         assertThat(widths.get(1) / widths.get(0)).isCloseTo(1000 / 20.0, withinPercentage(2));
         assertThat(widths.get(1)).isLessThan(560);
+    }
+
+    @Test
+    void shareBeyondAllMeasurements_isLeftOut() {
+        assertThat(svg("shareChart(\"chart\", [{ name: \"odd\", ours: Number.MAX_VALUE, stale: 50, limit: -Number.MAX_VALUE }])"))
+                .contains(">50.0\u00a0%<").doesNotContain("Infinity", "e+");
     }
 
     @Test

@@ -21,12 +21,8 @@ final class ReportPage implements AutoCloseable {
 
     /** Writes and opens a report in a window of usual width. */
     static ReportPage open(BenchResults results, Path folder) throws IOException {
-        return open(results, folder, 1280);
-    }
-
-    static ReportPage open(BenchResults results, Path folder, int width) throws IOException {
         HtmlReport.write(results, folder);
-        return new ReportPage(Browser.open(folder.resolve(HtmlReport.FILE), folder, width, 900));
+        return new ReportPage(Browser.open(folder.resolve(HtmlReport.FILE), folder, 1280, 900));
     }
 
     Browser browser() {

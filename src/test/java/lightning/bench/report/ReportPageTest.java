@@ -7,9 +7,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import lightning.bench.result.BenchResults;
 import lightning.bench.result.BenchRun;
 import lightning.bench.result.ColdStart;
+import lightning.bench.result.DriftCurve;
+import lightning.bench.result.DriftPoint;
 import lightning.bench.result.EditResult;
 import lightning.bench.result.EditingCost;
 import lightning.bench.result.EffectResult;
@@ -27,6 +31,7 @@ import lightning.bench.result.ModernSampling;
 import lightning.bench.result.ModernScene;
 import lightning.bench.result.PeerResult;
 import lightning.bench.result.RayThroughput;
+import lightning.bench.result.ReflectionAccuracy;
 import lightning.bench.result.ResultsArbitraries;
 import lightning.bench.result.SampleResults;
 import lightning.bench.result.SceneResult;
@@ -40,7 +45,9 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.measure.AccuracySetting;
 import lightning.render.measure.PictureError;
+import lightning.render.relight.paper.Accuracy;
 import lightning.sample.Slow;
+import lightning.scene.PictureSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -148,6 +155,30 @@ class ReportPageTest {
         }
         try (ReportPage page = open(results(SampleResults.RUN, scene(Double.NaN)))) {
             assertThat(page.texts("#key dt").subList(0, 2)).containsExactly("–", "–");
+        }
+    }
+
+    @Test
+    void differingPicture_isNotCountedAsIdentical() throws IOException {
+        var differing = new EditResult("odd", "", 1, 70, 1, List.of(new ValueResult("value",
+                List.of(new SweepPointResult(AccuracySetting.DEFAULT, TEN, 70, STALE, null, null, null)))));
+        try (ReportPage page = open(results(SampleResults.RUN, scene(60, 80), scene("balls", null, List.of(differing))))) {
+            assertThat(page.texts("#key dt").get(2)).isEqualTo("2 of 3");
+        }
+    }
+
+    @Test
+    void savings_areSharesOfTheFullTrace() throws IOException {
+        try (ReportPage page = open(results(SampleResults.RUN, scene(60)))) {
+            String chart = "[aria-label='Time of each edit, compared with the paper, bird, 300 × 200']";
+            assertThat(page.texts(chart + " text")).contains("edit0 (Fig. 6)", "2.0\u00a0%", "40.0\u00a0%", "1.0\u00a0%");
+            // The paper's bar, ours of 40 percent, that without updated reflections, and the tick of the limit of 10 percent on ours.
+            assertThat(page.strings("""
+                    const bars = [...document.querySelectorAll(arguments[0] + " rect")].map(bar => bar.getBBox());
+                    const tick = document.querySelector(arguments[0] + " path[stroke='var(--text)']").getBBox();
+                    const scale = bars[1].width / 40;
+                    return [...bars.map(bar => bar.width), tick.x - bars[1].x].map(v => Math.round(v / scale));""", chart))
+                    .containsExactly("2", "40", "1", "10");
         }
     }
 
@@ -294,6 +325,52 @@ class ReportPageTest {
         }
     }
 
+    @Test
+    void drift_showsErrorsAndTheBoundOfRatio() throws IOException {
+        var points = List.of(new DriftPoint(Accuracy.RATIO, 1, STALE, 0.2, 0), new DriftPoint(Accuracy.RATIO, 10, STALE, 0.3, 2),
+                new DriftPoint(Accuracy.EXACT, 1, SAME, 0, 0), new DriftPoint(Accuracy.EXACT, 10, SAME, 0, 0));
+        try (ReportPage page =
+                open(new BenchResults(SampleResults.RUN, List.of(), List.of(new DriftCurve("bird", 3, 2, 1, points)), List.of(),
+                        List.of(), List.of(), List.of(), List.of()))) {
+            assertThat(page.texts("#drift text")).contains("ratio", "ratio, bound", "exact");
+            assertThat(
+                    page.strings("return [...document.querySelectorAll('#drift [stroke-dasharray]')].map(p => p.getAttribute('stroke'))"))
+                    .containsExactly("var(--purple)");
+            assertThat(page.texts("#drift figcaption").getFirst()).contains("bird, 3 × 2", "recomputed 2 times.");
+        }
+    }
+
+    @Test
+    void growthWithManyEdits_namesTypicalOnes() throws IOException {
+        List<GrowthPoint.EditTime> edits =
+                Stream.of("undo", "color", "position", "off", "on", "solo", "add").map(edit -> new GrowthPoint.EditTime(edit, TEN))
+                        .toList();
+        var growth = new GrowthCurve("lights", "room", List.of(new GrowthPoint(0, TEN, edits), new GrowthPoint(10, TEN, edits)));
+        try (ReportPage page =
+                open(new BenchResults(SampleResults.RUN, List.of(), List.of(), List.of(growth), List.of(), List.of(), List.of(),
+                        List.of()))) {
+            assertThat(page.texts("#growth text")).contains("full trace", "color", "position", "add").doesNotContain("undo", "off");
+            assertThat(page.texts("#growth [stroke='var(--paper)']")).hasSize(4);
+            assertThat(page.texts("#growth figcaption").getFirst()).contains("Gray: the other edits.");
+        }
+    }
+
+    @Test
+    void defaultSettings_areFilled() throws IOException {
+        int usual = PictureSettings.REFLECTION_RAYS.initial();
+        var blurred = new ReflectionAccuracy("hall", 1, 1, 1, List.of(new ReflectionAccuracy.Point(usual, 1, TEN, 0.1, 0.1, 0.1, 0.1),
+                new ReflectionAccuracy.Point(2 * usual, 1, TEN, 0.05, 0.1, 0.1, 0.1)));
+        var indirect = new IndirectResults(List.of(), List.of(), List.of(), List.of(), List.of(), List.of(blurred));
+        try (ReportPage page = open(new BenchResults(SampleResults.RUN, List.of(scene(60)), List.of(), List.of(), List.of(), List.of(),
+                List.of(), indirect, List.of()))) {
+            String fills = "return [...document.querySelectorAll(arguments[0] + ' [transform]')].map(p => p.getAttribute('fill'))";
+            assertThat(page.strings(fills, "#indirect")).containsExactly("var(--ours)", "none");
+            assertThat(page.texts("#indirect figcaption").getFirst()).contains("hall, blurred reflections", "labels are rays");
+            // Setting exact has old reflections.
+            assertThat(page.strings(fills, "#scene-1 figure")).containsExactly("none", "var(--ours)", "var(--text)");
+        }
+    }
+
     private SceneResult sceneWithPictures() throws IOException {
         for (String picture : List.of("before.png", "after.png", "full.png", "difference.png")) {
             ImageFile.write(folder.resolve(picture), Film.ofScanlines(1, 1, new float[] {picture.length() / 20f, 0, 0}),
@@ -385,20 +462,28 @@ class ReportPageTest {
 
     @Test
     void narrowWindow_scrollsTablesOnly() throws IOException {
-        try (ReportPage page = ReportPage.open(results(SampleResults.RUN, sceneWithPictures()), folder, 500)) {
+        try (ReportPage page = open(results(SampleResults.RUN, sceneWithPictures()))) {
             page.openEdits();
-            assertThat((Long) page.run("return document.documentElement.scrollWidth")).isLessThanOrEqualTo(500);
+            page.browser().driver().executeCdpCommand("Emulation.setDeviceMetricsOverride",
+                    Map.of("width", 360, "height", 800, "deviceScaleFactor", 1, "mobile", false));
+            assertThat((Long) page.run("return document.documentElement.scrollWidth")).isLessThanOrEqualTo(360);
         }
     }
 
+    /** Returns red, green and blue of a color that a script returns as CSS. */
+    private static int brightness(ReportPage page, String script) {
+        return Pattern.compile("\\d+").matcher((String) page.run(script)).results().mapToInt(m -> Integer.parseInt(m.group())).sum();
+    }
+
     @Test
-    void darkScreen_changesTheColorsOfCharts() throws IOException {
+    void darkScreen_hasLightTextOnDark() throws IOException {
         try (ReportPage page = open(results(SampleResults.RUN, scene(60)))) {
-            String color = "return getComputedStyle(document.querySelector('.chart text')).fill";
-            Object light = page.run(color);
+            String text = "return getComputedStyle(document.querySelector('.chart text')).fill";
+            String paper = "return getComputedStyle(document.body).backgroundColor";
+            assertThat(brightness(page, text)).isLessThan(brightness(page, paper));
             page.browser().driver().executeCdpCommand("Emulation.setEmulatedMedia",
                     Map.of("features", List.of(Map.of("name", "prefers-color-scheme", "value", "dark"))));
-            assertThat(page.run(color)).isNotEqualTo(light);
+            assertThat(brightness(page, text)).isGreaterThan(brightness(page, paper));
         }
     }
 }

@@ -3,6 +3,7 @@
 const chartWidth = Math.min(560, Math.max(440, document.querySelector("main").clientWidth));
 const isPlausible = (v) => v > 1e-15 && v < 1e15;
 const isPlausibleOrZero = (v) => v === 0 || isPlausible(v);
+const isShare = (v) => Math.abs(v) < 1e15;
 // Returns the least and the greatest of values, or what to take if there are none.
 const range = (values, low, high) => values.length > 0 ? [Math.min(...values), Math.max(...values)] : [low, high];
 
@@ -96,7 +97,7 @@ function curveChart(name, all, height, xText, yText) {
 // Chart of bars in percent: rows { name, paper, ours, stale, limit }, in which missing values are NaN.
 function shareChart(name, rows) {
   const kinds = [["paper", "paper"], ["ours", "ours"], ["stale", "sky"]];
-  const most = Math.max(100, ...rows.flatMap((row) => kinds.map(([kind]) => row[kind])).filter(Number.isFinite));
+  const most = Math.max(100, ...rows.flatMap((row) => kinds.map(([kind]) => row[kind])).filter(isShare));
   const decade = 10 ** Math.floor(Math.log10(most / 6));
   const step = decade * ([1, 2, 5].find((digit) => most / 6 <= digit * decade) || 10);
   const left = Math.max(0, ...rows.map((row) => widthOf(row.name))) + 8;
@@ -111,12 +112,12 @@ function shareChart(name, rows) {
     const top = 28 + 44 * i;
     chart.append(write(left - 5, top + 19, "end", "text", row.name));
     kinds.forEach(([kind, ink], j) => {
-      if (Number.isFinite(row[kind])) {
+      if (isShare(row[kind])) {
         chart.append(svg("rect", { x: left, y: top + LINE * j, width: Math.max(0, scale * row[kind]), height: 12, fill: color(ink) }),
           write(x(Math.max(0, row[kind])) + 3, top + LINE * j + 6, "start", "text", percent(row[kind])));
       }
     });
-    if (Number.isFinite(row.limit)) {
+    if (isShare(row.limit)) {
       chart.append(path(`M${points([x(row.limit), top + LINE])}v12`, "text", 1.5));
     }
   });
