@@ -154,10 +154,10 @@ class ReportChartTest {
 
     @Test
     void everyPoint_isInsideTheChart() {
-        List<Double> places = numbers(page.evaluate("""
+        List<Double> places = numbers(page.evaluate(String.format(Locale.ROOT, """
                 [...paretoChart("chart", [%s, %s, %s], 400, 300, powerTick).querySelectorAll("[transform]")]
-                  .flatMap(p => p.getAttribute("transform").match(/[\\d.]+/g).map(Number))"""
-                .formatted(point("a", 1, 2, 3, 1e-8), point("b", 8, 9, 10, 0), point("c", 50, 60, 70, 5))));
+                  .flatMap(p => p.getAttribute("transform").match(/[\\d.]+/g).map(Number))""",
+                point("a", 1, 2, 3, 1e-8), point("b", 8, 9, 10, 0), point("c", 50, 60, 70, 5))));
         assertThat(places).hasSize(6);
         for (int i = 0; i < 6; i += 2) {
             assertThat(places.get(i)).isBetween(30.0, 390.0);
@@ -184,7 +184,7 @@ class ReportChartTest {
         String points = """
                 [0, 1, 2, 3, 4].map(i => ({ label: `setting ${i}`, ink: "ours", shape: SHAPES[i], isFilled: true, error: 0.1,
                   time: { lowerQuartile: 10 + 0.1 * i, median: 10 + 0.1 * i, upperQuartile: 10 + 0.1 * i } }))""";
-        List<?> places = (List<?>) page.evaluate("""
+        List<?> places = (List<?>) page.evaluate(String.format(Locale.ROOT, """
                 (() => {
                   const chart = paretoChart("chart", %s, 560, 330, powerTick);
                   document.body.append(chart);
@@ -192,7 +192,7 @@ class ReportChartTest {
                   const found = labels.map(t => [t.getBBox().x, t.getBBox().x + t.getBBox().width, t.getBBox().y]);
                   chart.remove();
                   return found;
-                })()""".formatted(points));
+                })()""", points));
         assertThat(places).hasSize(5);
         for (int i = 0; i < 5; i++) {
             for (int j = 0; j < i; j++) {

@@ -152,12 +152,12 @@ final class RimCaster {
                 int cells = firstCell[p + 1] - firstCell[p];
                 int added = cells == 0 ? 0 : (firstRay[p + 1] - firstRay[p]) / cells;
                 int old = memo == null || added == 0 ? KnownRays.UNKNOWN : memo.points().find(points, p);
-                for (int turn = 1; turn <= added; turn++) {
-                    points.writeDirections(p, directions, RimAim.turn(turn), x, y, z, 0);
+                for (int nth = 1; nth <= added; nth++) {
+                    points.writeDirections(p, directions, RimAim.turn(nth), x, y, z, 0);
                     for (int i = 0; i < cells; i++) {
                         char k = cell[firstCell[p] + i];
-                        int ray = firstRay[p] + i * added + turn - 1;
-                        if (old < 0 || !repeat(ray, p, k, old, turn)) {
+                        int ray = firstRay[p] + i * added + nth - 1;
+                        if (old < 0 || !repeat(ray, p, k, old, nth)) {
                             add(ray, p, k);
                         }
                     }
@@ -167,9 +167,9 @@ final class RimCaster {
         }
 
         /** Takes what a ray hit before an edit; returns whether it is known. */
-        private boolean repeat(int ray, int p, char k, int old, int turn) {
+        private boolean repeat(int ray, int p, char k, int old, int nth) {
             assert memo != null;
-            int known = memo.rims().find(old, k, turn);
+            int known = memo.rims().find(old, k, nth);
             boxRay.setRay(points.start(p, 0), points.start(p, 1), points.start(p, 2), x[k], y[k], z[k]);
             if (known < 0 || memo.mayChange(boxRay)) {
                 return false;

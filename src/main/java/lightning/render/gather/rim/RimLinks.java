@@ -52,15 +52,15 @@ public final class RimLinks {
      * Returns an additional ray of a point; {@link #NONE} if there is no such ray, or if it hit a cell without a surfel.
      *
      * @param itsCell cell of the grid of directions
-     * @param turn    number of the ray in the cell, 1 or more
+     * @param nth     number of the ray in the cell, 1 or more
      */
-    public int find(int point, char itsCell, int turn) {
+    public int find(int point, char itsCell, int nth) {
         int at = firstCell.length == 0 ? NONE : Arrays.binarySearch(cell, firstCell[point], firstCell[point + 1], itsCell);
         int added = at < 0 ? 0 : added(point);
-        if (turn > added) {
+        if (nth > added) {
             return NONE;
         }
-        int ray = firstRay[point] + (at - firstCell[point]) * added + turn - 1;
+        int ray = firstRay[point] + (at - firstCell[point]) * added + nth - 1;
         return Arrays.binarySearch(substituted, ray) < 0 ? ray : NONE;
     }
 
