@@ -4,6 +4,8 @@ import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
@@ -48,25 +50,25 @@ public record Dome(String name, Optional<Environment> image, Sky sky, DomeRotati
 
     public static final SceneAttribute<Dome, Optional<Environment>> ENVIRONMENT = new SceneAttribute<>("environment", "image",
             new ValueKind.EnvironmentKind(), Optional.empty(), "a Radiance HDR or OpenEXR file", Dome::image, Dome::withImage);
-    public static final SceneAttribute<Dome, Double> ROTATION = new SceneAttribute<>("rotation", "rotation",
+    public static final SceneAttribute<Dome, Double> ROTATION = ofImage("rotation", "rotation",
             NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), 0.0, "degrees about y",
             dome -> dome.rotation.rotation(), (dome, v) -> dome.withRotation(dome.rotation.withRotation(v)));
-    public static final SceneAttribute<Dome, Double> TILT = new SceneAttribute<>("tilt", "tilt",
+    public static final SceneAttribute<Dome, Double> TILT = ofImage("tilt", "tilt",
             NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), 0.0, "degrees about x, before rotation",
             dome -> dome.rotation.tilt(), (dome, v) -> dome.withRotation(dome.rotation.withTilt(v)));
-    public static final SceneAttribute<Dome, Double> ROLL = new SceneAttribute<>("roll", "roll",
+    public static final SceneAttribute<Dome, Double> ROLL = ofImage("roll", "roll",
             NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), 0.0, "degrees about z, before tilt",
             dome -> dome.rotation.roll(), (dome, v) -> dome.withRotation(dome.rotation.withRoll(v)));
-    public static final SceneAttribute<Dome, Double> INTENSITY = new SceneAttribute<>("intensity", "intensity",
+    public static final SceneAttribute<Dome, Double> INTENSITY = ofImage("intensity", "intensity",
             NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "multiplies the environment", Dome::intensity,
             Dome::withIntensity);
-    public static final SceneAttribute<Dome, Double> GAIN = new SceneAttribute<>("gain", "light gain",
+    public static final SceneAttribute<Dome, Double> GAIN = ofImage("gain", "light gain",
             NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "multiplies the environment's light, not its image",
             Dome::gain, Dome::withGain);
-    public static final SceneAttribute<Dome, Integer> LIGHT_COUNT = new SceneAttribute<>("lamps", "bright lights",
+    public static final SceneAttribute<Dome, Integer> LIGHT_COUNT = ofImage("lamps", "bright lights",
             NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES), 16, "most lights for bright parts",
             Dome::lightCount, Dome::withLightCount);
-    public static final SceneAttribute<Dome, Double> SOFTNESS = new SceneAttribute<>("softness", "shadow smoothing",
+    public static final SceneAttribute<Dome, Double> SOFTNESS = ofImage("softness", "shadow smoothing",
             NumericKind.number(0, 1, 0.1), 1.0, "0 = sharp shadows, 1 = smooth", Dome::softness, Dome::withSoftness);
     public static final SceneAttribute<Dome, Boolean> ON =
             new SceneAttribute<>("on", "on", ChoiceKind.YES_OR_NO, true, "", Dome::on, Dome::withOn);
@@ -99,6 +101,14 @@ public record Dome(String name, Optional<Environment> image, Sky sky, DomeRotati
         SOFTNESS.check(softness);
     }
 
+    /** Returns an attribute that has an effect while the dome has an image and is on. */
+    private static <V> SceneAttribute<Dome, V> ofImage(String name, String title, ValueKind<V> kind, V initial, String unit,
+            Function<Dome, V> getter, BiFunction<Dome, V, Dome> setter) {
+        return new SceneAttribute<>(name, title, kind, initial, unit, getter, setter).inactiveIf(
+                dome -> dome.image.isEmpty() ? Optional.of(Messages.tr("the dome has no image"))
+                        : dome.on ? Optional.empty() : Optional.of(Messages.tr("the dome is off")));
+    }
+
     /** Returns a dome without an image. */
     public static Dome of(String name) {
         return new Dome(name, Optional.empty(), Sky.NONE, DomeRotation.NONE, INTENSITY.initial(), GAIN.initial(), LIGHT_COUNT.initial(),
@@ -118,12 +128,6 @@ public record Dome(String name, Optional<Environment> image, Sky sky, DomeRotati
     /** Returns its image: that of the sky while it is on. */
     public Optional<Environment> environment() {
         return sky.on() ? Optional.of(sky.environment()) : image;
-    }
-
-    /** Returns a clause that says why an attribute has no effect; empty if it has. */
-    public Optional<String> inactiveReason(SceneAttribute<Dome, ?> attribute) {
-        return image.isEmpty() && attribute != ENVIRONMENT ? Optional.of(Messages.tr("the dome has no image"))
-                : !on && attribute != ON ? Optional.of(Messages.tr("the dome is off")) : Optional.empty();
     }
 
     /** Returns this dome with the image of its sky, which is on, instead of the sky. */

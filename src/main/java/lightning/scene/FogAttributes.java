@@ -1,8 +1,10 @@
 package lightning.scene;
 
 import java.util.List;
+import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.base.text.Messages;
 import lightning.scene.attribute.AttributePart;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
@@ -11,11 +13,12 @@ import lightning.scene.value.SceneLimits;
 
 /** Attributes of a world's {@link Fog}. */
 public final class FogAttributes {
-    private static final AttributePart<World, Fog> PART = new AttributePart<>(Fog.NONE, World::fog, World::withFog);
+    private static final AttributePart<World, Fog> PART = new AttributePart<>(Fog.NONE, World::fog, World::withFog,
+            world -> world.fog().isPresent() ? Optional.empty() : Optional.of(Messages.tr("the scene has no fog")));
 
     public static final SceneAttribute<World, Double> DENSITY = PART.attribute("fog", "fog density",
             NumericKind.number(0, SceneLimits.MAX_FOG_DENSITY, 0.01), "per scene unit; 3 / fog is the visibility distance",
-            Fog::density, Fog::withDensity);
+            Fog::density, Fog::withDensity).inactiveIf(_ -> Optional.empty());
     public static final SceneAttribute<World, Rgb> COLOR = PART.attribute("fog_color", "fog color", NumericKind.color(1),
             "linear red, green, blue: the share of light that is scattered", Fog::color, Fog::withColor);
     public static final SceneAttribute<World, Rgb> AMBIENT = PART.attribute("fog_ambient", "fog ambient light",
@@ -36,7 +39,7 @@ public final class FogAttributes {
             "lengths of the box, scene units, 0 = fog everywhere", Fog::size, Fog::withSize);
 
     /** All attributes, in file order. */
-    static final List<SceneAttribute<World, ?>> ALL = List.of(DENSITY, COLOR, AMBIENT, ANISOTROPY, HEIGHT, FALLOFF, CENTER, SIZE);
+    public static final List<SceneAttribute<World, ?>> ALL = List.of(DENSITY, COLOR, AMBIENT, ANISOTROPY, HEIGHT, FALLOFF, CENTER, SIZE);
 
     private FogAttributes() {}
 }

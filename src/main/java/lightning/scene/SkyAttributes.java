@@ -1,7 +1,9 @@
 package lightning.scene;
 
 import java.util.List;
+import java.util.Optional;
 import lightning.base.math.Rgb;
+import lightning.base.text.Messages;
 import lightning.scene.attribute.AttributePart;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
@@ -12,10 +14,11 @@ import lightning.scene.value.SceneLimits;
 
 /** Attributes of a world's {@link Sky}. */
 public final class SkyAttributes {
-    private static final AttributePart<World, Sky> PART = new AttributePart<>(Sky.NONE, World::sky, World::withSky);
+    private static final AttributePart<World, Sky> PART = new AttributePart<>(Sky.NONE, World::sky, World::withSky,
+            world -> world.sky().on() ? Optional.empty() : Optional.of(Messages.tr("the physical sky is off")));
 
     public static final SceneAttribute<World, Boolean> ON = PART.attribute("sky", "physical sky", ChoiceKind.YES_OR_NO,
-            "", Sky::on, Sky::withOn);
+            "", Sky::on, Sky::withOn).inactiveIf(_ -> Optional.empty());
     public static final SceneAttribute<World, Double> ELEVATION = PART.attribute("sky_elevation", "sun elevation",
             NumericKind.degrees(Sky.MIN_ELEVATION, 90, 5), "degrees above the horizon", Sky::elevation, Sky::withElevation);
     public static final SceneAttribute<World, Double> AZIMUTH = PART.attribute("sky_azimuth", "sun azimuth",
@@ -36,7 +39,7 @@ public final class SkyAttributes {
             "", Sky::unit, Sky::withUnit);
 
     /** All attributes, in file order. */
-    static final List<SceneAttribute<World, ?>> ALL = List.of(ON, ELEVATION, AZIMUTH, TURBIDITY, GROUND, SUN, SUN_RADIUS, UNIT);
+    public static final List<SceneAttribute<World, ?>> ALL = List.of(ON, ELEVATION, AZIMUTH, TURBIDITY, GROUND, SUN, SUN_RADIUS, UNIT);
 
     private SkyAttributes() {}
 }

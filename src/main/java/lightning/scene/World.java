@@ -44,13 +44,15 @@ public record World(double ambience, Rgb background, List<Dome> domes, double me
             NumericKind.number(0, SceneLimits.MAX_AMBIENCE, 0.1), 1.0, "", World::ambience, World::withAmbience);
     public static final SceneAttribute<World, Rgb> BACKGROUND = new SceneAttribute<>("background", "background",
             NumericKind.color(SceneLimits.MAX_EMISSION), Rgb.BLACK, "linear red, green, blue", World::background, World::withBackground);
-    public static final SceneAttribute<World, Optional<Environment>> ENVIRONMENT = own(Dome.ENVIRONMENT, "environment", "environment");
+    public static final SceneAttribute<World, Optional<Environment>> ENVIRONMENT = own(Dome.ENVIRONMENT, "environment", "environment")
+            .inactiveIf(world -> world.sky().on() ? Optional.of(Messages.tr("the physical sky is on")) : Optional.empty());
     public static final SceneAttribute<World, Double> ROTATION = own(Dome.ROTATION);
     public static final SceneAttribute<World, Double> TILT = own(Dome.TILT);
     public static final SceneAttribute<World, Double> ROLL = own(Dome.ROLL);
     public static final SceneAttribute<World, Double> INTENSITY = own(Dome.INTENSITY);
     public static final SceneAttribute<World, Double> GAIN = own(Dome.GAIN);
-    public static final SceneAttribute<World, Integer> LIGHT_COUNT = own(Dome.LIGHT_COUNT);
+    public static final SceneAttribute<World, Integer> LIGHT_COUNT = own(Dome.LIGHT_COUNT).inactiveIf(world -> !world.sky().on()
+            ? missing(world) : Optional.of(Messages.tr("the sun is the only bright light of a physical sky")));
     public static final SceneAttribute<World, Double> SOFTNESS = own(Dome.SOFTNESS);
     public static final SceneAttribute<World, Boolean> SOLO = own(Dome.SOLO);
 
@@ -58,6 +60,10 @@ public record World(double ambience, Rgb background, List<Dome> domes, double me
             NumericKind.number(SceneLimits.MIN_METERS, SceneLimits.MAX_METERS, 0.1), LightRig.METERS, "meters per scene unit",
             World::meters,
             World::withMeters);
+
+    /** Attributes of its own environment: those of its strength come first. */
+    public static final List<SceneAttribute<World, ?>> OWN =
+            List.of(INTENSITY, GAIN, ENVIRONMENT, ROTATION, TILT, ROLL, LIGHT_COUNT, SOFTNESS, SOLO);
 
     /** All attributes, in file order. */
     public static final List<SceneAttribute<World, ?>> ATTRIBUTES = Stream.of(
@@ -84,33 +90,15 @@ public record World(double ambience, Rgb background, List<Dome> domes, double me
     }
 
     private static <V> SceneAttribute<World, V> own(SceneAttribute<Dome, V> attribute, String name, String title) {
-        return new SceneAttribute<>(name, title, attribute.kind(), attribute.initial(), attribute.unit(),
+        return new SceneAttribute<World, V>(name, title, attribute.kind(), attribute.initial(), attribute.unit(),
                 world -> attribute.get(world.own()), (world, v) -> {
                     attribute.kind().check(title, v);
                     return world.withOwn(dome -> attribute.with(dome, v));
-                });
+                }).inactiveIf(World::missing);
     }
 
-    /** Returns a clause that says why an attribute has no effect in this world; empty if it has. */
-    public Optional<String> inactiveReason(SceneAttribute<World, ?> attribute) {
-        boolean needsEnvironment = attribute == ROTATION || attribute == TILT || attribute == ROLL || attribute == INTENSITY
-                || attribute == GAIN || attribute == LIGHT_COUNT
-                || attribute == SOFTNESS || attribute == SOLO;
-        if (needsEnvironment && !own().isPresent()) {
-            return Optional.of(Messages.tr("the scene has no environment"));
-        }
-        boolean needsSky = SkyAttributes.ALL.contains(attribute) && attribute != SkyAttributes.ON;
-        if (needsSky && !sky().on()) {
-            return Optional.of(Messages.tr("the physical sky is off"));
-        }
-        if (sky().on() && attribute == LIGHT_COUNT) {
-            return Optional.of(Messages.tr("the sun is the only bright light of a physical sky"));
-        }
-        if (sky().on() && attribute == ENVIRONMENT) {
-            return Optional.of(Messages.tr("the physical sky is on"));
-        }
-        boolean needsFog = FogAttributes.ALL.contains(attribute) && attribute != FogAttributes.DENSITY;
-        return needsFog && !fog.isPresent() ? Optional.of(Messages.tr("the scene has no fog")) : Optional.empty();
+    private static Optional<String> missing(World world) {
+        return world.own().isPresent() ? Optional.empty() : Optional.of(Messages.tr("the scene has no environment"));
     }
 
     /** Returns its own environment; without an image if it has none. */

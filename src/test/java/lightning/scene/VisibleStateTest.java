@@ -8,10 +8,10 @@ import java.util.stream.DoubleStream;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
+import lightning.editor.document.AttributeNumber;
 import lightning.editor.document.DeskScene;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LightEdits;
-import lightning.editor.document.NumericParameter;
 import lightning.format.jen.JenReader;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
@@ -58,7 +58,7 @@ class VisibleStateTest {
 
     @Test
     void activeAttributes_areVisible() {
-        for (NumericParameter dial : NumericParameter.ALL) {
+        for (AttributeNumber<?, ?> dial : AttributeNumber.ALL) {
             assertThat(LightType.values()).as(dial.title()).anySatisfy(type -> {
                 Scene bare = DeskScene.sceneOf(LightEdits.setType(scene, "key", type));
                 Scene typed = DeskScene.sceneOf(LightEdits.edit(bare, "key", l -> l.withFlag(LightFlag.NONE.withOn(true))

@@ -10,6 +10,7 @@ import lightning.base.text.RefusalException;
 import lightning.editor.document.manipulation.DuplicateOffset;
 import lightning.editor.document.manipulation.ViewFocus;
 import lightning.scene.Scene;
+import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.light.Emission;
 import lightning.scene.light.Falloff;
 import lightning.scene.light.IntensityUnit;
@@ -69,7 +70,7 @@ public final class LightEdits {
      * Sets a value of a list. A light keeps its brightness where the camera looks if its falloff changes, and everywhere if the unit of its
      * intensity changes.
      */
-    public static <V> EditOutcome setChoice(Scene scene, String name, LightAttribute<V> attribute, V value) {
+    public static <V> EditOutcome setChoice(Scene scene, String name, SceneAttribute<Light, V> attribute, V value) {
         return edit(scene, name, light -> attribute == LightAttribute.UNIT ? withUnit(scene, light, (IntensityUnit) value)
                 : attribute == LightAttribute.FALLOFF ? keepBrightness(scene, light, attribute.with(light, value))
                 : attribute.with(light, value));

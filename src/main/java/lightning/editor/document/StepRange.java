@@ -1,6 +1,7 @@
 package lightning.editor.document;
 
 import java.math.BigDecimal;
+import lightning.scene.attribute.NumericKind;
 
 /**
  * Step and limits of a number.
@@ -10,6 +11,10 @@ import java.math.BigDecimal;
  * @param max  maximum
  */
 public record StepRange(double step, double min, double max) {
+    /** Returns the step and the limits of each number of a kind. */
+    public static StepRange of(NumericKind<?> kind) {
+        return new StepRange(kind.step(), kind.min(), kind.max());
+    }
 
     /**
      * Adds steps in decimal arithmetic, so that 1.1 and a step of 0.1 make 1.2, clamped to the limits.

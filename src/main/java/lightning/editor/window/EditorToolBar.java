@@ -20,7 +20,7 @@ import javafx.scene.text.Font;
 import javafx.scene.text.Text;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
-import lightning.editor.document.NumericParameter;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.document.PictureArea;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandMenuItems;
@@ -32,6 +32,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.traced.IndirectMenu;
 import lightning.editor.window.traced.ReflectionMenu;
 import lightning.editor.window.traced.SamplingMenu;
+import lightning.scene.SceneElement;
 import lightning.scene.value.SceneLimits;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
@@ -131,7 +132,7 @@ final class EditorToolBar extends ToolBar {
         editor.sceneProperty().subscribe(s -> depth.getValueFactory().setValue(s.picture().depth()));
         depth.valueProperty().subscribe(v -> {
             if (v != editor.scene().picture().depth()) {
-                editor.editOrReport(scene -> NumericParameter.DEPTH.set(scene, "", v));
+                editor.editOrReport(scene -> EditOutcome.edit(scene, SceneElement.PICTURE, picture -> picture.withDepth(v)));
             }
         });
         return depth;

@@ -6,16 +6,14 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import lightning.base.text.Quote;
 import lightning.base.text.RefusalException;
 import lightning.format.jen.asset.FileName;
 import lightning.format.jen.asset.NameSuggestion;
 import lightning.format.jen.asset.TextureFolder;
 import lightning.scene.asset.FileAsset;
-import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
-import lightning.scene.asset.TexturePlacement;
-import lightning.scene.asset.TextureWrap;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
@@ -42,9 +40,6 @@ import lightning.scene.value.ShapeLinks;
  */
 record Property<T>(String name, Form form, List<String> labels, double min, double max, List<String> choices,
         Value initial, String unit, boolean isInteger, Consumer<Value> valueCheck, Function<T, Value> getter) {
-
-    /** Stands for the image of a map of which only the repetitions are checked. */
-    private static final Texture ANY_IMAGE = new Texture(1, 1, new float[3]);
 
     enum Form {
         NUMBERS,
@@ -80,21 +75,11 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
             case ValueKind.NameKind _ -> List.of(name(a.name(), new Value.Absent(), a.unit(), t -> nameValue((String) a.get(t))));
             case ValueKind.AssetKind<?> _ -> List.of(fileProperty(a, a.unit(), t -> ((Optional<?>) a.get(t))
                     .<Value>map(held -> new Value.Quoted(((FileAsset) held).file())).orElse(new Value.Absent())));
-            case ValueKind.TextureKind k -> List.of(
-                    fileProperty(a, "a PNG, JPEG, Radiance HDR or OpenEXR file",
-                            t -> textureValue(a.get(t), map -> new Value.Quoted(map.file()))),
-                    Property.<T>numbers(k.repeatName(), List.of(" u", " v"), Value.of(1, 1), -SceneLimits.MAX_REPEAT,
-                            SceneLimits.MAX_REPEAT,
-                            "times, needs a " + a.name(), t -> textureValue(a.get(t), map -> Value.of(map.repeatU(), map.repeatV())))
-                            .withCheck(v -> new TextureMap("", ((Value.Numbers) v).values().get(0), ((Value.Numbers) v).values().get(1),
-                                    ANY_IMAGE)),
-                    numbers(k.offsetName(), List.of(" u", " v"), Value.of(0, 0), -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT,
-                            "images, needs a " + a.name(),
-                            t -> textureValue(a.get(t), map -> Value.of(map.placement().offsetU(), map.placement().offsetV()))),
-                    numbers(k.rotationName(), List.of(""), Value.of(0), -TexturePlacement.MAX_ROTATION, TexturePlacement.MAX_ROTATION,
-                            "degrees, needs a " + a.name(), t -> textureValue(a.get(t), map -> Value.of(map.placement().rotation()))),
-                    choice(k.wrapName(), new Value.Word(TextureWrap.REPEAT.word()), ValueKind.TextureKind.WRAP.words(),
-                            t -> textureValue(a.get(t), map -> new Value.Word(map.wrap().word()))));
+            case ValueKind.TextureKind k -> Stream.concat(
+                    Stream.of(fileProperty(a, "a PNG, JPEG, Radiance HDR or OpenEXR file", t -> texture(a, t)
+                            .<Value>map(map -> new Value.Quoted(map.file())).orElse(new Value.Absent()))),
+                    k.placement(a).stream().flatMap(p -> of(p).stream().map(placed -> placed.presentIf(t -> texture(a, t).isPresent()))))
+                    .toList();
         };
     }
 
@@ -110,8 +95,8 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         return quoted(a.name(), unit, v -> FileName.check(a.name(), ((Value.Quoted) v).file(), TextureFolder.NAME), getter);
     }
 
-    private static Value textureValue(Object map, Function<TextureMap, Value> getter) {
-        return ((Optional<?>) map).map(m -> getter.apply((TextureMap) m)).orElse(new Value.Absent());
+    private static <T> Optional<TextureMap> texture(SceneAttribute<T, ?> a, T record) {
+        return ((Optional<?>) a.get(record)).map(TextureMap.class::cast);
     }
 
     static <T> Property<T> number(String name, double initial, double min, double max, String unit,

@@ -11,7 +11,6 @@ import lightning.scene.asset.Gobo;
 import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.LightTexture;
 import lightning.scene.asset.TextureMap;
-import lightning.scene.asset.TexturePlacement;
 import lightning.scene.asset.TextureUsage;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
@@ -56,7 +55,7 @@ record PropertyValues(Function<String, @Nullable Value> lookup, AssetSource file
                     unchecked(fileValue(attribute, file -> new LightTexture(file, files.texture(file, TextureUsage.EMISSION))));
             case ValueKind.ProfileKind _ -> unchecked(fileValue(attribute, file -> new IesProfile(file, files.profile(file))));
             case ValueKind.EnvironmentKind _ -> unchecked(fileValue(attribute, file -> new Environment(file, files.environment(file))));
-            case ValueKind.TextureKind t -> unchecked(fileValue(attribute, file -> textureMap(file, t)));
+            case ValueKind.TextureKind t -> unchecked(texture(attribute.name(), t));
         };
     }
 
@@ -64,10 +63,11 @@ record PropertyValues(Function<String, @Nullable Value> lookup, AssetSource file
         return lookup.apply(attribute.name()) instanceof Value.Quoted(String file) ? Optional.of(reader.apply(file)) : Optional.empty();
     }
 
-    private TextureMap textureMap(String file, ValueKind.TextureKind kind) {
-        return new TextureMap(file, number(kind.repeatName(), 0), number(kind.repeatName(), 1), files.texture(file, kind.usage()),
-                ValueKind.TextureKind.WRAP.parse(word(kind.wrapName())),
-                new TexturePlacement(number(kind.offsetName(), 0), number(kind.offsetName(), 1), number(kind.rotationName(), 0)));
+    private Optional<TextureMap> texture(String name, ValueKind.TextureKind kind) {
+        var itself = new SceneAttribute<Optional<TextureMap>, Optional<TextureMap>>(name, name, kind, Optional.empty(), "", map -> map,
+                (_, map) -> map);
+        return fileValue(itself, file -> new TextureMap(file, 1, 1, files.texture(file, kind.usage())))
+                .flatMap(map -> applyAll(Optional.of(map), kind.placement(itself)));
     }
 
     /** Casts a value whose attribute kind guarantees type {@code V}, which the compiler cannot verify. */
@@ -101,10 +101,6 @@ record PropertyValues(Function<String, @Nullable Value> lookup, AssetSource file
 
     int integer(String property, int index) {
         return numbers(property).get(index).intValue();
-    }
-
-    double number(String property, int index) {
-        return numbers(property).get(index);
     }
 
     Vec3 vector(String property) {

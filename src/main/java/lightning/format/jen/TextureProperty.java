@@ -28,7 +28,7 @@ record TextureProperty(String name, List<String> dependents, TextureUsage sample
     private static Stream<TextureProperty> of(SceneAttribute<?, ?> attribute) {
         return switch (attribute.kind()) {
             case ValueKind.TextureKind t ->
-                    Stream.of(new TextureProperty(attribute.name(), List.of(t.repeatName(), t.offsetName(), t.rotationName(), t.wrapName()),
+                    Stream.of(new TextureProperty(attribute.name(), t.placement(attribute).stream().map(SceneAttribute::name).toList(),
                             t.usage()));
             case ValueKind.GoboKind _ -> Stream.of(new TextureProperty(attribute.name(), List.of(), TextureUsage.COLOR));
             case ValueKind.LightTextureKind _ ->

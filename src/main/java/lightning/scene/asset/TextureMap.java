@@ -20,8 +20,7 @@ public record TextureMap(String file, double repeatU, double repeatV, Texture im
     public TextureMap {
         // The only placement without effect, so that a look-up compares references.
         placement = placement.isNone() ? TexturePlacement.NONE : placement;
-        checkRepeat("repeat u", repeatU);
-        checkRepeat("repeat v", repeatV);
+        checkRepeat(repeatU, repeatV);
     }
 
     /** Creates a map whose image repeats endlessly. */
@@ -38,6 +37,12 @@ public record TextureMap(String file, double repeatU, double repeatV, Texture im
     public boolean hasSameTexels(TextureMap o) {
         return repeatU == o.repeatU && repeatV == o.repeatV && wrap.equals(o.wrap) && placement.equals(o.placement)
                 && image.equals(o.image);
+    }
+
+    /** @throws IllegalArgumentException if a map may not have these repetitions */
+    public static void checkRepeat(double u, double v) {
+        checkRepeat("repeat u", u);
+        checkRepeat("repeat v", v);
     }
 
     private static void checkRepeat(String name, double value) {

@@ -127,6 +127,12 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
                 n -> new Vec3(n.get(0), n.get(1), n.get(2)), rangeCheck);
     }
 
+    /** Returns a kind for numbers along u and v of either sign. */
+    public static NumericKind<List<Double>> pair(double max, double step, RangeCheck<List<Double>> rangeCheck) {
+        return new NumericKind<>(Form.INDEPENDENT, List.of("u", "v"), -max, max, step, false, NumberUnit.FACTOR, v -> v, List::copyOf,
+                rangeCheck);
+    }
+
     public static NumericKind<Attenuation> attenuation() {
         return new NumericKind<>(Form.INDEPENDENT, List.of("constant", "linear", "quadratic"), 0, SceneLimits.MAX_ATTENUATION, 0.1, false,
                 NumberUnit.FACTOR,
@@ -173,6 +179,11 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
     /** Returns the number at an index of the labels. */
     public double number(V value, int index) {
         return components.apply(value).get(index);
+    }
+
+    /** Returns the value of as many numbers. */
+    public V of(Double... numbers) {
+        return compose.apply(List.of(numbers));
     }
 
     /** Returns the value with the number at an index of the labels replaced. */

@@ -23,6 +23,7 @@ public class SceneAttribute<T, V> {
     private final String unit;
     private final Function<T, V> getter;
     private final BiFunction<T, V, T> setter;
+    private final Function<T, Optional<String>> inactiveReason;
 
     /**
      * @param name    keyword in a scene file
@@ -38,6 +39,11 @@ public class SceneAttribute<T, V> {
     /** @param id  stable name that does not follow changes of the title */
     public SceneAttribute(String name, String id, String title, ValueKind<V> kind, V initial, String unit, Function<T, V> getter,
             BiFunction<T, V, T> setter) {
+        this(name, id, title, kind, initial, unit, getter, setter, _ -> Optional.empty());
+    }
+
+    private SceneAttribute(String name, String id, String title, ValueKind<V> kind, V initial, String unit, Function<T, V> getter,
+            BiFunction<T, V, T> setter, Function<T, Optional<String>> inactiveReason) {
         this.name = name;
         this.id = id;
         this.title = title;
@@ -46,6 +52,17 @@ public class SceneAttribute<T, V> {
         this.unit = unit;
         this.getter = getter;
         this.setter = setter;
+        this.inactiveReason = inactiveReason;
+    }
+
+    /** @param reason returns a clause that says why the attribute has no effect in a record; empty if it has */
+    public SceneAttribute<T, V> inactiveIf(Function<T, Optional<String>> reason) {
+        return new SceneAttribute<>(name, id, title, kind, initial, unit, getter, setter, reason);
+    }
+
+    /** Returns a clause that says why it has no effect in a record; empty if it has. */
+    public Optional<String> inactiveReason(T record) {
+        return inactiveReason.apply(record);
     }
 
     public final String name() {

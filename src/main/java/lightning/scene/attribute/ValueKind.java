@@ -206,19 +206,15 @@ public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.Mate
                                 Messages.key("repeat, mirror"), Messages.key("clamp, repeat"), Messages.key("clamp, mirror"),
                                 Messages.key("mirror, repeat"), Messages.key("mirror, clamp")));
 
-        /** Returns the keyword for the continuation beyond the edges of the image. */
-        public String wrapName() {
-            return repeatName.replace("repeat", "wrap");
-        }
-
-        /** Returns the keyword for the offset of the image. */
-        public String offsetName() {
-            return repeatName.replace("repeat", "offset");
-        }
-
-        /** Returns the keyword for the rotation of the image. */
-        public String rotationName() {
-            return repeatName.replace("repeat", "rotation");
+        /**
+         * Returns the attributes of the image's placement, which have no effect without it.
+         *
+         * @param texture attribute of this kind
+         */
+        // Attributes of this kind have one type of values.
+        @SuppressWarnings("unchecked")
+        public <T> List<SceneAttribute<T, ?>> placement(SceneAttribute<T, ?> texture) {
+            return PlacementAttribute.of((SceneAttribute<T, Optional<TextureMap>>) texture, repeatName);
         }
 
         @Override

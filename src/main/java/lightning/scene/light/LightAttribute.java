@@ -323,7 +323,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
         return terms.isEmpty() || terms.containsKey(type);
     }
 
-    /** Returns a clause that says why it has no effect for this light; empty if it has. */
+    @Override
     public Optional<String> inactiveReason(Light light) {
         return inactiveReason(light.type()).or(() -> isReplacedBy(light.falloff())
                 ? Optional.of(Messages.tr("the falloff of the light is inverse square")) : Optional.empty()).or(() -> missingPart(light));

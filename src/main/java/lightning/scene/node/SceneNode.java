@@ -15,7 +15,7 @@ public sealed interface SceneNode permits Shape, NodeGroup {
     SceneAttribute<SceneNode, Vec3> AT = new SceneAttribute<>("at", "position", NumericKind.position(), Vec3.ZERO, "scene units",
             n -> n.placement().position(), (n, v) -> n.withPlacement(n.placement().withPosition(v)));
     SceneAttribute<SceneNode, Vec3> ROTATE = new SceneAttribute<>("rotate", "rotation",
-            NumericKind.axes(SceneLimits.MAX_ROTATION, 1, NumberUnit.DEGREES, (_, v) -> Placement.IDENTITY.withRotation(v)), Vec3.ZERO,
+            NumericKind.axes(SceneLimits.MAX_ROTATION, 5, NumberUnit.DEGREES, (_, v) -> Placement.IDENTITY.withRotation(v)), Vec3.ZERO,
             "degrees about x, then y, then z", n -> n.placement().rotation(), (n, v) -> n.withPlacement(n.placement().withRotation(v)));
     SceneAttribute<SceneNode, Vec3> SCALE = new SceneAttribute<>("scale", "scale",
             NumericKind.axes(SceneLimits.MAX_SCALE, 0.1, NumberUnit.FACTOR, (_, v) -> Placement.IDENTITY.withScale(v)), Vec3.ONE,

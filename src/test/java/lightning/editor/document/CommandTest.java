@@ -153,7 +153,7 @@ class CommandTest {
 
     @Test
     void updateReflectionsWithoutMirrors_isDisabled() {
-        document.apply(NumericParameter.DEPTH.set(document.scene(), "", 0));
+        document.apply(AttributeNumber.DEPTH.set(document.scene(), "", 0));
         go();
         setIntensity(2);
         go();

@@ -47,8 +47,9 @@ public final class DeskScene {
     }
 
     /** Returns the parameter with that title. */
-    public static NumericParameter parameter(String name) {
-        return NumericParameter.ALL.stream().filter(d -> d.id().equals(name) || d.title().equals(name)).findFirst().orElseThrow();
+    public static AttributeNumber<?, ?> parameter(String name) {
+        return AttributeNumber.ALL.stream().filter(d -> d.title().equals(name) || d.attribute().id().equals(name)).findFirst()
+                .orElseThrow();
     }
 
     public static Light spot(Vec3 position, Vec3 direction) {

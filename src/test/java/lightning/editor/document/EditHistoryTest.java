@@ -25,7 +25,7 @@ class EditHistoryTest {
         return EditSession.mixedSessions();
     }
 
-    private void set(NumericParameter parameter, String light, double value) {
+    private void set(AttributeNumber<?, ?> parameter, String light, double value) {
         history.edit(DeskScene.sceneOf(parameter.set(history.scene(), light, value)));
     }
 
@@ -50,7 +50,7 @@ class EditHistoryTest {
     void goTo_undoesOrRedoesSteps() {
         set(DeskScene.parameter("intensity"), "key", 1.2);
         Scene one = history.scene();
-        set(NumericParameter.AMBIENCE, "", 0.5);
+        set(AttributeNumber.AMBIENCE, "", 0.5);
         Scene two = history.scene();
         assertThat(history.steps()).containsExactly("key: intensity 1 → 1.2", "ambient light 1 → 0.5");
         history.goTo(0);
@@ -67,7 +67,7 @@ class EditHistoryTest {
     void goToLightStep_isOneStepAndKeepsOtherLights() {
         set(DeskScene.parameter("intensity"), "key", 1.2);
         set(DeskScene.parameter("intensity"), "key", 1.4);
-        set(NumericParameter.AMBIENCE, "", 0.5);
+        set(AttributeNumber.AMBIENCE, "", 0.5);
         long key = history.id("key");
         Scene before = history.scene();
         assertThat(history.goToLightStep(key, 0).refusal()).isEmpty();
@@ -88,8 +88,8 @@ class EditHistoryTest {
         assertThat(label(LightEdits.setOn(scene, "sun", false))).isEqualTo("sun: on yes → no");
         assertThat(label(LightEdits.pasteSettings(scene, "fill", DeskScene.light(scene, "sun"))))
                 .isEqualTo("fill: type, intensity, attenuation");
-        assertThat(label(NumericParameter.AMBIENCE.set(scene, "", 0.5))).isEqualTo("ambient light 1 → 0.5");
-        assertThat(label(NumericParameter.DEPTH.set(scene, "", 3))).isEqualTo("reflection bounces 2 → 3");
+        assertThat(label(AttributeNumber.AMBIENCE.set(scene, "", 0.5))).isEqualTo("ambient light 1 → 0.5");
+        assertThat(label(AttributeNumber.DEPTH.set(scene, "", 3))).isEqualTo("reflection bounces 2 → 3");
     }
 
     @Test

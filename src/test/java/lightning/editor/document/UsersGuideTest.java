@@ -23,7 +23,9 @@ class UsersGuideTest {
         for (LightAttribute<?> attribute : LightAttribute.ALL) {
             if (attribute.kind() instanceof NumericKind<?> quantity && quantity.form() != NumericKind.Form.COLOR) {
                 assertThat(listed).containsAll(quantity.isVector() ? List.of(attribute.title())
-                        : NumericParameter.of(attribute).stream().map(NumericParameter::label).toList());
+                        : quantity.labels().stream().map(part -> part.isEmpty() ? attribute.title()
+                                : attribute.title().equals(attribute.section().title()) ? part : attribute.title() + " " + part)
+                                .toList());
             }
         }
     }

@@ -71,7 +71,7 @@ class CommandPaletteTest extends EditorFixture {
 
     @Test
     void longReason_isShownInFull() {
-        find("keyframes to path");
+        find("set keyframe");
         Label about = robot.lookup("#palette-about").query();
         assertThat(about.getText()).contains("Unavailable: ");
         assertThat(about.getHeight()).isGreaterThanOrEqualTo(about.prefHeight(about.getWidth()));

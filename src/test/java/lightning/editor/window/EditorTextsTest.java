@@ -11,7 +11,6 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import lightning.base.text.GermanMessages;
 import lightning.editor.document.MaterialLibrary;
-import lightning.editor.document.NumericParameter;
 import lightning.render.image.DisplayCurve;
 import lightning.sample.Slow;
 import lightning.scene.Camera;
@@ -64,7 +63,6 @@ class EditorTextsTest {
         Dome.ATTRIBUTES.forEach(EditorTextsTest::addTexts);
         addTexts(PictureSettings.DEPTH);
         IndirectSettings.ATTRIBUTES.forEach(a -> usedTexts.add(a.title()));
-        NumericParameter.ALL.forEach(d -> usedTexts.addAll(List.of(d.title().strip(), d.label())));
         RenderEffect.ALL.forEach(e -> usedTexts.add(e.title()));
         for (var section : LightAttribute.Section.values()) {
             usedTexts.add(section.title());
@@ -88,10 +86,10 @@ class EditorTextsTest {
 
     private static void addTexts(SceneAttribute<?, ?> attribute) {
         usedTexts.add(attribute.title());
-        // Numbers that have numeric parameters show the texts of these.
-        boolean hasParameters = attribute instanceof LightAttribute<?> ofLight && !NumericParameter.of(ofLight).isEmpty();
-        if (!hasParameters && attribute.kind() instanceof NumericKind<?> quantity) {
-            quantity.labels().forEach(label -> usedTexts.addAll(List.of(label, (attribute.title() + " " + label).strip())));
+        if (attribute.kind() instanceof NumericKind<?> quantity && quantity.form() != NumericKind.Form.COLOR) {
+            // Without the name of the section.
+            quantity.labels().stream().map(part -> (attribute.title() + " " + part).strip()).forEach(title -> usedTexts.addAll(
+                    List.of(title, title.replaceFirst("^(environment|fog (?!gain)|attenuation) ?", ""))));
         }
         if (attribute.kind() instanceof ChoiceKind<?> choice) {
             usedTexts.addAll(choice.labels());

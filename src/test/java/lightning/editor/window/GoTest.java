@@ -14,11 +14,11 @@ import javafx.scene.control.TextField;
 import javafx.scene.control.ToolBar;
 import javafx.scene.input.KeyCode;
 import lightning.base.work.Await;
+import lightning.editor.document.AttributeNumber;
 import lightning.editor.document.Command;
 import lightning.editor.document.DeskScene;
 import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LightEdits;
-import lightning.editor.document.NumericParameter;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.document.PictureArea;
 import lightning.editor.window.model.AccuracyMode;
@@ -372,7 +372,7 @@ class GoTest extends EditorFixture {
     @Test
     void sceneWithoutMirrors_neverShowsMirrorBadge() {
         usePaperAccuracy();
-        robot.interact(() -> model().editor().edit(scene -> NumericParameter.DEPTH.set(scene, "", 0)));
+        robot.interact(() -> model().editor().edit(scene -> AttributeNumber.DEPTH.set(scene, "", 0)));
         click("go");
         waitForPicture();
         dim();

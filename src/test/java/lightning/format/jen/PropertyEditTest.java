@@ -10,6 +10,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
+import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.attribute.ValueKind;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightGroup;
@@ -182,7 +183,7 @@ class PropertyEditTest {
     @Test
     void unknownProperty_isReportedWithThoseOfTheTable() {
         List<String> names = MaterialAttribute.ALL.stream().flatMap(a -> a.kind() instanceof ValueKind.TextureKind map
-                ? Stream.of(a.name(), map.repeatName(), map.offsetName(), map.rotationName(), map.wrapName()) : Stream.of(a.name()))
+                ? Stream.concat(Stream.of(a.name()), map.placement(a).stream().map(SceneAttribute::name)) : Stream.of(a.name()))
                 .toList();
         assertThat(names).contains("texture", "repeat", "glow_map", "glow_repeat", "shininess", "shadows");
         assertThatThrownBy(() -> PropertyEdit.apply(scene, "material:floor.shinines=1")).hasMessage(

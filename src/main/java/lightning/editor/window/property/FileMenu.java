@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javafx.scene.control.Menu;
@@ -19,6 +20,7 @@ import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.model.CommandRegistry;
+import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.FileImporter;
 import lightning.format.jen.asset.FileKind;
 
@@ -34,25 +36,25 @@ final class FileMenu extends MenuButton {
     private final FileImporter importer;
     private final Command command;
     private final FileKind kind;
-    private final Consumer<String> onChosen;
-    private final Runnable browse;
+    private final Supplier<Consumer<String>> setter;
+    private final Consumer<String> onRefused;
 
     /**
      * @param command  command of choosing a file
-     * @param onChosen  receives the file name; empty for none
-     * @param browse  prompts for a file elsewhere
+     * @param setter  returns what receives the file name, empty for none; called when the user begins to choose
+     * @param onRefused  receives why a file elsewhere cannot be used
      */
-    FileMenu(CommandRegistry commands, FileImporter files, String text, Command command, FileKind kind, Consumer<String> onChosen,
-            Runnable browse) {
+    FileMenu(EditorModel model, String text, Command command, FileKind kind, Supplier<Consumer<String>> setter,
+            Consumer<String> onRefused) {
         super(text);
         // File names may contain underscores.
         setMnemonicParsing(false);
-        this.commands = commands;
-        importer = files;
+        commands = model.commands();
+        importer = model.fileImporter();
         this.command = command;
         this.kind = kind;
-        this.onChosen = onChosen;
-        this.browse = browse;
+        this.setter = setter;
+        this.onRefused = onRefused;
         setOnShowing(_ -> loadFiles());
         showFiles(List.of());
     }
@@ -76,7 +78,8 @@ final class FileMenu extends MenuButton {
     private void showFiles(List<FileItem> fileItems) {
         List<MenuItem> items = new ArrayList<>();
         items.add(item(Messages.tr("None"), ""));
-        items.add(CommandMenuItems.forMenu(commands).value(command, Messages.tr("Browse…"), browse));
+        items.add(CommandMenuItems.forMenu(commands).value(command, Messages.tr("Browse…"),
+                () -> importer.promptAndImport(command.plainTitle(), kind, setter.get(), onRefused)));
         items.add(new SeparatorMenuItem());
         Map<Boolean, List<MenuItem>> files = fileItems.stream().collect(Collectors.partitioningBy(found -> isSuggested(found.name()),
                 Collectors.mapping(this::item, Collectors.toList())));
@@ -103,6 +106,6 @@ final class FileMenu extends MenuButton {
     }
 
     private MenuItem item(String title, String name) {
-        return CommandMenuItems.forMenu(commands).value(command, title, () -> onChosen.accept(name));
+        return CommandMenuItems.forMenu(commands).value(command, title, () -> setter.get().accept(name));
     }
 }

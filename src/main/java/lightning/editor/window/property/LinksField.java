@@ -3,81 +3,87 @@ package lightning.editor.window.property;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
-import javafx.beans.value.ObservableValue;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.layout.StackPane;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
-import lightning.editor.document.EditorState;
-import lightning.editor.document.LightEdits;
 import lightning.editor.window.command.CommandMenuItems;
-import lightning.editor.window.model.CommandRegistry;
+import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.DisabledReason;
+import lightning.editor.window.widget.ValueWidget;
 import lightning.scene.Stage;
-import lightning.scene.attribute.ValueKind;
-import lightning.scene.light.Light;
-import lightning.scene.light.LightAttribute;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
 import lightning.scene.value.ShapeLinks;
 
 /** Menu for a light-linking attribute: check boxes of shapes and groups, and whether the list includes or excludes them. */
-final class LinksField extends StackPane {
+final class LinksField extends StackPane implements ValueWidget<ShapeLinks> {
     /** Approximate limit of listed shapes and groups. Further ones can be linked in the scene file. */
     private static final int MAX_NODES = 200;
     private static final double INDENT = 16;
 
     private final SceneEditor editor;
-    private final LightAttribute<ShapeLinks> attribute;
+    private final Consumer<UnaryOperator<ShapeLinks>> onEdited;
     private final CommandMenuItems commandItems;
     private final MenuButton choice = new MenuButton();
     private final DisabledReason disabledReason;
+    private ShapeLinks shown = ShapeLinks.ALL;
 
-    /** @param visibleState  state as in {@link PropertyPane} */
-    LinksField(SceneEditor editor, CommandRegistry commands, LightAttribute<ShapeLinks> attribute, ValueKind.LinksKind kind,
-            ObservableValue<EditorState> visibleState) {
-        this.editor = editor;
-        this.attribute = attribute;
-        commandItems = CommandMenuItems.forMenu(commands);
-        choice.setId(attribute.name());
-        choice.setAccessibleText(Messages.tr(attribute.title()));
+    /**
+     * @param title  for screen readers
+     * @param help  tooltip text
+     * @param onEdited  receives changes of the links
+     */
+    LinksField(EditorModel model, String id, String title, String help, Consumer<UnaryOperator<ShapeLinks>> onEdited) {
+        editor = model.editor();
+        this.onEdited = onEdited;
+        commandItems = CommandMenuItems.forMenu(model.commands());
+        choice.setId(id);
+        choice.setAccessibleText(title);
         choice.setMaxWidth(Double.MAX_VALUE);
         choice.setMnemonicParsing(false);
         // An empty menu never opens.
         choice.getItems().setAll(new SeparatorMenuItem());
         choice.setOnShowing(_ -> fillMenu());
         getChildren().add(choice);
-        disabledReason = new DisabledReason(this, choice, Messages.tr(kind.help()));
-        visibleState.subscribe(this::show);
+        disabledReason = new DisabledReason(this, choice, help);
     }
 
-    private void show(EditorState state) {
-        choice.setText(state.selectedLight().map(attribute::format).map(Messages::tr).orElse(Messages.tr("all")));
-        disabledReason.set(Command.LINK.disabledReason(state));
+    @Override
+    public void show(ShapeLinks links) {
+        shown = links;
+        choice.setText(Messages.tr(links.format()));
+    }
+
+    @Override
+    public void showNothing() {
+        show(ShapeLinks.ALL);
+    }
+
+    @Override
+    public void setDisabledReason(Optional<String> reason) {
+        disabledReason.set(reason);
     }
 
     private void fillMenu() {
-        Light light = editor.selection().light();
-        List<MenuItem> items = new ArrayList<>();
-        if (light != null) {
-            ShapeLinks links = attribute.get(light);
-            items.add(modeItem(Messages.tr("Exclude Selected"), false, links));
-            items.add(modeItem(Messages.tr("Include Only Selected"), true, links));
-            items.add(new SeparatorMenuItem());
-            addItems(links, items);
-        }
+        List<MenuItem> items = new ArrayList<>(List.of(modeItem(Messages.tr("Exclude Selected"), false, shown),
+                modeItem(Messages.tr("Include Only Selected"), true, shown), new SeparatorMenuItem()));
+        addItems(shown, items);
         choice.getItems().setAll(items);
     }
 
     private MenuItem modeItem(String title, boolean only, ShapeLinks links) {
-        return commandItems.radioValue(Command.LINK, title, links.exclusive() == only, () -> set(l -> new ShapeLinks(only, l.names())));
+        return commandItems.radioValue(Command.LINK, title, links.exclusive() == only,
+                () -> onEdited.accept(l -> new ShapeLinks(only, l.names())));
     }
 
     /** Adds the top-level nodes, then the contents of groups that fit completely. */
@@ -110,7 +116,7 @@ final class LinksField extends StackPane {
         int shapes = 0;
         for (SceneNode node : nodes.subList(0, Math.min(nodes.size(), MAX_NODES))) {
             items.add(commandItems.checkBoxValue(Command.LINK, node.name(), links.names().contains(node.name()), INDENT * depth,
-                    checked -> set(l -> l.with(node.name(), checked))));
+                    checked -> onEdited.accept(l -> l.with(node.name(), checked))));
             shapes += switch (node) {
                 case NodeGroup g when expanded.contains(g.name()) -> addItems(g.children(), depth + 1, links, expanded, items);
                 case NodeGroup _ -> 0;
@@ -118,10 +124,5 @@ final class LinksField extends StackPane {
             };
         }
         return shapes;
-    }
-
-    private void set(UnaryOperator<ShapeLinks> edit) {
-        String name = editor.selection().lightName();
-        editor.editOrReport(scene -> LightEdits.edit(scene, name, light -> attribute.with(light, edit.apply(attribute.get(light)))));
     }
 }

@@ -1,5 +1,7 @@
 package lightning.editor.window.property;
 
+import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
 import java.util.stream.Stream;
@@ -55,6 +57,29 @@ final class SectionLayout {
         pane.setAnimated(false);
         pane.getStyleClass().addAll("dense", "section");
         return pane;
+    }
+
+    /** Returns the column of widgets of a section. */
+    static VBox content(TitledPane section) {
+        return (VBox) section.getContent();
+    }
+
+    /** Returns a column of rows in a section. */
+    @SafeVarargs
+    static VBox column(List<? extends Node>... rows) {
+        var column = new VBox(nodes(rows));
+        column.getStyleClass().add("section-rows");
+        return column;
+    }
+
+    @SafeVarargs
+    static Node[] nodes(List<? extends Node>... rows) {
+        return Arrays.stream(rows).flatMap(List::stream).toArray(Node[]::new);
+    }
+
+    static void setShown(Node node, boolean isShown) {
+        node.setVisible(isShown);
+        node.setManaged(isShown);
     }
 
     /** Returns the translated word with a capital first letter. */

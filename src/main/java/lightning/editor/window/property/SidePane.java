@@ -25,10 +25,10 @@ public final class SidePane extends TabPane {
         CommandRegistry commands = model.commands();
         var menu = new PropertyMenu(editor, commands, model.layout());
         Tab light = tab(Messages.tr("Light"), "light-tab",
-                tab -> new PropertyPane(editor, commands, model.fileImporter(), menu, tab.selectedProperty()));
+                tab -> new PropertyPane(model, menu, tab.selectedProperty()));
         Tab material = tab(Messages.tr("Material"), "material-tab",
-                _ -> new MaterialPane(editor, model.materials(), commands, model.fileImporter(), menu));
-        Tab shape = tab(Messages.tr("Object"), "shape-tab", tab -> new NodePane(editor, commands, menu, tab.selectedProperty()));
+                _ -> new MaterialPane(model, menu));
+        Tab shape = tab(Messages.tr("Object"), "shape-tab", tab -> new NodePane(model, menu, tab.selectedProperty()));
         getTabs().setAll(light, material, shape);
         var materialInFront = editor.materialShownProperty();
         materialInFront.subscribe(on -> show(on ? material : isShapeSelected ? shape : light));

@@ -2,154 +2,156 @@ package lightning.editor.window.property;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
+import java.util.Map;
+import java.util.Optional;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.Node;
-import javafx.scene.control.CheckBox;
-import javafx.scene.control.ComboBox;
 import javafx.scene.control.ScrollPane;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.Priority;
-import javafx.scene.layout.VBox;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
 import lightning.base.text.NumberUnit;
 import lightning.editor.document.Command;
-import lightning.editor.document.EditOutcome;
 import lightning.editor.document.EditorState;
-import lightning.editor.document.NumericParameter;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.model.EditorModel;
-import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.ViewActions;
 import lightning.editor.window.widget.ArrowWidget;
-import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.render.image.DisplayCurve;
 import lightning.scene.Dome;
+import lightning.scene.FogAttributes;
+import lightning.scene.SceneElement;
+import lightning.scene.SkyAttributes;
 import lightning.scene.World;
-import org.jspecify.annotations.Nullable;
+import lightning.scene.attribute.ChoiceKind;
+import lightning.scene.attribute.NumericKind;
+import lightning.scene.attribute.SceneAttribute;
+import lightning.scene.sky.SkyUnit;
 
 /** Properties of the scene as a whole: ambient light, background, environments, fog, indirect light and view. */
-final class WorldPane extends VBox {
-    private final SceneEditor editor;
-    private final ViewActions views;
-    /** Editor state, updated only while the pane is visible. */
-    private final ObservableValue<EditorState> visibleState;
-    private final List<ArrowWidget> numbers = new ArrayList<>();
-    private final ColorSliders background;
-    private final VBox backgroundRows;
-    private final VBox environmentRows;
-    private final ComboBox<DisplayCurve> curve = new ComboBox<>();
-    private final FogControls fog;
-    private final SkyControls sky;
-    private final DomeControls domes;
-    private final Node imageField;
+final class WorldPane extends AttributeForm<World> {
+    /** Lengths of a new box of fog, scene units. */
+    private static final Vec3 NEW_BOX = new Vec3(10, 10, 10);
+    /** Beginnings of titles that the section says. */
+    private static final List<String> PREFIXES = List.of("environment ", "fog ");
+
+    private static final SceneAttribute<World, Boolean> NITS = new SceneAttribute<>("sky_nits", SkyAttributes.UNIT.title(),
+            ChoiceKind.YES_OR_NO, false, "", world -> world.sky().unit() == SkyUnit.NIT,
+            (world, on) -> SkyAttributes.UNIT.with(world, on ? SkyUnit.NIT : SkyUnit.RELATIVE));
+    private static final SceneAttribute<World, Boolean> BOX = new SceneAttribute<>("fog_box", FogAttributes.SIZE.title(),
+            ChoiceKind.YES_OR_NO, false, "", world -> world.fog().hasBox(),
+            (world, on) -> FogAttributes.SIZE.with(world, on ? NEW_BOX : Vec3.ZERO));
+
+    private static final Map<SceneAttribute<World, ?>, String> LABELS = Map.of(World.BACKGROUND, Messages.key("Background"),
+            World.SOLO, Messages.key("Solo"), SkyAttributes.ON, Messages.key("Physical Sky"), NITS, Messages.key("Brightness in Nits"),
+            SkyAttributes.GROUND, Messages.key("Ground Color"), FogAttributes.COLOR, Messages.key("Fog Color"), FogAttributes.AMBIENT,
+            Messages.key("Fog Ambient Light"), BOX, Messages.key("Only in a Box"));
+    private static final Map<SceneAttribute<World, ?>, String> HELP = Map.of(World.BACKGROUND,
+            Messages.key("Color behind the scene, also seen in reflections"), World.SOLO,
+            Messages.key("Mute all lights that are not solo"), SkyAttributes.ON,
+            Messages.key("Clear sky with a sun as the environment, instead of an image"), NITS,
+            Messages.key("For lights with photometric units; otherwise a value of 1 is 10 000 nits"), SkyAttributes.GROUND,
+            Messages.key("Share of the light that the ground reflects"), FogAttributes.COLOR,
+            Messages.key("Share of the light that the fog scatters"), FogAttributes.AMBIENT,
+            Messages.key("Light that comes from all sides"), BOX, Messages.key("Fog in a box instead of everywhere"));
+
     private final ArrowWidget exposure;
-    private final CheckBox solo = new CheckBox(Messages.tr("Solo"));
-    private @Nullable Object shownDocument;
-    private boolean isUpdating;
 
     /** @param tabSelected  true while the pane is visible; it is updated only then */
     WorldPane(EditorModel model, ObservableValue<Boolean> tabSelected) {
-        editor = model.editor();
-        views = model.viewActions();
-        visibleState = editor.editorStateProperty().when(tabSelected);
+        super(model, null);
+        ObservableValue<EditorState> visibleState = editor.editorStateProperty().when(tabSelected);
+        ViewActions views = model.viewActions();
         setId("world");
         getStyleClass().add("properties");
-        background = new WorldColor(editor, World.BACKGROUND, "world-background",
-                Messages.tr("Color behind the scene, also seen in reflections")).sliders();
-        fog = new FogControls(editor, visibleState);
-        sky = new SkyControls(editor, visibleState);
-        domes = new DomeControls(model, visibleState);
-        imageField = FileField.forWorld(editor, model.commands(), model.fileImporter(), visibleState);
-        solo.setId("world-solo");
-        solo.setTooltip(new Tooltip(Messages.tr("Mute all lights that are not solo")));
-        solo.setOnAction(_ -> {
-            boolean isSolo = solo.isSelected();
-            editor.editOrReport(scene -> EditOutcome.of(() -> scene.withWorld(World.SOLO.with(scene.world(), isSolo))));
-        });
-        backgroundRows = new VBox(SectionLayout.caption(Messages.tr("Background")), background);
-        environmentRows = new VBox();
-        NumericParameter.ENVIRONMENT.forEach(parameter -> environmentRows.getChildren().add(number(parameter)));
-        environmentRows.getChildren().add(solo);
-        Stream.of(backgroundRows, environmentRows).forEach(rows -> rows.getStyleClass().add("section-rows"));
-        exposure = new ArrowWidget(Messages.tr("Exposure"), "exposure", exposureSetting());
+        exposure = new ArrowWidget(Messages.tr("Exposure"), "exposure",
+                NumberSetting.of("exposure", ViewActions.EXPOSURE_RANGE, NumberUnit.STOPS, views::setExposure));
         exposure.setId("world-exposure");
+        var curve = new ChoiceField<>("world-curve", Messages.tr("View Transform"), "", _ -> List.of(DisplayCurve.values()),
+                shown -> Messages.tr(shown.title()), views::setCurve);
+        CommandButton lut = CommandButton.titledButton(model.commands(), Command.COLOR_TABLE);
+        lut.button().setMaxWidth(Double.MAX_VALUE);
         ScrollPane scroll = SectionLayout.scroll(
-                SectionLayout.section(Messages.tr("Environment"),
-                        imageField, sky,
-                        new EnvironmentPicture(editor, visibleState), environmentRows,
-                        number(NumericParameter.AMBIENCE), backgroundRows, number(NumericParameter.METERS)),
-                SectionLayout.section(Messages.tr("Domes"), domes),
-                SectionLayout.section(Messages.tr("Fog"), fog),
-                SectionLayout.section(Messages.tr("Indirect Light"), new IndirectControls(editor, model.commands(), visibleState)),
-                SectionLayout.section(Messages.tr("View"), SectionLayout.caption(Messages.tr("View Transform")), curveBox(), exposure,
-                        lut(model)));
+                SectionLayout.section(Messages.tr("Environment"), environment(visibleState)),
+                SectionLayout.section(Messages.tr("Domes"), new DomeForm(model, visibleState)),
+                SectionLayout.section(Messages.tr("Fog"), fog()),
+                SectionLayout.section(Messages.tr("Indirect Light"), new IndirectForm(model, visibleState)),
+                SectionLayout.section(Messages.tr("View"), SectionLayout.caption(Messages.tr("View Transform")), curve, exposure, lut));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);
-        visibleState.subscribe(this::show);
+        showWhile(visibleState);
         views.viewProperty().subscribe(view -> {
-            isUpdating = true;
-            curve.setValue(view.curve());
-            isUpdating = false;
+            curve.show(view.curve());
             exposure.show(view.exposure());
         });
     }
 
-    private ArrowWidget number(NumericParameter parameter) {
-        ArrowWidget widget = ParameterSetting.widget(editor, parameter, visibleState);
-        numbers.add(widget);
-        return widget;
+    private Node[] environment(ObservableValue<EditorState> visibleState) {
+        return SectionLayout.nodes(
+                onlyIf(world -> !world.sky().on(), List.of(file(World.ENVIRONMENT))),
+                List.of(check(SkyAttributes.ON)),
+                columnIf(world -> world.sky().on(), numbers(SkyAttributes.ALL), List.of(new SunPlacePane(editor)),
+                        titledColor(SkyAttributes.GROUND), List.of(check(NITS))),
+                List.of(new EnvironmentPicture(editor, visibleState)),
+                columnIf(world -> world.environment().isPresent(), numbers(World.OWN), List.of(check(World.SOLO))),
+                numbers(World.AMBIENCE),
+                columnIf(world -> world.environments().stream().noneMatch(Dome::on), titledColor(World.BACKGROUND)),
+                numbers(World.METERS));
     }
 
-    private NumberSetting exposureSetting() {
-        return NumberSetting.of("exposure", ViewActions.EXPOSURE_RANGE, NumberUnit.STOPS, views::setExposure);
+    private Node[] fog() {
+        List<SceneAttribute<World, ?>> numbers = new ArrayList<>(FogAttributes.ALL);
+        numbers.removeAll(List.of(FogAttributes.DENSITY, FogAttributes.SIZE));
+        return SectionLayout.nodes(numbers(FogAttributes.DENSITY),
+                columnIf(world -> world.fog().isPresent(), titledColor(FogAttributes.COLOR), numbers(numbers),
+                        titledColor(FogAttributes.AMBIENT), List.of(check(BOX)),
+                        columnIf(world -> world.fog().hasBox(), numbers(FogAttributes.CENTER), numbers(FogAttributes.SIZE))));
     }
 
-    private Node curveBox() {
-        curve.setId("world-curve");
-        curve.setAccessibleText(Messages.tr("View Transform"));
-        curve.setMaxWidth(Double.MAX_VALUE);
-        curve.getItems().setAll(DisplayCurve.values());
-        curve.setConverter(new CurveTitles());
-        curve.valueProperty().addListener((_, _, now) -> {
-            if (!isUpdating && now != null) {
-                views.setCurve(now);
-            }
-        });
-        return curve;
+    /** Returns fields for the single numbers of a table. */
+    private List<Node> numbers(List<SceneAttribute<World, ?>> table) {
+        return table.stream().filter(a -> a.kind() instanceof NumericKind<?> kind && kind.form() == NumericKind.Form.INDEPENDENT)
+                .flatMap(a -> numbers(a).stream()).toList();
     }
 
-    private static Node lut(EditorModel model) {
-        CommandButton lut = CommandButton.titledButton(model.commands(), Command.COLOR_TABLE);
-        lut.button().setMaxWidth(Double.MAX_VALUE);
-        return lut;
+    private List<Node> titledColor(SceneAttribute<World, Rgb> attribute) {
+        return titled(attribute, color(attribute));
     }
 
-    private void show(EditorState state) {
-        if (editor.document() != shownDocument) {
-            // Uncommitted input belongs to the other file.
-            shownDocument = editor.document();
-            numbers.forEach(ArrowWidget::revert);
-            exposure.revert();
-            background.revert();
-            fog.revert();
-            sky.revert();
-            domes.revert();
-        }
-        boolean hasEnvironment = state.scene().world().environment().isPresent();
-        setShown(environmentRows, hasEnvironment);
-        setShown(backgroundRows, state.scene().world().environments().stream().noneMatch(Dome::on));
-        background.show(state.scene().world().background());
-        fog.show(state.scene().world().fog());
-        sky.show(state.scene().world().sky());
-        setShown(imageField, !state.scene().world().sky().on());
-        solo.setSelected(state.scene().world().own().solo());
+    @Override
+    Optional<SceneElement<World>> selected() {
+        return Optional.of(SceneElement.WORLD);
     }
 
-    /** Shows a part only while it has an effect. */
-    static void setShown(Node part, boolean shown) {
-        part.setVisible(shown);
-        part.setManaged(shown);
+    @Override
+    String missingReason() {
+        throw new IllegalStateException("each scene has a world");
+    }
+
+    @Override
+    void revert() {
+        super.revert();
+        exposure.revert();
+    }
+
+    @Override
+    String id(SceneAttribute<World, ?> attribute, String part) {
+        boolean isNumber = attribute.kind() instanceof NumericKind<?> kind && kind.form() != NumericKind.Form.COLOR;
+        String id = isNumber ? attribute.id() + (part.isEmpty() ? "" : " " + part)
+                : attribute == World.ENVIRONMENT ? attribute.id() : "world-" + attribute.name();
+        return id.replace(' ', '-').replace('_', '-');
+    }
+
+    @Override
+    String label(SceneAttribute<World, ?> attribute, String part) {
+        String title = LABELS.getOrDefault(attribute, attribute.title()) + (part.isEmpty() ? "" : " " + part);
+        return PREFIXES.stream().filter(title::startsWith).findFirst().map(prefix -> title.substring(prefix.length())).orElse(title);
+    }
+
+    @Override
+    String help(SceneAttribute<World, ?> attribute) {
+        return Optional.ofNullable(HELP.get(attribute)).map(Messages::tr).orElse("");
     }
 }

@@ -11,7 +11,7 @@ import javafx.scene.layout.VBox;
  * Number field with a label and an arrow (paper §3.2). Drag the arrow vertically or the label sideways, click the arrow's halves to step,
  * or type a value or an expression.
  */
-public final class ArrowWidget extends VBox {
+public final class ArrowWidget extends VBox implements ValueWidget<Double> {
     private final NumberField field;
     private final DisabledReason disabledReason;
 
@@ -31,22 +31,22 @@ public final class ArrowWidget extends VBox {
         disabledReason = new DisabledReason(this, row);
     }
 
-    /** Shows a value. */
-    public void show(double value) {
+    @Override
+    public void show(Double value) {
         field.show(value);
     }
 
-    /** Clears the field. */
+    @Override
     public void showNothing() {
         field.showNothing();
     }
 
-    /** Discards uncommitted input. */
+    @Override
     public void revert() {
         field.revert();
     }
 
-    /** Disables the widget with a reason, as a clause, or enables it. */
+    @Override
     public void setDisabledReason(Optional<String> reason) {
         if (reason.isPresent()) {
             field.revert();

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.ToggleButton;
@@ -23,7 +24,9 @@ import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
 
 /** Color editor with a color well and tabs for RGB and HSV. */
-public final class ColorSliders extends VBox {
+public final class ColorSliders extends VBox implements ValueWidget<Rgb> {
+    private static final double STEP = 0.1;
+
     private final Target target;
     private final String prefix;
     private final Button well = new Button();
@@ -41,38 +44,23 @@ public final class ColorSliders extends VBox {
 
     private record DisplayedColor(Rgb color, HsvColor hsv) {}
 
-    /** Receiver of edits. Each edit returns why it was refused; {@code gesture} as in {@link NumberSetting#set}. */
+    /** Receiver of edits. */
     public interface Target {
-        NumberSetting red();
-
-        NumberSetting green();
-
-        NumberSetting blue();
-
-        Optional<String> hsv(HsvColor color, @Nullable Object gesture);
-    }
-
-    /** Creates the editor of a light's color. */
-    public ColorSliders(Target target) {
-        this("", Messages.tr("Light color"), SceneLimits.MAX_LIGHT_COLOR, target);
+        /** Changes the color. Returns why it was refused; {@code gesture} as in {@link NumberSetting#set}. */
+        Optional<String> edit(UnaryOperator<Rgb> change, @Nullable Object gesture);
     }
 
     /**
-     * Creates the editor of a surface color.
-     *
-     * @param title  name for screen readers, for example {@code diffuse}
+     * @param title  name for screen readers, for example {@code diffuse}; may be empty
      * @param help  description without a full stop
      * @param max  largest allowed channel value
      */
-    public static ColorSliders forSurface(String title, String help, double max, Target target) {
-        return new ColorSliders(title + " ", help, max, target);
-    }
-
-    private ColorSliders(String prefix, String help, double max, Target target) {
+    public ColorSliders(String title, String help, double max, Target target) {
         this.target = target;
-        this.prefix = prefix;
-        rgb = List.of(channel("R", prefix + Messages.tr("red"), target.red()), channel("G", prefix + Messages.tr("green"), target.green()),
-                channel("B", prefix + Messages.tr("blue"), target.blue()));
+        prefix = title.isEmpty() ? "" : title + " ";
+        rgb = List.of(channel("R", Messages.tr("red"), max, (c, v) -> new Rgb(v, c.g(), c.b())),
+                channel("G", Messages.tr("green"), max, (c, v) -> new Rgb(c.r(), v, c.b())),
+                channel("B", Messages.tr("blue"), max, (c, v) -> new Rgb(c.r(), c.g(), v)));
         well.getStyleClass().add("color-well");
         well.setTooltip(new Tooltip(Messages.tr("{0}.\nClick to change the color", help)));
         content.getStyleClass().add("color-content");
@@ -97,6 +85,7 @@ public final class ColorSliders extends VBox {
     }
 
     /** Shows a color, linear, ≥ 0. */
+    @Override
     public void show(Rgb color) {
         shownColor = color;
         if (!shownHsv.rgb().equals(color)) {
@@ -140,7 +129,7 @@ public final class ColorSliders extends VBox {
         hsv.get(2).show(h.value(), v -> new HsvColor(h.hue(), h.saturation(), v).rgb());
     }
 
-    /** Clears the widget. */
+    @Override
     public void showNothing() {
         displayed = null;
         well.setStyle("-well-color: transparent;");
@@ -149,19 +138,24 @@ public final class ColorSliders extends VBox {
         drawHsv();
     }
 
-    /** Discards uncommitted input. */
+    @Override
     public void revert() {
         rgb.forEach(ColorSlider::revert);
         hsv.forEach(ColorSlider::revert);
     }
 
-    /** Disables the widget with a reason, as a clause, or enables it. */
+    @Override
     public void setDisabledReason(Optional<String> reason) {
         disabledReason.set(reason);
     }
 
-    private static ColorSlider channel(String label, String title, NumberSetting setting) {
-        return new ColorSlider(label, title, ColorSlider.Scale.linear(0, 1), setting);
+    private ColorSlider channel(String label, String name, double max, BiFunction<Rgb, Double, Rgb> edit) {
+        String title = prefix + name;
+        return new ColorSlider(label, title, ColorSlider.Scale.linear(0, 1),
+                NumberSetting.of(title, new StepRange(STEP, 0, max), (v, gesture) -> target.edit(color -> {
+                    SceneLimits.checkRange(title, v, 0, max);
+                    return edit.apply(color, v);
+                }, gesture)));
     }
 
     private ColorSlider hsv(String label, String title, StepRange steps, double max, BiFunction<HsvColor, Double, HsvColor> edit) {
@@ -180,7 +174,7 @@ public final class ColorSliders extends VBox {
     private Optional<String> setHsv(HsvColor color, @Nullable Object gesture) {
         HsvColor oldHsv = shownHsv;
         shownHsv = color;
-        Optional<String> refusal = target.hsv(color, gesture);
+        Optional<String> refusal = target.edit(_ -> color.rgb(), gesture);
         if (refusal.isPresent()) {
             shownHsv = oldHsv;
         }
@@ -195,9 +189,9 @@ public final class ColorSliders extends VBox {
             hsv = List.of(
                     hsv("H", prefix + Messages.tr("hue"), new StepRange(1, 0, 360), 360,
                             (h, v) -> new HsvColor(v, h.saturation(), h.value())),
-                    hsv("S", prefix + Messages.tr("saturation"), new StepRange(0.1, 0, 1), 1,
+                    hsv("S", prefix + Messages.tr("saturation"), new StepRange(STEP, 0, 1), 1,
                             (h, v) -> new HsvColor(h.hue(), v, h.value())),
-                    hsv("V", prefix + Messages.tr("value"), new StepRange(0.1, 0, max), 1,
+                    hsv("V", prefix + Messages.tr("value"), new StepRange(STEP, 0, max), 1,
                             (h, v) -> new HsvColor(h.hue(), h.saturation(), v)));
             drawHsv();
         }

@@ -2,7 +2,6 @@ package lightning.editor.window.widget;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.function.BiFunction;
 import javafx.scene.control.Button;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.FlowPane;
@@ -14,7 +13,7 @@ import lightning.scene.value.ColorTemperature;
 import lightning.scene.value.SceneLimits;
 
 /** Slider for a light's color temperature, with presets. */
-public final class TemperatureSlider extends VBox {
+public final class TemperatureSlider extends VBox implements ValueWidget<Double> {
     private static final double STEP = 100;
     private static final List<Preset> PRESETS = List.of(new Preset(Messages.key("Candle"), 1900),
             new Preset(Messages.key("Tungsten"), 3200), new Preset(Messages.key("Daylight"), 5600),
@@ -25,19 +24,19 @@ public final class TemperatureSlider extends VBox {
 
     private record Preset(String name, double kelvin) {}
 
-    /** @param setter receives kelvin and a gesture as in {@link NumberSetting#set}; returns why the edit was refused */
-    public TemperatureSlider(BiFunction<Double, Object, Optional<String>> setter) {
+    /** @param setter receives kelvin */
+    public TemperatureSlider(NumberSetting.Setter setter) {
         slider = new ColorSlider("K", "temperature",
                 new ColorSlider.Scale(ColorTemperature.MIN, ColorTemperature.MAX, Math::log, Math::exp),
                 NumberSetting.of("temperature", new StepRange(STEP, ColorTemperature.MIN, ColorTemperature.MAX), NumberUnit.KELVIN,
-                        setter::apply));
+                        setter));
         var presets = new FlowPane();
         presets.getStyleClass().add("presets");
         for (Preset preset : PRESETS) {
             var button = new Button(Messages.tr(preset.name()));
             button.getStyleClass().add("small");
             button.setTooltip(new Tooltip(SceneLimits.format(preset.kelvin()) + " K"));
-            button.setOnAction(_ -> setter.apply(preset.kelvin(), null));
+            button.setOnAction(_ -> setter.set(preset.kelvin(), null));
             presets.getChildren().add(button);
         }
         var box = new VBox(slider, presets);
@@ -46,22 +45,22 @@ public final class TemperatureSlider extends VBox {
         disabledReason = new DisabledReason(this, box, Messages.tr("Color temperature: multiplies the light's color"));
     }
 
-    /** Shows a temperature in kelvin. */
-    public void show(double kelvin) {
+    @Override
+    public void show(Double kelvin) {
         slider.show(kelvin, ColorTemperature::rgb);
     }
 
-    /** Clears the slider. */
+    @Override
     public void showNothing() {
         slider.showNothing();
     }
 
-    /** Discards uncommitted input. */
+    @Override
     public void revert() {
         slider.revert();
     }
 
-    /** Disables the slider with a reason, as a clause, or enables it. */
+    @Override
     public void setDisabledReason(Optional<String> reason) {
         disabledReason.set(reason);
     }

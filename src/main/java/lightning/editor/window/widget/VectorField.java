@@ -15,7 +15,7 @@ import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
 
 /** Field for a position or a direction, as three numbers. */
-public final class VectorField extends VBox {
+public final class VectorField extends VBox implements ValueWidget<Vec3> {
     private static final StepRange STEPS = new StepRange(0.1, -SceneLimits.MAX_COORDINATE, SceneLimits.MAX_COORDINATE);
 
     private final List<NumberField> fields = new ArrayList<>();
@@ -51,7 +51,7 @@ public final class VectorField extends VBox {
         row.getChildren().addAll(label, field);
     }
 
-    /** Shows a vector. */
+    @Override
     public void show(Vec3 v) {
         value = v;
         fields.get(0).show(v.x());
@@ -59,17 +59,17 @@ public final class VectorField extends VBox {
         fields.get(2).show(v.z());
     }
 
-    /** Clears the field. */
+    @Override
     public void showNothing() {
         fields.forEach(NumberField::showNothing);
     }
 
-    /** Discards uncommitted input. */
+    @Override
     public void revert() {
         fields.forEach(NumberField::revert);
     }
 
-    /** Disables the field with a reason, as a clause, or enables it. */
+    @Override
     public void setDisabledReason(Optional<String> reason) {
         if (reason.isPresent()) {
             revert();

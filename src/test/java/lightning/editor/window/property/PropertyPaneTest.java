@@ -25,10 +25,10 @@ import javafx.stage.Stage;
 import javafx.stage.Window;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.editor.document.AttributeNumber;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.LightGroupEdits;
-import lightning.editor.document.NumericParameter;
 import lightning.editor.window.JavaFxRequirement;
 import lightning.editor.window.StageExtension;
 import lightning.editor.window.TestEditors;
@@ -38,6 +38,7 @@ import lightning.editor.window.widget.TextTyping;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
 import lightning.scene.light.Falloff;
+import lightning.scene.light.IntensityUnit;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
@@ -63,8 +64,7 @@ class PropertyPaneTest {
     @Start
     private void start(Stage stage) throws Exception {
         model = TestEditors.model(folder);
-        var menu = new PropertyMenu(model.editor(), model.commands(), model.layout());
-        pane = new PropertyPane(model.editor(), model.commands(), model.fileImporter(), menu, tabSelected);
+        pane = new PropertyPane(model, new PropertyMenu(model.editor(), model.commands(), model.layout()), tabSelected);
         TestEditors.show(stage, pane);
     }
 
@@ -88,15 +88,15 @@ class PropertyPaneTest {
     @Test
     void choiceAttribute_isComboBoxThatEditsIt(FxRobot robot) {
         robot.interact(() -> ((VBox) ((ScrollPane) pane.getChildren().getFirst()).getContent()).getChildren()
-                .addAll(pane.widgets(LightAttribute.SOLO)));
-        ComboBox<String> box = robot.lookup("#solo").query();
+                .addAll(pane.rows(LightAttribute.SOLO)));
+        ComboBox<Boolean> box = robot.lookup("#solo").query();
         robot.interact(() -> model.editor().selection().selectLight(TestEditors.POINT));
-        assertThat(box.getItems()).containsExactly("Yes", "No");
-        assertThat(box.getValue()).isEqualTo("No");
-        robot.interact(() -> box.setValue("Yes"));
+        assertThat(box.getItems()).extracting(box.getConverter()::toString).containsExactly("Yes", "No");
+        assertThat(box.getValue()).isFalse();
+        robot.interact(() -> box.setValue(true));
         assertThat(model.editor().selection().light().solo()).isTrue();
         robot.interact(() -> model.editor().selection().selectLight(TestEditors.SUN));
-        assertThat(box.getValue()).isEqualTo("No");
+        assertThat(box.getValue()).isFalse();
         assertThat(model.editor().selection().light().solo()).isFalse();
         robot.interact(() -> model.editor().selection().selectLight(null));
         assertThat(box.getValue()).isNull();
@@ -109,7 +109,7 @@ class PropertyPaneTest {
         for (LightAttribute<?> attribute : LightAttribute.ALL) {
             robot.interact(() -> {
                 var controls = new VBox();
-                controls.getChildren().addAll(pane.widgets(attribute));
+                controls.getChildren().addAll(pane.rows(attribute));
                 assertThat(controls.getChildren()).as(attribute.title()).isNotEmpty();
                 model.editor().selection().selectLight(null);
                 assertThat(inputs(controls)).as(attribute.title()).isNotEmpty().allMatch(Node::isDisabled);
@@ -132,7 +132,7 @@ class PropertyPaneTest {
         robot.interact(() -> {
             model.editor().edit(scene -> LightGroupEdits.create(scene, TestEditors.SUN));
             ((VBox) ((ScrollPane) pane.getChildren().getFirst()).getContent()).getChildren()
-                    .setAll(pane.widgets(LightAttribute.LIGHT_GROUP));
+                    .setAll(pane.rows(LightAttribute.LIGHT_GROUP));
         });
         ComboBox<String> box = robot.lookup("#light-bank").query();
         robot.interact(() -> model.editor().selection().selectLight(TestEditors.POINT));
@@ -148,9 +148,9 @@ class PropertyPaneTest {
     @Test
     void fileAttribute_belongsToSelectedLight(FxRobot robot) {
         for (LightAttribute<?> attribute : List.of(LightAttribute.GOBO, LightAttribute.PROFILE)) {
-            robot.interact(() -> assertThat(pane.widgets(attribute).getLast().lookup("#" + attribute.name())).isNotNull());
+            robot.interact(() -> assertThat(pane.rows(attribute).getLast().lookup("#" + attribute.name())).isNotNull());
         }
-        robot.interact(() -> assertThat(pane.widgets(LightAttribute.TEXTURE).getLast().lookup("#light-texture")).isNotNull());
+        robot.interact(() -> assertThat(pane.rows(LightAttribute.TEXTURE).getLast().lookup("#light-texture")).isNotNull());
     }
 
     @Test
@@ -213,13 +213,13 @@ class PropertyPaneTest {
     void everyDial_showsAndSetsItsNumber(FxRobot robot) {
         List<String> others = LightAttribute.ALL.stream().filter(a -> !a.appliesTo(LightType.SPOT) || a == LightAttribute.SAMPLES
                 || a.section() == LightAttribute.Section.FILTERS)
-                .flatMap(a -> NumericParameter.of(a).stream()).map(NumericParameter::title).toList();
-        for (NumericParameter dial : NumericParameter.ALL.stream()
-                .filter(d -> !d.isOfScene() && !others.contains(d.title())
+                .flatMap(AttributeNumber::ofLight).map(AttributeNumber::title).toList();
+        for (AttributeNumber<?, ?> dial : AttributeNumber.ALL.stream()
+                .filter(d -> d.isOfLight() && !others.contains(d.title())
                         && !List.of("red", "green", "blue").contains(d.title()))
                 .toList()) {
             String value = dial.range().min() > 1.5 ? "3200" : "1.5";
-            type(robot, dial.id(), value);
+            type(robot, dial.part().isEmpty() ? dial.attribute().id() : dial.part(), value);
             assertThat(dial.value(model.editor().scene(), TestEditors.SPOT)).as(dial.title()).isEqualTo(Double.parseDouble(value));
         }
     }
@@ -362,10 +362,10 @@ class PropertyPaneTest {
 
     @Test
     void unit_offersWhatSuitsTheLight(FxRobot robot) {
-        ComboBox<String> units = robot.lookup("#unit").queryComboBox();
-        assertThat(units.getItems()).containsExactly("Relative", "Candela", "Lumen");
+        ComboBox<IntensityUnit> units = robot.lookup("#unit").queryComboBox();
+        assertThat(units.getItems()).extracting(units.getConverter()::toString).containsExactly("Relative", "Candela", "Lumen");
         robot.interact(() -> model.editor().selection().selectLight(TestEditors.SUN));
-        assertThat(units.getItems()).containsExactly("Relative", "Lux");
+        assertThat(units.getItems()).extracting(units.getConverter()::toString).containsExactly("Relative", "Lux");
     }
 
     @Test

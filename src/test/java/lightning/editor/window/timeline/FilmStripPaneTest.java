@@ -11,15 +11,14 @@ import javafx.scene.image.Image;
 import javafx.scene.image.ImageView;
 import javafx.scene.image.PixelFormat;
 import lightning.editor.document.Command;
+import lightning.editor.document.DeskScene;
 import lightning.editor.document.EditOutcome;
-import lightning.editor.document.NumericParameter;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.window.EditorFixture;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.AntialiasMode;
 import lightning.scene.IndirectSettings;
 import lightning.scene.SamplingSettings;
-import lightning.scene.light.LightAttribute;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
@@ -113,7 +112,7 @@ class FilmStripPaneTest extends EditorFixture {
         assertExact(4);
         int[] before = WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(() -> pixels(4)));
         robot.interact(() -> {
-            model().editor().edit(scene -> NumericParameter.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 2));
+            model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "sun", 2));
             // Such small frames may already be rendered before the stale state is shown.
             assertThat(isStale(4) || !Arrays.equals(pixels(4), before)).isTrue();
         });

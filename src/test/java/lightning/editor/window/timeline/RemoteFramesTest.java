@@ -15,7 +15,7 @@ import javafx.scene.control.TextField;
 import lightning.base.text.ReleaseInfo;
 import lightning.base.work.Await;
 import lightning.editor.document.Command;
-import lightning.editor.document.NumericParameter;
+import lightning.editor.document.DeskScene;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.TestEditors;
@@ -26,7 +26,6 @@ import lightning.render.image.Film;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;
-import lightning.scene.light.LightAttribute;
 import lightning.shot.FrameState;
 import lightning.shot.LocalFrameHost;
 import lightning.shot.cluster.FreePort;
@@ -153,7 +152,7 @@ class RemoteFramesTest extends EditorFixture {
         assertThat(robot.lookup("#machines").tryQuery()).isEmpty();
         assertAllExact();
         robot.interact(() -> {
-            model().editor().edit(scene -> NumericParameter.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 2));
+            model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "sun", 2));
             assertThat(strip().isUpToDate(4)).isFalse();
         });
         waitForStatus("2 nodes, 4 of 4 frames");

@@ -11,14 +11,13 @@ import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import lightning.editor.document.Command;
-import lightning.editor.document.NumericParameter;
+import lightning.editor.document.DeskScene;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.OwnEditor;
 import lightning.format.jen.JenReader;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.SceneElement;
-import lightning.scene.light.LightAttribute;
 import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.KeyframeValue;
@@ -73,7 +72,7 @@ class TimelinePaneTest extends EditorFixture {
 
     private void dial(double intensity) {
         robot.interact(() -> model().editor()
-                .edit(scene -> NumericParameter.of(LightAttribute.INTENSITY).getFirst().set(scene, "lamp", intensity)));
+                .edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", intensity)));
     }
 
     private void press(KeyCode... keys) {
@@ -122,7 +121,7 @@ class TimelinePaneTest extends EditorFixture {
     void editOfUnkeyedAttribute_changesAllFrames() {
         robot.clickOn(onRuler(13));
         robot.interact(
-                () -> model().editor().edit(scene -> NumericParameter.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 0.9)));
+                () -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "sun", 0.9)));
         assertThat(keys()).hasSize(2);
         assertThat(model().editor().document().content().sceneAt(1).light("sun").orElseThrow().intensity()).isEqualTo(0.9);
         assertThat(model().editor().document().content().base().light("lamp").orElseThrow().intensity()).isEqualTo(1);
@@ -245,7 +244,7 @@ class TimelinePaneTest extends EditorFixture {
         robot.interact(() -> model().editor().selection().selectLight("lamp"));
         dial(0.25);
         robot.interact(
-                () -> model().editor().edit(scene -> NumericParameter.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 0.9)));
+                () -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "sun", 0.9)));
         robot.interact(() -> model().commands().run(Command.UNDO_LIGHT));
         assertThat(keys()).containsExactly(key(1, Interpolation.LINEAR, 0.5), key(25, Interpolation.SMOOTH, 2.5));
         assertThat(light("sun").intensity()).isEqualTo(0.9);

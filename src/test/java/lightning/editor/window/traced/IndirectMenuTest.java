@@ -10,7 +10,7 @@ import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.RadioMenuItem;
-import lightning.editor.document.NumericParameter;
+import lightning.editor.document.AttributeNumber;
 import lightning.editor.window.EditorFixture;
 import lightning.scene.IndirectSettings;
 import org.junit.jupiter.api.Test;
@@ -72,10 +72,10 @@ class IndirectMenuTest extends EditorFixture {
 
     @Test
     void ambience_isReportedUntilItsCauseIsGone() {
-        robot.interact(() -> model().editor().edit(scene -> NumericParameter.AMBIENCE.set(scene, "", 0)));
+        robot.interact(() -> model().editor().edit(scene -> AttributeNumber.AMBIENCE.set(scene, "", 0)));
         choose("indirect-on");
         assertThat(warning().isVisible()).isFalse();
-        robot.interact(() -> model().editor().edit(scene -> NumericParameter.AMBIENCE.set(scene, "", 1)));
+        robot.interact(() -> model().editor().edit(scene -> AttributeNumber.AMBIENCE.set(scene, "", 1)));
         assertThat(warning().getText()).isEqualTo("ambience and indirect light count twice: set ambience to 0");
         robot.interact(() -> {
             model().editor().message().show("Saved");
@@ -88,7 +88,7 @@ class IndirectMenuTest extends EditorFixture {
 
     @Test
     void warning_isHiddenByAClick() {
-        robot.interact(() -> model().editor().edit(scene -> NumericParameter.AMBIENCE.set(scene, "", 1)));
+        robot.interact(() -> model().editor().edit(scene -> AttributeNumber.AMBIENCE.set(scene, "", 1)));
         choose("indirect-on");
         click("warning");
         assertThat(warning().isVisible()).isFalse();

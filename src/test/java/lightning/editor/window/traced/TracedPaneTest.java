@@ -21,10 +21,10 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.scene.layout.HBox;
 import lightning.base.math.Vec3;
+import lightning.editor.document.AttributeNumber;
 import lightning.editor.document.Command;
 import lightning.editor.document.DeskScene;
 import lightning.editor.document.LightEdits;
-import lightning.editor.document.NumericParameter;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.FastRobot;
 import lightning.editor.window.OwnEditor;
@@ -182,7 +182,7 @@ class TracedPaneTest extends EditorFixture {
     @Test
     void snapshot_isComparedByWipe() {
         click("snapshot");
-        robot.interact(() -> model().editor().edit(scene -> NumericParameter.AMBIENCE.set(scene, "", 5)));
+        robot.interact(() -> model().editor().edit(scene -> AttributeNumber.AMBIENCE.set(scene, "", 5)));
         click("go");
         waitForPicture();
         click("compare");
@@ -449,7 +449,7 @@ class TracedPaneTest extends EditorFixture {
     @Test
     void region_showsEditsOnlyInside() {
         int[] before = model().picture().raster().pixels().pixels().clone();
-        robot.interact(() -> model().editor().edit(scene -> NumericParameter.AMBIENCE.set(scene, "", 5)));
+        robot.interact(() -> model().editor().edit(scene -> AttributeNumber.AMBIENCE.set(scene, "", 5)));
         click("region");
         robot.drag(pixel(28, 20), MouseButton.PRIMARY);
         robot.dropTo(pixel(36, 28));

@@ -79,7 +79,7 @@ class ArrowWidgetTest {
 
     @Test
     void clickAtLimit_changesNothing(FxRobot robot) {
-        robot.interact(() -> widget.show(10));
+        robot.interact(() -> widget.show(10.0));
         robot.clickOn(upper(robot));
         assertThat(value).isEqualTo(10);
     }

@@ -3,7 +3,6 @@ package lightning.editor.document;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.base.text.NumberUnit;
 import lightning.scene.Camera;
@@ -24,7 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.FieldSource;
 
-class NumericParameterTest {
+class AttributeNumberTest {
     private final Scene scene = DeskScene.scene();
 
     /** Checks that exactly the documented degree parameters are entered and shown in degrees. */
@@ -37,30 +36,27 @@ class NumericParameterTest {
                         .isEqualTo(a.unit().contains("degrees") ? NumberUnit.DEGREES
                                 : a.unit().equals("stops") ? NumberUnit.STOPS : a.unit().equals("kelvin") ? NumberUnit.KELVIN
                                 : NumberUnit.FACTOR));
-        assertThat(NumericParameter.of(LightAttribute.DOORS)).hasSize(4).allMatch(d -> d.measure() == NumberUnit.DEGREES);
-        assertThat(NumericParameter.ENVIRONMENT.get(2).measure()).isEqualTo(NumberUnit.DEGREES);
-        assertThat(NumericParameter.AMBIENCE.measure()).isEqualTo(NumberUnit.FACTOR);
+    }
+
+    private static double step(double value, String number, int steps) {
+        return DeskScene.parameter(number).range().addSteps(value, steps);
     }
 
     @Test
     void step_addsTenthInDecimal() {
-        Scene once = DeskScene.sceneOf(DeskScene.parameter("intensity").set(scene, "key", 1.1));
-        assertThat(DeskScene.light(DeskScene.sceneOf(DeskScene.parameter("intensity").step(once, "key", 1)), "key").intensity())
-                .isEqualTo(1.2);
-        assertThat(DeskScene.light(DeskScene.sceneOf(DeskScene.parameter("intensity").step(once, "key", -4)), "key").intensity())
-                .isEqualTo(0.7);
+        assertThat(step(1.1, "intensity", 1)).isEqualTo(1.2);
+        assertThat(step(1.1, "intensity", -4)).isEqualTo(0.7);
     }
 
     @Test
     void step_changesAnglesByOneDegree() {
-        assertThat(DeskScene.light(DeskScene.sceneOf(DeskScene.parameter("angle").step(scene, "key", 2)), "key").angle()).isEqualTo(27);
+        assertThat(step(25, "angle", 2)).isEqualTo(27);
     }
 
     @Test
     void step_stopsAtLimits() {
-        assertThat(DeskScene.sceneOf(DeskScene.parameter("intensity").step(scene, "fill", -20)).light("fill").orElseThrow().intensity())
-                .isZero();
-        assertThat(DeskScene.sceneOf(NumericParameter.DEPTH.step(scene, "", 100)).picture().depth()).isEqualTo(10);
+        assertThat(step(1, "intensity", -20)).isZero();
+        assertThat(AttributeNumber.DEPTH.range().addSteps(2, 100)).isEqualTo(10);
     }
 
     @Test
@@ -76,7 +72,7 @@ class NumericParameterTest {
 
     @Test
     void fractionalDepth_isRefused() {
-        assertThat(NumericParameter.DEPTH.set(scene, "", 2.5).refusal()).contains("reflection bounces must be a whole number, was 2.5");
+        assertThat(AttributeNumber.DEPTH.set(scene, "", 2.5).refusal()).contains("reflection bounces must be a whole number, was 2.5");
     }
 
     @Test
@@ -87,7 +83,6 @@ class NumericParameterTest {
     @Test
     void unknownLight_isRefused() {
         assertThat(DeskScene.parameter("intensity").set(scene, "missing", 1).refusal()).contains("light 'missing' not found");
-        assertThat(DeskScene.parameter("intensity").step(scene, "missing", 1).refusal()).contains("light 'missing' not found");
     }
 
     @Test
@@ -104,14 +99,15 @@ class NumericParameterTest {
 
     @Test
     void spot_hasEveryParameterExceptOtherAreas() {
-        assertThat(NumericParameter.ALL.stream().filter(dial -> dial.disabledReason(scene, scene.light("key")).isPresent())
-                .map(NumericParameter::title).toList())
+        assertThat(AttributeNumber.ALL.stream().filter(number -> number.inactiveReason(scene, "key").isPresent())
+                .map(AttributeNumber::title).toList())
                 .containsExactlyInAnyOrder("cone cutoff", "cone softness", "beam spread", "spread", "width", "height",
                         "environment intensity", "environment light gain", "environment tilt", "environment roll",
                         "environment rotation",
                         "environment bright lights",
-                        "environment shadow smoothing", "fog anisotropy", "fog height", "fog falloff with height", "fog center x",
-                        "fog center y", "fog center z", "flag rotation x", "flag rotation y", "flag rotation z", "flag width",
+                        "environment shadow smoothing", "fog anisotropy", "fog height", "fog falloff with height", "fog size x",
+                        "fog size y", "fog size z", "red", "green", "blue", "red", "green", "blue", "red", "green", "blue",
+                        "flag rotation x", "flag rotation y", "flag rotation z", "flag width",
                         "flag height", "flag softness", "flag density", "filter rotation x", "filter rotation y", "filter rotation z",
                         "filter size x", "filter size y", "filter size z", "filter softness", "filter density", "sun elevation",
                         "sun azimuth", "sky turbidity", "sun strength", "sun radius");
@@ -119,11 +115,11 @@ class NumericParameterTest {
 
     @Test
     void pointLight_hasNoConeAndNoDirection() {
-        assertThat(DeskScene.parameter("angle").disabledReason(scene, scene.light("fill")))
+        assertThat(DeskScene.parameter("angle").inactiveReason(scene, "fill"))
                 .contains("a point light has no cone half-angle");
-        assertThat(DeskScene.parameter("dropoff").disabledReason(scene, scene.light("fill")))
+        assertThat(DeskScene.parameter("dropoff").inactiveReason(scene, "fill"))
                 .contains("a point light has no edge falloff");
-        assertThat(DeskScene.parameter("attenuation linear").disabledReason(scene, scene.light("fill"))).isEmpty();
+        assertThat(DeskScene.parameter("attenuation linear").inactiveReason(scene, "fill")).isEmpty();
         assertThat(LightAttribute.DIRECTION.inactiveReason(LightType.POINT)).contains("a point light has no direction");
     }
 
@@ -138,22 +134,13 @@ class NumericParameterTest {
                         LightAttribute.FLAG_WIDTH, LightAttribute.FLAG_HEIGHT, LightAttribute.FLAG_SOFTNESS, LightAttribute.FLAG_DENSITY,
                         LightAttribute.FILTER, LightAttribute.FILTER_POSITION, LightAttribute.FILTER_ROTATION, LightAttribute.FILTER_SIZE,
                         LightAttribute.FILTER_SOFTNESS, LightAttribute.FILTER_DENSITY, LightAttribute.FILTER_INVERTED));
-        assertThat(DeskScene.parameter("attenuation constant").disabledReason(scene, scene.light("sun")))
+        assertThat(DeskScene.parameter("attenuation constant").inactiveReason(scene, "sun"))
                 .contains("a directional light has no attenuation");
     }
 
-    @Test
-    void noSelection_onlySceneParametersCanChange() {
-        for (NumericParameter dial : NumericParameter.ALL) {
-            assertThat(dial.disabledReason(scene, Optional.empty()).isEmpty())
-                    .isEqualTo(dial == NumericParameter.AMBIENCE || dial == NumericParameter.METERS || dial == NumericParameter.DEPTH
-                            || dial == NumericParameter.FOG_DENSITY);
-        }
-    }
-
     @ParameterizedTest
-    @FieldSource("lightning.editor.document.NumericParameter#ALL")
-    void setValue_changesOnlyThatValue(NumericParameter dial) {
+    @FieldSource("lightning.editor.document.AttributeNumber#ALL")
+    void setValue_changesOnlyThatValue(AttributeNumber<?, ?> dial) {
         double other = Math.clamp(dial.value(scene, "key") == 5 ? 6 : 5, dial.range().min(), dial.range().max());
         Scene edited = DeskScene.sceneOf(dial.set(scene, "key", other));
         assertThat(dial.value(edited, "key")).isEqualTo(other);
@@ -163,8 +150,6 @@ class NumericParameterTest {
     @Property
     void stepsUpAndDown_restoreValue(@ForAll @IntRange(max = 100) int steps, @ForAll @DoubleRange(max = 9) double value) {
         double rounded = Math.rint(value * 100) / 100;
-        Scene begin = DeskScene.sceneOf(DeskScene.parameter("dropoff").set(scene, "key", rounded));
-        Scene up = DeskScene.sceneOf(DeskScene.parameter("dropoff").step(begin, "key", steps));
-        assertThat(DeskScene.sceneOf(DeskScene.parameter("dropoff").step(up, "key", -steps))).isEqualTo(begin);
+        assertThat(step(step(rounded, "dropoff", steps), "dropoff", -steps)).isEqualTo(rounded);
     }
 }
