@@ -19,7 +19,7 @@ import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
 import lightning.scene.value.SceneLimits;
 
-/** Edits of lights that change more than one {@link NumericParameter}. Each is refused if the named light does not exist. */
+/** Edits of lights that change more than one number. Each is refused if the named light does not exist. */
 public final class LightEdits {
     /** Leaves room for a number within the maximum name length. */
     private static final int MAX_STEM = SceneLimits.MAX_NAME - 7;
