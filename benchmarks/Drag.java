@@ -19,8 +19,8 @@ import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
-import lightning.editor.document.EditOutcome;
-import lightning.editor.loop.Frame;
+import lightning.document.EditOutcome;
+import lightning.document.loop.Frame;
 import lightning.editor.window.model.EditorModel;
 import lightning.render.engine.choice.Engines;
 

@@ -5,13 +5,13 @@ import java.util.stream.Stream;
 import java.util.zip.CRC32C;
 import lightning.base.work.Progress;
 import lightning.format.jen.JenReader;
+import lightning.render.RenderOptions;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.paper.Accuracy;
 import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.relight.paper.ReflectionMode;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /**

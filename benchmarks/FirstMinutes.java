@@ -13,7 +13,7 @@ import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 
 /**
  * An artist's first five minutes in the real window: from the start of the program to an own model, with mouse and keys, and with a picture

@@ -39,11 +39,11 @@ module lightning {
     exports lightning.scene.value;
     exports lightning.format.jen;
     exports lightning.format.image;
+    exports lightning.render;
     exports lightning.render.image;
     exports lightning.render.relight;
     exports lightning.render.relight.paper;
     exports lightning.render.relight.plan;
-    exports lightning.render.relight.tile;
     exports lightning.render.shading;
 
     exports lightning.editor.window to javafx.graphics;

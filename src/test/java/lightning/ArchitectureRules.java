@@ -30,7 +30,7 @@ final class ArchitectureRules {
 
     /** Types outside their package that know the methods of 1998: at most twelve. */
     private static final String METHODS_OF_1998 =
-            "lightning\\.(render\\.relight\\.(tile\\.(RenderOptions(Builder)?|BounceLevels))"
+            "lightning\\.(render\\.RenderOptions(Builder)?|render\\.relight\\.tile\\.BounceLevels"
                     + "|render\\.measure\\.AccuracySetting|editor\\.window\\.model\\.AccuracyMode|cli\\.option\\.(UpdateOptions|ReflectionsOption)"
                     + "|bench\\.(DriftBench|result\\.DriftPoint|report\\.(PlotColor|CurveSections)))(\\$.*)?";
 

@@ -139,7 +139,7 @@ class ArchitectureTest {
     void otherUseOfAMethodOf1998_isReported() throws IOException {
         assertReported(ArchitectureRules.methodsOf1998AreKnownByFew(), "only the listed classes know the methods of 1998",
                 "package lightning.render.relight.paper; public class Accuracy {}",
-                "package lightning.editor.loop; class Bad { lightning.render.relight.paper.Accuracy accuracy; }");
+                "package lightning.document.loop; class Bad { lightning.render.relight.paper.Accuracy accuracy; }");
     }
 
     @Test
@@ -209,7 +209,7 @@ class ArchitectureTest {
     void javaFxOutsideEditor_isReported() throws IOException {
         assertReported(ArchitectureRules.onlyEditorUsesJavaFx(), "only lightning.editor.window sees JavaFX",
                 "package javafx.scene; public class Node {}",
-                "package lightning.editor.document; class Bad { javafx.scene.Node node; }");
+                "package lightning.document; class Bad { javafx.scene.Node node; }");
     }
 
     @Test

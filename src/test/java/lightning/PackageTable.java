@@ -37,7 +37,8 @@ final class PackageTable {
             """;
 
     /** Groups from the bottom up: a package imports from its own group and from those before it. */
-    static final List<String> GROUPS = List.of("base", "scene", "render", "format", "shot", "editor", "serve", "bench", "cli");
+    static final List<String> GROUPS = List.of("base", "scene", "render", "format", "layer", "shot", "document",
+            "review", "serve", "editor", "bench", "cli");
 
     /** @param imports packages that it imports, besides itself */
     record Row(String name, SortedSet<String> imports) {

@@ -8,13 +8,13 @@ import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.RandomEdits;
 import lightning.bench.result.DriftCurve;
 import lightning.bench.result.DriftPoint;
+import lightning.render.RenderOptions;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.measure.PictureError;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.paper.Accuracy;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /** Benchmark of image error after 1, 10, 100, … edits, at each accuracy. */

@@ -15,11 +15,11 @@ import lightning.bench.accuracy.MemoryBandwidth;
 import lightning.bench.result.BenchResults;
 import lightning.bench.result.BenchRun;
 import lightning.bench.result.MeasurementFailure;
+import lightning.render.RenderOptions;
 import lightning.render.measure.AccuracySweepMeter;
 import lightning.render.measure.GuaranteeViolation;
 import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.PictureTooLargeException;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.paper.PaperCase;
 import lightning.scene.paper.PaperCases;
 

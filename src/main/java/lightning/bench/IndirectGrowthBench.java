@@ -8,7 +8,7 @@ import lightning.bench.accuracy.EditTurns;
 import lightning.bench.accuracy.ModernCases;
 import lightning.bench.result.IndirectGrowth;
 import lightning.bench.result.TimeSamples;
-import lightning.render.relight.tile.RenderOptions;
+import lightning.render.RenderOptions;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;
 import lightning.scene.paper.PaperCase;

@@ -12,9 +12,9 @@ import lightning.bench.result.FirstPassResult;
 import lightning.bench.result.MeasurementFailure;
 import lightning.bench.result.ModernEdit;
 import lightning.bench.result.ModernSampling;
+import lightning.render.RenderOptions;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import lightning.scene.paper.PaperCase;
 

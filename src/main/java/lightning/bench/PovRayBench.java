@@ -11,10 +11,10 @@ import lightning.bench.result.PeerResult;
 import lightning.bench.result.TimeSamples;
 import lightning.format.pov.PovRayRunner;
 import lightning.format.pov.PovScene;
+import lightning.render.RenderOptions;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /** Benchmark of POV-Ray against our full trace, with a comparison of their visible shapes. */

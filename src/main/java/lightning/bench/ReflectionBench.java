@@ -5,9 +5,9 @@ import java.util.List;
 import lightning.base.work.Progress;
 import lightning.bench.result.ReflectionAccuracy;
 import lightning.bench.result.TimeSamples;
+import lightning.render.RenderOptions;
 import lightning.render.measure.ReflectionErrorMeter;
 import lightning.render.measure.SweptEffect;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.PictureSettings;
 
 /** Benchmark of blurred reflections: time against error on scenes that have some. */

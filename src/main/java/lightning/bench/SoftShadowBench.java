@@ -5,10 +5,10 @@ import java.util.List;
 import lightning.base.work.Progress;
 import lightning.bench.result.SoftShadowAccuracy;
 import lightning.bench.result.TimeSamples;
+import lightning.render.RenderOptions;
 import lightning.render.measure.SoftShadowErrorMeter;
 import lightning.render.measure.SweptEffect;
 import lightning.render.measure.SweptSetting;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
 

@@ -19,7 +19,7 @@ import lightning.cli.output.Console;
 import lightning.cli.output.PictureOutput;
 import lightning.cli.output.ProgressBar;
 import lightning.cli.report.ShotRelightReport;
-import lightning.format.layer.FrameTime;
+import lightning.layer.FrameTime;
 import lightning.render.image.Film;
 import lightning.shot.FrameState;
 import lightning.shot.FrameUpdate;

@@ -13,6 +13,7 @@ import lightning.cli.output.ExitCode;
 import lightning.cli.output.PictureOutput;
 import lightning.cli.report.ConversionReport;
 import lightning.format.exchange.LightExport;
+import lightning.format.exchange.assembly.ExportedLights;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.jen.JenDocument;
 import lightning.scene.Scene;
@@ -74,7 +75,7 @@ final class ExportLightsCommand implements Callable<Integer> {
         Scene scene = document.scene();
         input.inputs(scene).check(output);
         LightUnits chosen = units != null ? units : LightUnits.findIn(document.text()).orElse(LightUnits.CANDELA);
-        LightExport lights = isLayer ? LightExport.toUsd(document.text(), document.animatedScene(), input.path(), output)
+        ExportedLights lights = isLayer ? LightExport.toUsd(document.text(), document.animatedScene(), input.path(), output)
                 : template == null ? LightExport.toJson(document.animatedScene())
                 : LightExport.toGltf(template, scene, chosen, Progress.NONE);
         for (Map.Entry<String, byte[]> file : lights.files().entrySet()) {

@@ -1,10 +1,10 @@
 package lightning.cli;
 
 import java.util.Optional;
+import lightning.render.RenderOptions;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.relight.tile.RenderOptions;
 import org.jspecify.annotations.Nullable;
 
 /** Renderer of the commands that one process runs one after the other: each starts from the picture of the one before. */

@@ -15,8 +15,8 @@ import lightning.base.text.RefusalException;
 import lightning.cli.output.Console;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenFile;
-import lightning.format.review.Review;
-import lightning.format.review.live.LiveChange;
+import lightning.review.Review;
+import lightning.review.live.LiveChange;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import lightning.cli.output.BadInputException;
-import lightning.format.review.live.LiveAddress;
+import lightning.review.live.LiveAddress;
 import lightning.shot.cluster.ClusterCertificate;
 import lightning.shot.cluster.JoinException;
 import org.jspecify.annotations.Nullable;

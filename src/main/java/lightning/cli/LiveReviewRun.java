@@ -10,9 +10,9 @@ import lightning.cli.output.Console;
 import lightning.cli.output.ProgressBar;
 import lightning.cli.output.ViewOption;
 import lightning.format.jen.JenDocument;
-import lightning.format.review.live.LiveReview;
+import lightning.render.RenderOptions;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.tile.RenderOptions;
+import lightning.review.live.LiveReview;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 

@@ -12,7 +12,7 @@ import lightning.cli.option.HostPortConverter;
 import lightning.cli.option.ThreadsOption;
 import lightning.cli.output.Console;
 import lightning.cli.output.ExitCode;
-import lightning.render.relight.tile.RenderOptions;
+import lightning.render.RenderOptions;
 import lightning.shot.LocalFrameHost;
 import lightning.shot.cluster.HostPort;
 import lightning.shot.cluster.NodeConfig;

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import lightning.base.file.SharedMemoryFile;
-import lightning.editor.loop.CoarsePicture;
+import lightning.document.loop.CoarsePicture;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Request {@code render} with {@code coarse}: traces a smaller picture in a short time. The cache stays as it is. */

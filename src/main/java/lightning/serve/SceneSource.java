@@ -9,7 +9,7 @@ import java.util.concurrent.CancellationException;
 import lightning.base.file.ParentFolder;
 import lightning.base.file.ShippedFile;
 import lightning.base.work.Progress;
-import lightning.editor.document.OpenDocument;
+import lightning.document.OpenDocument;
 import lightning.format.exchange.ImportLighting;
 import lightning.format.exchange.ImportOptions;
 import lightning.format.exchange.IndirectChoice;

@@ -15,7 +15,7 @@ import lightning.base.file.ScratchFolder;
 import lightning.base.file.SharedMemoryFile;
 import lightning.base.text.ReleaseInfo;
 import lightning.base.work.WorkerPool;
-import lightning.render.relight.tile.RenderOptions;
+import lightning.render.RenderOptions;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;

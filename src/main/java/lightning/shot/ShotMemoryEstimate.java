@@ -2,8 +2,8 @@ package lightning.shot;
 
 import java.util.Locale;
 import java.util.stream.IntStream;
+import lightning.render.RenderOptions;
 import lightning.render.relight.MemoryEstimate;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.MeshMemory;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;

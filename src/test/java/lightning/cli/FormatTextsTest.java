@@ -3,7 +3,7 @@ package lightning.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.format.MeshFormat;
 import lightning.format.image.ImageFormat;
 import org.junit.jupiter.api.Test;

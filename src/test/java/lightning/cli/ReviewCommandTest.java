@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import lightning.editor.document.LooksFolder;
+import lightning.document.LooksFolder;
 import lightning.format.jen.JenReader;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.BeforeEach;

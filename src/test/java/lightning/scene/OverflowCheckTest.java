@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
 import java.util.Set;
-import lightning.editor.document.LightEdits;
-import lightning.editor.document.MaterialEdits;
+import lightning.document.LightEdits;
+import lightning.document.MaterialEdits;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.sample.EditSession;

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.editor.document.DeskScene;
+import lightning.document.DeskScene;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.light.Light;

@@ -9,11 +9,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import lightning.base.work.Progress;
-import lightning.editor.document.EditOutcome;
-import lightning.editor.document.OpenDocument;
+import lightning.document.EditOutcome;
+import lightning.document.OpenDocument;
 import lightning.format.jen.PropertyEdit;
+import lightning.render.RenderOptions;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.tile.RenderOptions;
 
 /** Latency of edits through {@code lightning serve}, next to the same edits of a document with its renderer in one process, as the editor's. */
 final class ServeBenchmark {

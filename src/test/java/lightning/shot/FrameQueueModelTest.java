@@ -8,7 +8,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
-import lightning.editor.document.DeskScene;
+import lightning.document.DeskScene;
 import lightning.modelcheck.ScheduleExplorer;
 import lightning.scene.shot.Shot;
 import org.junit.jupiter.api.Tag;

@@ -11,7 +11,7 @@ import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import lightning.base.work.Await;
 import lightning.base.work.Progress;
-import lightning.editor.document.DeskScene;
+import lightning.document.DeskScene;
 import lightning.scene.shot.Shot;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

@@ -9,8 +9,8 @@ import lightning.base.work.WorkerPool;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
+import lightning.render.RenderOptions;
 import lightning.render.fulltrace.TraditionalTracer;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 

@@ -2,13 +2,13 @@ package lightning.bench.accuracy;
 
 import java.util.List;
 import lightning.base.work.Progress;
+import lightning.render.RenderOptions;
 import lightning.render.engine.choice.Engines;
 import lightning.render.image.Film;
 import lightning.render.measure.InterleavedTimer;
 import lightning.render.measure.Timing;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;

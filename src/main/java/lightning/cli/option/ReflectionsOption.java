@@ -1,8 +1,8 @@
 package lightning.cli.option;
 
 import lightning.cli.output.BadInputException;
+import lightning.render.RenderOptions;
 import lightning.render.relight.paper.ReflectionMode;
-import lightning.render.relight.tile.RenderOptions;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 

@@ -1,9 +1,9 @@
 package lightning.cli.option;
 
 import lightning.cli.output.BadInputException;
+import lightning.render.RenderOptions;
 import lightning.render.relight.paper.Accuracy;
 import lightning.render.relight.paper.MirrorStorage;
-import lightning.render.relight.tile.RenderOptions;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 

@@ -18,7 +18,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.dock.DockSlot;
 import lightning.editor.window.dock.TabDrag;
 import lightning.editor.window.model.PanelPlace;

@@ -12,7 +12,7 @@ import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.control.skin.ContextMenuSkin;
 import lightning.base.text.Messages;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.command.FileActions;
 import lightning.editor.window.command.SizeMenu;

@@ -17,7 +17,7 @@ import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
 import javafx.stage.Window;
 import lightning.base.text.Messages;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.command.CommandKeys;
 import lightning.editor.window.command.CommandPalette;
 import lightning.editor.window.command.EditorDialogs;

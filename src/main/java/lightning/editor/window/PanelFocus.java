@@ -6,7 +6,7 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javafx.scene.Node;
 import javafx.stage.Window;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.dock.DockTabs;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.widget.PanelWindow;

@@ -11,7 +11,7 @@ import javafx.scene.Parent;
 import javafx.scene.layout.Region;
 import javafx.stage.Stage;
 import javafx.stage.Window;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.command.CommandKeys;
 import lightning.editor.window.link.LinkPane;
 import lightning.editor.window.match.MatchPane;

@@ -9,7 +9,7 @@ import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import lightning.base.text.Messages;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.command.KeyBindingButton;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.KeyBindings;

@@ -1,9 +1,9 @@
 package lightning.editor.window;
 
-import lightning.editor.document.FileThread;
-import lightning.editor.document.OpenDocument;
-import lightning.editor.document.RecoveryFolder;
-import lightning.editor.loop.KeptPictures;
+import lightning.document.FileThread;
+import lightning.document.OpenDocument;
+import lightning.document.RecoveryFolder;
+import lightning.document.loop.KeptPictures;
 import lightning.editor.window.command.ColorTableActions;
 import lightning.editor.window.model.AccuracyMode;
 import lightning.editor.window.model.EditorModel;

@@ -4,7 +4,7 @@ import javafx.event.EventHandler;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.util.Subscription;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.command.FileActions;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.welcome.LessonBar;

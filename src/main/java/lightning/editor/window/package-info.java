@@ -1,5 +1,5 @@
 /**
- * The editor's windows: JavaFX views of the model in {@link lightning.editor.document}. Only this package and its sub-packages use JavaFX.
+ * The editor's windows: JavaFX views of the model in {@link lightning.document}. Only this package and its sub-packages use JavaFX.
  *
  * <pre>{@code
  * Optional<String> reason = WindowToolkit.start();

@@ -6,12 +6,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ExportedLights;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.exchange.json.AttributeJson;
 import lightning.format.exchange.json.DomeJson;
 import lightning.format.exchange.json.MaterialExtras;
 import lightning.format.exchange.json.PictureJson;
 import lightning.format.exchange.json.TransformJson;
+import lightning.format.exchange.usd.UsdLightExport;
 import lightning.format.gltf.GltfLightWriter;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
@@ -31,18 +33,14 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
 
-/**
- * Lights of a scene for other programs: in a copy of the glTF file that they light, as a layer of a USD stage, or as JSON.
- *
- * @param bytes content of the output file
- * @param files content of further files next to it, by their names
- * @param notes properties that the format does not support, with their counts
- */
-public record LightExport(byte[] bytes, Map<String, byte[]> files, Map<String, Integer> notes) {
+/** Lights of a scene for other programs: in a copy of the glTF file that they light, as a layer of a USD stage, or as JSON. */
+public final class LightExport {
     /** Key of a light's intensity without its unit, so that readers need no photometry. */
     static final String RELATIVE_INTENSITY = "relative_intensity";
     private static final String DOMES = "domes, whose light is sample lights and whose images are left out";
     private static final JsonMapper JSON = JsonMapper.builder().build();
+
+    private LightExport() {}
 
     /**
      * Returns a copy of a glTF file in which these lights replace its own. Properties that glTF does not support are stored
@@ -52,7 +50,7 @@ public record LightExport(byte[] bytes, Map<String, byte[]> files, Map<String, I
      * @throws MeshException if the file is not a valid glTF file
      * @throws IOException if it cannot be read
      */
-    public static LightExport toGltf(Path gltf, Scene scene, LightUnits units, Progress progress) throws IOException, MeshException {
+    public static ExportedLights toGltf(Path gltf, Scene scene, LightUnits units, Progress progress) throws IOException, MeshException {
         var notes = new ConversionNotes();
         List<GltfLightWriter.PlacedLight> lights = new ArrayList<>();
         List<Light> effectiveLights = scene.lightsForOtherPrograms();
@@ -66,7 +64,7 @@ public record LightExport(byte[] bytes, Map<String, byte[]> files, Map<String, I
                     effectiveLight.position(), effectiveLight.direction().normalized()));
         }
         notes.add(DOMES, (int) scene.world().named().stream().filter(d -> d.on() && d.image().isPresent()).count());
-        return new LightExport(GltfLightWriter.replaceLights(gltf, lights, progress), Map.of(), Map.copyOf(notes.counts()));
+        return new ExportedLights(GltfLightWriter.replaceLights(gltf, lights, progress), Map.of(), Map.copyOf(notes.counts()));
     }
 
     /**
@@ -77,7 +75,7 @@ public record LightExport(byte[] bytes, Map<String, byte[]> files, Map<String, I
      * @param output file of the layer
      * @throws IOException if the folders of the lights' files cannot be read
      */
-    public static LightExport toUsd(String text, AnimatedScene scene, Path sceneFile, Path output) throws IOException {
+    public static ExportedLights toUsd(String text, AnimatedScene scene, Path sceneFile, Path output) throws IOException {
         return UsdLightExport.export(text, scene, sceneFile, output);
     }
 
@@ -86,7 +84,7 @@ public record LightExport(byte[] bytes, Map<String, byte[]> files, Map<String, I
      * transforms of its objects and outermost groups, what is animated at each frame, and the keywords of the materials' attributes that
      * cannot come back as edits.
      */
-    public static LightExport toJson(AnimatedScene animated) {
+    public static ExportedLights toJson(AnimatedScene animated) {
         Scene scene = animated.base();
         ObjectNode root = JSON.createObjectNode();
         ArrayNode lights = root.putArray("lights");
@@ -115,7 +113,7 @@ public record LightExport(byte[] bytes, Map<String, byte[]> files, Map<String, I
         MaterialExtras.NAMES.forEach(root.putArray("materialNames")::add);
         var notes = new ConversionNotes();
         animated.shot().ifPresent(shot -> new ShotValues(animated, shot, notes).write(root.putObject("shot")));
-        return new LightExport(JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(root), Map.of(), Map.copyOf(notes.counts()));
+        return new ExportedLights(JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(root), Map.of(), Map.copyOf(notes.counts()));
     }
 
     static double relativeIntensity(Light light, Scene scene) {

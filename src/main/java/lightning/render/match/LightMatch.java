@@ -6,9 +6,9 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.stream.IntStream;
 import lightning.base.work.Progress;
+import lightning.render.RenderOptions;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
 

@@ -7,10 +7,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
+import lightning.render.RenderOptions;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.relight.PictureFilms;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
 

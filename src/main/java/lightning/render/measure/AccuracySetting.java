@@ -1,9 +1,9 @@
 package lightning.render.measure;
 
 import java.util.Set;
+import lightning.render.RenderOptions;
 import lightning.render.engine.choice.Engines;
 import lightning.render.relight.paper.Accuracy;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.AntialiasMode;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;

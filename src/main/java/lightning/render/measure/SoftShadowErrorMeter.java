@@ -1,8 +1,8 @@
 package lightning.render.measure;
 
 import lightning.base.work.Progress;
+import lightning.render.RenderOptions;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Camera;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;

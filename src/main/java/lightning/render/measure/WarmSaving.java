@@ -5,13 +5,13 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
+import lightning.render.RenderOptions;
 import lightning.render.cache.PixelCache;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.relight.tile.RenderOptions;
 import org.jspecify.annotations.Nullable;
 
 /**

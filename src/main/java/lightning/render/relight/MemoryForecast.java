@@ -1,9 +1,9 @@
 package lightning.render.relight;
 
+import lightning.render.RenderOptions;
 import lightning.render.cache.PixelCache;
 import lightning.render.gather.ray.PathsTooLargeException;
 import lightning.render.relight.tile.FilmMemory;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.SampleCells;
 import lightning.scene.AntialiasMode;
 import lightning.scene.GatherSettings;

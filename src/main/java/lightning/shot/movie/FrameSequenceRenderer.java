@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntFunction;
 import lightning.base.work.Progress;
+import lightning.render.RenderOptions;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.render.warmup.DelayedLanes;
 import lightning.scene.Scene;
 

@@ -5,13 +5,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
 import lightning.base.work.Progress;
+import lightning.render.RenderOptions;
 import lightning.render.measure.Timing;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.paper.Accuracy;
 import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.RayCounts;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import javafx.stage.Window;
 import javafx.stage.WindowEvent;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import org.junit.jupiter.api.Test;
 
 @OwnEditor

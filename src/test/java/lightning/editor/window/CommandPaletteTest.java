@@ -10,7 +10,7 @@ import javafx.scene.control.MenuItem;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyCombination;
 import javafx.stage.Window;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.model.AccuracyMode;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;

@@ -20,7 +20,7 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.stage.Stage;
 import javafx.stage.Window;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.model.PanelArrangement;
 import lightning.editor.window.model.PanelPlace;
 import lightning.editor.window.model.Preferences;

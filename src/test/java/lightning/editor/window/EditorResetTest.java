@@ -16,7 +16,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import javafx.beans.property.Property;
 import javafx.beans.value.ObservableValue;
-import lightning.editor.document.OpenDocument;
+import lightning.document.OpenDocument;
 import lightning.editor.window.model.FileActivity;
 import org.junit.jupiter.api.Test;
 import org.testfx.api.FxToolkit;

@@ -10,7 +10,7 @@ import java.util.TreeSet;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import lightning.base.text.GermanMessages;
-import lightning.editor.document.MaterialLibrary;
+import lightning.document.MaterialLibrary;
 import lightning.render.image.DisplayCurve;
 import lightning.sample.Slow;
 import lightning.scene.Camera;

@@ -13,7 +13,7 @@ import javafx.scene.control.TableView;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Window;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.widget.TextTyping;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;

@@ -6,9 +6,9 @@ import java.util.Set;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
 import lightning.base.math.Vec3;
-import lightning.editor.document.DeskScene;
-import lightning.editor.document.LightEdits;
-import lightning.editor.document.manipulation.PreviewCamera;
+import lightning.document.DeskScene;
+import lightning.document.LightEdits;
+import lightning.document.manipulation.PreviewCamera;
 import org.junit.jupiter.api.Test;
 
 class LightCameraToggleTest extends EditorFixture {

@@ -8,7 +8,7 @@ import javafx.scene.control.TextField;
 import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Window;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.widget.TextTyping;
 import lightning.format.jen.JenReader;
 import lightning.render.shading.reference.ReferenceTracer;

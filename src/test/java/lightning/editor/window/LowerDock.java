@@ -1,6 +1,6 @@
 package lightning.editor.window;
 
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.dock.DockSlot;
 import lightning.editor.window.model.WindowLayout;
 

@@ -22,7 +22,7 @@ import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.input.MouseButton;
 import javafx.stage.Window;
 import lightning.base.math.Vec3;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.command.CommandMenuItems;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;

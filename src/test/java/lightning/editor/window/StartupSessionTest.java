@@ -9,7 +9,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import javafx.application.Platform;
 import javafx.stage.Stage;
 import lightning.base.work.Await;
-import lightning.editor.document.FileThread;
+import lightning.document.FileThread;
 import lightning.editor.window.model.Preferences;
 import lightning.render.image.CubeLut;
 import lightning.sample.PythonPrograms;

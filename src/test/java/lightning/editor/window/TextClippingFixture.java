@@ -12,7 +12,7 @@ import javafx.scene.control.TextField;
 import javafx.scene.text.Text;
 import javafx.stage.Stage;
 import javafx.stage.Window;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import org.junit.jupiter.api.AfterEach;
 import org.kordamp.ikonli.javafx.FontIcon;
 

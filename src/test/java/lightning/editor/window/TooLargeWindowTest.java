@@ -2,8 +2,8 @@ package lightning.editor.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import lightning.editor.document.Command;
-import lightning.editor.document.EditOutcome;
+import lightning.document.EditOutcome;
+import lightning.editor.Command;
 import lightning.scene.AntialiasMode;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;

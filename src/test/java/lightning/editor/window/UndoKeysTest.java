@@ -7,7 +7,7 @@ import javafx.scene.Node;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
-import lightning.editor.document.DeskScene;
+import lightning.document.DeskScene;
 import lightning.editor.window.widget.TextTyping;
 import org.junit.jupiter.api.Test;
 

@@ -7,7 +7,7 @@ import javafx.scene.control.SplitPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.layout.Region;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.WindowLayout;
 import lightning.editor.window.model.WindowLayout.CanvasLayout;

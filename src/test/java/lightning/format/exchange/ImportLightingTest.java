@@ -16,6 +16,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
+import lightning.document.imports.ImportPreviews;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.gltf.GltfFixtures;

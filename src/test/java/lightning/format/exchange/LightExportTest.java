@@ -13,6 +13,7 @@ import java.util.Map;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ExportedLights;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.exchange.json.PictureJson;
 import lightning.format.gltf.GltfFixtures;
@@ -192,7 +193,7 @@ class LightExportTest {
                   sphere inner { at { 1 0 0 0  2 3 4 5 } }
                 }
                 """;
-        LightExport export = LightExport.toJson(JenReader.read(text, "text", folder).animatedScene());
+        ExportedLights export = LightExport.toJson(JenReader.read(text, "text", folder).animatedScene());
         JsonNode root = EXACT.readTree(export.bytes());
         assertThat(root.get("camera").get("from").toString()).isEqualTo("[0.0,1.0,5.0]");
         assertThat(export.notes()).containsExactly(Map.entry("animated objects inside of groups", 1));

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import lightning.base.work.Progress;
+import lightning.document.imports.ImportPreviews;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
 import org.junit.jupiter.api.Test;

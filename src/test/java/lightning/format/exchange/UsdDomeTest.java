@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ExportedLights;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.image.ImageFile;
@@ -88,9 +89,9 @@ class UsdDomeTest {
         return JenReader.read(folder.resolve("a.jen"));
     }
 
-    private LightExport export(JenDocument document) throws IOException {
+    private ExportedLights export(JenDocument document) throws IOException {
         Path layer = folder.resolve("lights.usda");
-        LightExport export = LightExport.toUsd(document.text(), document.animatedScene(), folder.resolve("a.jen"), layer);
+        ExportedLights export = LightExport.toUsd(document.text(), document.animatedScene(), folder.resolve("a.jen"), layer);
         Files.write(layer, export.bytes());
         for (Map.Entry<String, byte[]> file : export.files().entrySet()) {
             Files.write(folder.resolve(file.getKey()), file.getValue());
@@ -152,7 +153,7 @@ class UsdDomeTest {
 
     @Test
     void uneditedDomes_areNotInTheLayer() throws Exception {
-        LightExport export = export(imported());
+        ExportedLights export = export(imported());
         assertThat(new String(export.bytes(), StandardCharsets.UTF_8)).doesNotContain("over", "DomeLight");
         assertThat(export.files()).isEmpty();
         assertThat(export.notes()).isEmpty();
@@ -210,7 +211,7 @@ class UsdDomeTest {
         JenDocument sky = JenReader.read("jen 1\nsphere ball {}\nworld { ambience 0  sky yes  sky_elevation 25  sky_azimuth 60"
                 + "  sky_sun_radius 0.5  intensity 0.5  rotation 30  tilt 10 }\n", "a.jen", folder);
         Files.writeString(folder.resolve("a.jen"), sky.text());
-        LightExport export = export(sky);
+        ExportedLights export = export(sky);
         assertThat(export.files()).containsOnlyKeys("lights.sky.hdr");
         assertThat(export.notes()).containsOnly(Map.entry("discs of suns, which are distant lights", 1));
         read("lights.usda", "back.jen");
@@ -246,7 +247,7 @@ class UsdDomeTest {
     @Test
     void skyNextToADome_keepsBoth() throws Exception {
         JenDocument document = edit(imported(), "world.sky=yes");
-        LightExport export = export(document);
+        ExportedLights export = export(document);
         assertThat(export.files()).hasSize(1);
         Scene back = composed();
         assertThat(back.world().environments()).hasSize(3);

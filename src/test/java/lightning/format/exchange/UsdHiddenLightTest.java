@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ExportedLights;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
@@ -57,7 +58,7 @@ class UsdHiddenLightTest {
             """;
     @TempDir
     private Path folder;
-    private LightExport export = new LightExport(new byte[0], Map.of(), Map.of());
+    private ExportedLights export = new ExportedLights(new byte[0], Map.of(), Map.of());
 
     @BeforeEach
     void requireUsd() throws IOException {

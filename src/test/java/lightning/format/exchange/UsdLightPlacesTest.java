@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ExportedLights;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.jen.JenDocument;
@@ -105,8 +106,9 @@ class UsdLightPlacesTest {
                 new Vec3(31, 100, 5));
         JenDocument document = JenReader.read(folder.resolve("a.jen"));
         List<Light> brighter = document.scene().lights().stream().map(l -> l.withIntensity(9)).toList();
-        LightExport same = LightExport.toUsd(document.text(), document.animatedScene(), folder.resolve("a.jen"), folder.resolve("l.usda"));
-        LightExport export = LightExport.toUsd(document.text(),
+        ExportedLights same =
+                LightExport.toUsd(document.text(), document.animatedScene(), folder.resolve("a.jen"), folder.resolve("l.usda"));
+        ExportedLights export = LightExport.toUsd(document.text(),
                 document.animatedScene().withScene(document.scene().withLights(brighter)), folder.resolve("a.jen"),
                 folder.resolve("l.usda"));
         assertThat(new String(same.bytes(), StandardCharsets.UTF_8)).doesNotContain("rows", "lightning_lights");

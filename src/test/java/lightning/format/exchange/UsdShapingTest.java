@@ -9,6 +9,7 @@ import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ExportedLights;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.jen.JenDocument;
@@ -122,7 +123,7 @@ class UsdShapingTest {
         for (boolean isAnimated : new boolean[] {true, false}) {
             Scene edited = document.scene().withLights(document.scene().lights().stream()
                     .map(light -> isAnimated ? light.withIntensity(9) : light.withArea(light.area().withWidth(9))).toList());
-            LightExport export = LightExport.toUsd(document.text(), document.animatedScene().withScene(edited), folder.resolve("a.jen"),
+            ExportedLights export = LightExport.toUsd(document.text(), document.animatedScene().withScene(edited), folder.resolve("a.jen"),
                     folder.resolve("l.usda"));
             assertThat(export.notes().containsKey(note)).isEqualTo(isAnimated);
         }

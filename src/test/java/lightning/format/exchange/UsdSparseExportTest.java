@@ -15,6 +15,7 @@ import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ExportedLights;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
@@ -157,7 +158,7 @@ class UsdSparseExportTest {
         assertThat(opinions(document)).isEqualTo("/World/train/onTrain.inputs:intensity\n");
         JenDocument aimed = edited(document, "onTrain", l -> l.withType(LightType.SPOT).withDirection(new Vec3(1, 0, 0)));
         Path layer = folder.resolve("lights.usda");
-        LightExport export = LightExport.toUsd(aimed.text(), aimed.animatedScene(), folder.resolve("sparse.jen"), layer);
+        ExportedLights export = LightExport.toUsd(aimed.text(), aimed.animatedScene(), folder.resolve("sparse.jen"), layer);
         assertThat(export.notes()).containsEntry("moved lights whose parents move or are flat, placed in the world", 1);
         assertThat(new String(export.bytes(), StandardCharsets.UTF_8)).contains("!resetXformStack!");
     }
@@ -238,7 +239,7 @@ class UsdSparseExportTest {
         Scene scene = document.scene();
         JenDocument edited = document.withAnimatedScene(document.animatedScene().withScene(
                 scene.withWorld(scene.world().withSky(scene.world().sky().withOn(true)))));
-        LightExport export =
+        ExportedLights export =
                 LightExport.toUsd(edited.text(), edited.animatedScene(), folder.resolve("sparse.jen"), folder.resolve("lights.usda"));
         assertThat(export.files()).containsOnlyKeys("lights.sky.hdr");
         assertThat(new String(export.bytes(), StandardCharsets.UTF_8)).contains("over \"sky\"", "@./lights.sky.hdr@");
@@ -286,7 +287,7 @@ class UsdSparseExportTest {
         Path scene = folder.resolve("sparse.jen");
         Files.writeString(scene, String.join("\n", Files.readString(scene).lines().filter(s -> !s.startsWith("# usd values: ")).toList()));
         JenDocument document = JenReader.read(scene);
-        LightExport export = LightExport.toUsd(document.text(), document.animatedScene(), scene, folder.resolve("lights.usda"));
+        ExportedLights export = LightExport.toUsd(document.text(), document.animatedScene(), scene, folder.resolve("lights.usda"));
         assertThat(export.notes()).containsEntry(NOTE, document.scene().lights().size());
     }
 

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import lightning.base.work.Progress;
+import lightning.format.exchange.assembly.ExportedLights;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
@@ -66,7 +67,7 @@ class UsdValidationTest {
         Light light = Light.of("key", LightType.POINT).withIntensity(1e30).withFalloff(Falloff.CUSTOM)
                 .withAttenuation(new Attenuation(0, 0, 1e-12));
         Path layer = folder.resolve("large.usda");
-        LightExport export = LightExport.toUsd("", AnimatedScene.of(empty.withLights(List.of(light))), folder.resolve("a.jen"), layer);
+        ExportedLights export = LightExport.toUsd("", AnimatedScene.of(empty.withLights(List.of(light))), folder.resolve("a.jen"), layer);
         Files.write(layer, export.bytes());
         assertThat(export.notes()).containsEntry("values that no float can have, limited", 1);
         assertValid(List.of("large.usda"));

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
-import lightning.render.relight.tile.RenderOptions;
+import lightning.render.RenderOptions;
 import lightning.render.trace.HitRows;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;

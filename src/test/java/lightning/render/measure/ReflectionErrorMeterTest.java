@@ -8,7 +8,7 @@ import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.format.jen.JenReader;
-import lightning.render.relight.tile.RenderOptions;
+import lightning.render.RenderOptions;
 import lightning.render.trace.Geometry;
 import lightning.sample.IndirectScenes;
 import lightning.scene.Scene;

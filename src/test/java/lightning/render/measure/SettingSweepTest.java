@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
-import lightning.render.relight.tile.RenderOptions;
+import lightning.render.RenderOptions;
 import lightning.sample.IndirectScenes;
 import lightning.sample.ProgressRecorder;
 import lightning.scene.Scene;

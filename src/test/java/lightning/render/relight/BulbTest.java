@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import lightning.base.work.Progress;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
-import lightning.render.relight.tile.RenderOptions;
+import lightning.render.RenderOptions;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.Scene;

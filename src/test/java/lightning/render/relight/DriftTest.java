@@ -4,12 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.base.work.Progress;
 import lightning.bench.accuracy.RandomEdits;
+import lightning.render.RenderOptions;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.paper.Accuracy;
 import lightning.render.relight.paper.ErrorBound;
 import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.relight.paper.ReflectionMode;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.Nightly;
 import lightning.sample.Slow;

@@ -7,7 +7,7 @@ import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
-import lightning.render.relight.tile.RenderOptions;
+import lightning.render.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.AntialiasMode;

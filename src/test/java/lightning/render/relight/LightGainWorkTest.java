@@ -7,11 +7,11 @@ import java.util.List;
 import lightning.base.work.Progress;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
+import lightning.render.RenderOptions;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.plan.LightUpdate;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
@@ -92,7 +92,7 @@ class LightGainWorkTest {
     void lightWithoutShadows_castsNoShadowRays(LightType type) {
         Scene scene = StudioScene.of(type);
         scene = scene.withLight(scene.lights().getFirst().withContribution(Contribution.DEFAULT.withCastsShadows(false)));
-        try (Renderer renderer = new Renderer(new lightning.render.relight.tile.RenderOptions(
+        try (Renderer renderer = new Renderer(new lightning.render.RenderOptions(
                 lightning.render.relight.paper.Accuracy.EXACT, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1))) {
             UpdateResult first = renderer.render(scene, lightning.base.work.Progress.NONE);
             assertThat(first.rays().shadow()).isZero();

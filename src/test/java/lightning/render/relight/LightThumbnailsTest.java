@@ -4,11 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import lightning.base.work.Progress;
+import lightning.render.RenderOptions;
 import lightning.render.image.Film;
 import lightning.render.relight.paper.Accuracy;
 import lightning.render.relight.paper.MirrorStorage;
 import lightning.render.relight.paper.ReflectionMode;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.sample.EditSession;
 import lightning.sample.IndirectScenes;
 import lightning.sample.Slow;

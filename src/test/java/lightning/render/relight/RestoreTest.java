@@ -3,11 +3,11 @@ package lightning.render.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.base.work.Progress;
+import lightning.render.RenderOptions;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;

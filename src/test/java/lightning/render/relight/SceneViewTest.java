@@ -3,13 +3,13 @@ package lightning.render.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.base.work.Progress;
+import lightning.render.RenderOptions;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.paper.Accuracy;
 import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
 import lightning.scene.ViewCurve;

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import lightning.base.work.Progress;
-import lightning.render.relight.tile.RenderOptions;
+import lightning.render.RenderOptions;
 import lightning.sample.IndirectScenes;
 import lightning.scene.IndirectSettings;
 import lightning.scene.Scene;

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatCode;
 import java.nio.file.Path;
 import java.util.UUID;
 import lightning.base.work.Await;
-import lightning.render.relight.tile.RenderOptions;
+import lightning.render.RenderOptions;
 import lightning.shot.LocalFrameHost;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -23,7 +23,7 @@ import lightning.base.file.ContentHash;
 import lightning.base.work.Await;
 import lightning.base.work.NiceValue;
 import lightning.base.work.Progress;
-import lightning.render.relight.tile.RenderOptions;
+import lightning.render.RenderOptions;
 import lightning.shot.ForwardingFrameHost;
 import lightning.shot.FrameHost;
 import lightning.shot.FrameRejectedException;

@@ -6,7 +6,7 @@ import java.util.concurrent.CancellationException;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
-import lightning.editor.document.OpenDocument;
+import lightning.document.OpenDocument;
 import lightning.editor.window.model.EditorModel;
 
 /** Writes files of the picture on a thread of their own, one at a time, with progress in the status line. Esc cancels. */

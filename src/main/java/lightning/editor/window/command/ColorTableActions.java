@@ -7,7 +7,7 @@ import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.Preferences;

@@ -4,7 +4,7 @@ import java.util.stream.Stream;
 import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.scene.input.KeyEvent;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.model.CommandRegistry;
 
 /** Keyboard shortcuts of the commands in a window. Text fields and controls handle their own keys first. */

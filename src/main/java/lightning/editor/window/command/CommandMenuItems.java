@@ -10,7 +10,7 @@ import javafx.scene.control.CustomMenuItem;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.RadioMenuItem;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.KeyLabel;
 import org.kordamp.ikonli.javafx.FontIcon;

@@ -5,7 +5,7 @@ import lightning.base.text.Messages;
 import lightning.format.exr.ExrPrimaries;
 import lightning.format.exr.ExrType;
 import lightning.format.image.ImageFormat;
-import lightning.format.layer.ExrContent;
+import lightning.layer.ExrContent;
 import org.jspecify.annotations.Nullable;
 
 /** File format for exporting the picture. */

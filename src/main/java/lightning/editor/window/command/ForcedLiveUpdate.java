@@ -4,7 +4,7 @@ import java.util.concurrent.Executor;
 import javafx.scene.Node;
 import javafx.stage.Window;
 import javafx.util.Subscription;
-import lightning.editor.document.EditorState;
+import lightning.editor.EditorState;
 import lightning.editor.window.model.SceneEditor;
 
 /** Renders edits of the mixer and of cues immediately, also while Live is off. */

@@ -15,10 +15,10 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.VBox;
 import javafx.scene.text.TextAlignment;
 import lightning.base.text.Messages;
+import lightning.document.imports.ImportPreviews.Choice;
+import lightning.document.imports.ImportPreviews.Preview;
 import lightning.editor.window.widget.PixelImage;
 import lightning.format.exchange.ImportLighting;
-import lightning.format.exchange.ImportPreviews.Choice;
-import lightning.format.exchange.ImportPreviews.Preview;
 import lightning.format.exchange.assembly.LightUnits;
 import lightning.scene.PictureSettings;
 

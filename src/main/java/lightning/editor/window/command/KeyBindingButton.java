@@ -10,7 +10,7 @@ import javafx.scene.input.KeyCodeCombination;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 import lightning.base.text.Messages;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.model.KeyBindings;
 import lightning.editor.window.model.KeyLabel;
 

@@ -15,7 +15,7 @@ import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Priority;
 import lightning.base.text.Messages;
 import lightning.base.work.Progress;
-import lightning.editor.document.FileThread;
+import lightning.document.FileThread;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.format.ocio.OcioConfig;
 import lightning.format.ocio.OcioReference;

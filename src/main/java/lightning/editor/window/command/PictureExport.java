@@ -10,20 +10,20 @@ import lightning.base.text.Messages;
 import lightning.base.work.HeapBudget;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
-import lightning.editor.document.Command;
-import lightning.editor.loop.Frame;
+import lightning.document.loop.Frame;
+import lightning.editor.Command;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.StatusMessage;
 import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
 import lightning.format.jen.JenFile;
-import lightning.format.layer.ExrLayout;
-import lightning.format.layer.LayeredExrWriter;
-import lightning.format.layer.SceneMetadata;
+import lightning.layer.ExrLayout;
+import lightning.layer.LayeredExrWriter;
+import lightning.layer.SceneMetadata;
+import lightning.render.RenderOptions;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.MemoryEstimate;
-import lightning.render.relight.tile.RenderOptions;
 
 /** Exports the traced picture, its layers or its mattes in the background. */
 final class PictureExport {

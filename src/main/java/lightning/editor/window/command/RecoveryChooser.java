@@ -9,8 +9,8 @@ import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.editor.document.DiskStatus;
-import lightning.editor.document.RecoveryFolder;
+import lightning.document.DiskStatus;
+import lightning.document.RecoveryFolder;
 import org.jspecify.annotations.Nullable;
 
 /** List of the unsaved scenes of crashed processes, newest first, to choose one. */

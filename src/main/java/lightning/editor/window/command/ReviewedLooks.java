@@ -2,18 +2,18 @@ package lightning.editor.window.command;
 
 import lightning.base.text.Messages;
 import lightning.base.work.Progress;
-import lightning.editor.document.Command;
-import lightning.editor.document.cue.CueFolder;
-import lightning.editor.document.cue.Lighting;
+import lightning.document.look.CueFolder;
+import lightning.document.look.Lighting;
+import lightning.editor.Command;
 import lightning.editor.window.model.ComparedLooks;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.ErrorMessage;
+import lightning.render.RenderOptions;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.SceneView;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /** Saves the looks before and after a review with the scene, and shows both beside each other in the panel of looks. */

@@ -1,7 +1,7 @@
 package lightning.editor.window.command;
 
 import javafx.scene.input.KeyEvent;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.model.CommandRegistry;
 
 /** Keyboard shortcuts for the selected shape or group, in the list of shapes and in the preview. */

@@ -10,7 +10,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import javafx.scene.text.Text;
 import lightning.base.text.Messages;
-import lightning.editor.document.TextDifference;
+import lightning.document.TextDifference;
 import org.jspecify.annotations.Nullable;
 
 /** Side-by-side view of two texts with marked and colored differences. */

@@ -13,7 +13,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
-import lightning.editor.document.cue.Cue;
+import lightning.document.look.Cue;
 import lightning.editor.window.widget.PixelImage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;

@@ -11,7 +11,7 @@ import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.StackPane;
 import lightning.base.text.Messages;
-import lightning.editor.document.cue.Cue;
+import lightning.document.look.Cue;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.image.Difference;
 import lightning.render.image.DifferenceImage;

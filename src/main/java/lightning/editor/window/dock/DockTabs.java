@@ -14,7 +14,7 @@ import javafx.scene.control.ScrollPane;
 import javafx.scene.control.Tab;
 import javafx.scene.control.TabPane;
 import javafx.scene.layout.Region;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.PanelPlace;

@@ -9,7 +9,7 @@ import javafx.scene.Node;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Region;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.model.PanelPlace;
 import org.jspecify.annotations.Nullable;
 

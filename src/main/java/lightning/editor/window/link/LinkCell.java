@@ -7,7 +7,7 @@ import javafx.geometry.HPos;
 import javafx.geometry.VPos;
 import javafx.scene.control.Label;
 import javafx.scene.layout.Region;
-import lightning.editor.document.LinkTable;
+import lightning.document.LinkTable;
 import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
 

@@ -9,7 +9,7 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Pane;
 import lightning.base.text.Messages;
-import lightning.editor.document.LinkTable;
+import lightning.document.LinkTable;
 import lightning.scene.light.Light;
 import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;

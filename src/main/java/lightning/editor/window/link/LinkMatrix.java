@@ -12,7 +12,7 @@ import javafx.scene.input.ScrollEvent;
 import javafx.scene.layout.Pane;
 import javafx.scene.layout.Region;
 import lightning.base.text.Messages;
-import lightning.editor.document.LinkTable;
+import lightning.document.LinkTable;
 import lightning.scene.light.Light;
 import org.jspecify.annotations.Nullable;
 

@@ -8,7 +8,7 @@ import javafx.scene.image.ImageView;
 import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
 import lightning.base.text.Messages;
-import lightning.editor.loop.Frame;
+import lightning.document.loop.Frame;
 import lightning.editor.window.model.PaneUpdater;
 import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.PixelImage;

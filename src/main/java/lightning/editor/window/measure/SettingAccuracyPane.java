@@ -17,7 +17,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import lightning.base.text.Messages;
-import lightning.editor.document.EditOutcome;
+import lightning.document.EditOutcome;
 import lightning.editor.window.model.AccuracyMode;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusText;

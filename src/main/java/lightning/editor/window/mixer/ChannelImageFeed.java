@@ -8,7 +8,7 @@ import javafx.animation.PauseTransition;
 import javafx.beans.property.ObjectProperty;
 import javafx.util.Duration;
 import lightning.base.work.Progress;
-import lightning.editor.document.Workbench;
+import lightning.editor.Workbench;
 import lightning.editor.window.model.PaneUpdater;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.ViewTransform;

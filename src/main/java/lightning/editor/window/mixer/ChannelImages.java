@@ -4,7 +4,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import lightning.editor.document.MixerChannel;
+import lightning.document.MixerChannel;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.LightShares;

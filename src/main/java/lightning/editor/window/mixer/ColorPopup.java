@@ -6,7 +6,7 @@ import javafx.scene.layout.VBox;
 import javafx.stage.Popup;
 import javafx.util.Subscription;
 import lightning.base.text.Messages;
-import lightning.editor.document.MixerChannel;
+import lightning.document.MixerChannel;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.TemperatureSlider;

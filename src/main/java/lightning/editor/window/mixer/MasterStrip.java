@@ -8,7 +8,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
-import lightning.editor.document.StepRange;
+import lightning.document.StepRange;
 import lightning.editor.window.widget.NumberField;
 import lightning.editor.window.widget.NumberSetting;
 import org.jspecify.annotations.Nullable;

@@ -2,7 +2,7 @@ package lightning.editor.window.mixer;
 
 import java.util.Locale;
 import lightning.base.text.Messages;
-import lightning.editor.document.MixerChannel;
+import lightning.document.MixerChannel;
 import lightning.editor.window.widget.LightTypes;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;

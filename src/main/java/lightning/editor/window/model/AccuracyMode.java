@@ -1,9 +1,9 @@
 package lightning.editor.window.model;
 
 import lightning.base.text.Messages;
+import lightning.render.RenderOptions;
 import lightning.render.relight.paper.Accuracy;
 import lightning.render.relight.paper.ReflectionMode;
-import lightning.render.relight.tile.RenderOptions;
 
 /** Accuracy setting of the editor: the accuracy of updates and the handling of reflections. */
 public enum AccuracyMode {

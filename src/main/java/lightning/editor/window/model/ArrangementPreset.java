@@ -1,7 +1,7 @@
 package lightning.editor.window.model;
 
 import java.util.List;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.model.WindowLayout.CanvasLayout;
 
 /** Arrangement of pictures and panels for a kind of work. */

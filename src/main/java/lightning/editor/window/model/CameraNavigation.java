@@ -4,7 +4,7 @@ import java.util.Optional;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import lightning.base.text.Messages;
-import lightning.editor.document.manipulation.CameraDrag;
+import lightning.document.manipulation.CameraDrag;
 
 /** Mouse buttons that move the view: those of Lightning, or of the program that the user comes from. */
 public enum CameraNavigation {

@@ -9,8 +9,8 @@ import java.util.function.Consumer;
 import javafx.beans.property.Property;
 import javafx.beans.value.ObservableObjectValue;
 import javafx.beans.value.ObservableValue;
-import lightning.editor.document.Command;
-import lightning.editor.document.EditorState;
+import lightning.editor.Command;
+import lightning.editor.EditorState;
 
 /** Actions, toggle states and enablement of the editor's commands. */
 public final class CommandRegistry {

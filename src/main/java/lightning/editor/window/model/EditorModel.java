@@ -5,13 +5,13 @@ import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import lightning.base.text.Messages;
-import lightning.editor.document.Command;
-import lightning.editor.document.FileThread;
-import lightning.editor.document.OpenDocument;
-import lightning.editor.document.RecoveryFolder;
-import lightning.editor.document.Workbench;
-import lightning.editor.document.manipulation.PreviewCamera;
-import lightning.editor.loop.KeptPictures;
+import lightning.document.FileThread;
+import lightning.document.OpenDocument;
+import lightning.document.RecoveryFolder;
+import lightning.document.loop.KeptPictures;
+import lightning.document.manipulation.PreviewCamera;
+import lightning.editor.Command;
+import lightning.editor.Workbench;
 import lightning.render.image.ViewTransform;
 
 /**

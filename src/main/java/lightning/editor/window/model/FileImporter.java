@@ -7,7 +7,7 @@ import java.util.function.Consumer;
 import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.editor.document.FileThread;
+import lightning.document.FileThread;
 import lightning.format.jen.asset.FileCopy;
 import lightning.format.jen.asset.FileKind;
 import org.jspecify.annotations.Nullable;

@@ -7,7 +7,7 @@ import java.util.function.LongPredicate;
 import javafx.animation.AnimationTimer;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
-import lightning.editor.loop.Frame;
+import lightning.document.loop.Frame;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 

@@ -2,7 +2,7 @@ package lightning.editor.window.model;
 
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
-import lightning.editor.document.manipulation.LightDrag;
+import lightning.document.manipulation.LightDrag;
 
 /** Mouse bindings for dragging light gizmos in the preview and the traced picture. */
 public final class GizmoMouseBinding {

@@ -3,10 +3,10 @@ package lightning.editor.window.model;
 import java.util.List;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
-import lightning.editor.document.manipulation.LightGizmo;
-import lightning.editor.document.manipulation.NodeGizmo;
-import lightning.editor.document.manipulation.PreviewCamera;
-import lightning.editor.document.manipulation.Viewport;
+import lightning.document.manipulation.LightGizmo;
+import lightning.document.manipulation.NodeGizmo;
+import lightning.document.manipulation.PreviewCamera;
+import lightning.document.manipulation.Viewport;
 
 /**
  * Paints gizmos over the preview and the traced picture. Lines are thin with a dark outline, so that they stay visible on bright surfaces.

@@ -11,7 +11,7 @@ import javafx.scene.input.KeyCodeCombination;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 import lightning.base.text.Messages;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 
 /** Keyboard shortcuts of the commands: defaults and the user's changes. No two commands share a shortcut. */
 public final class KeyBindings {

@@ -4,7 +4,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
-import lightning.editor.document.KeyId;
+import lightning.document.KeyId;
 import lightning.scene.shot.AnimatedScene;
 
 /** Selected keyframes of the shot, which keyframe commands act on. */

@@ -3,8 +3,8 @@ package lightning.editor.window.model;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
-import lightning.editor.document.Command;
-import lightning.editor.document.manipulation.PreviewCamera;
+import lightning.document.manipulation.PreviewCamera;
+import lightning.editor.Command;
 import lightning.scene.light.Light;
 import org.jspecify.annotations.Nullable;
 

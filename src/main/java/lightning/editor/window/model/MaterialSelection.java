@@ -7,7 +7,7 @@ import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.editor.document.MaterialEdits;
+import lightning.document.MaterialEdits;
 import lightning.scene.Scene;
 import lightning.scene.material.Material;
 import lightning.scene.node.Shape;

@@ -1,9 +1,9 @@
 package lightning.editor.window.model;
 
-import lightning.editor.document.Command;
-import lightning.editor.document.EditOutcome;
-import lightning.editor.document.NewBlocker;
-import lightning.editor.document.NodeEdits;
+import lightning.document.EditOutcome;
+import lightning.document.NewBlocker;
+import lightning.document.NodeEdits;
+import lightning.editor.Command;
 import lightning.scene.ObjectLight;
 import lightning.scene.node.SceneNode;
 

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 
 /**
  * Places of the panels: which are open, where, and which is in front of each dock. Immutable.

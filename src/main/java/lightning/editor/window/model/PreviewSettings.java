@@ -6,7 +6,7 @@ import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleLongProperty;
 import javafx.beans.property.SimpleObjectProperty;
-import lightning.editor.document.manipulation.PreviewCamera;
+import lightning.document.manipulation.PreviewCamera;
 
 /** Display settings and camera of the preview, which are not part of the scene. */
 public final class PreviewSettings {

@@ -2,9 +2,9 @@ package lightning.editor.window.model;
 
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import lightning.editor.document.Command;
-import lightning.editor.document.KeyEdits;
-import lightning.editor.document.ShotFrame;
+import lightning.document.KeyEdits;
+import lightning.document.ShotFrame;
+import lightning.editor.Command;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Interpolation;

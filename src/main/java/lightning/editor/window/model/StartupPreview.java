@@ -8,9 +8,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Function;
 import lightning.base.work.DedicatedThread;
-import lightning.editor.loop.CoarsePicture;
+import lightning.document.loop.CoarsePicture;
+import lightning.render.RenderOptions;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /** Coarse pictures of a scene, traced while the window is being created. */

@@ -6,8 +6,8 @@ import java.util.Optional;
 import javafx.beans.value.ObservableValue;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
-import lightning.editor.loop.Frame;
-import lightning.editor.loop.RenderState;
+import lightning.document.loop.Frame;
+import lightning.document.loop.RenderState;
 import lightning.render.measure.WarmSaving;
 import lightning.render.relight.UpdateResult;
 

@@ -11,8 +11,8 @@ import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleDoubleProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import lightning.base.text.Messages;
-import lightning.editor.document.Command;
-import lightning.editor.document.PictureArea;
+import lightning.document.PictureArea;
+import lightning.editor.Command;
 
 /** Layout of the window: sizes and visibility of pictures, panels and timeline. */
 public final class WindowLayout {

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Vec3;
-import lightning.editor.document.manipulation.PreviewCamera;
-import lightning.editor.document.manipulation.Viewport;
+import lightning.document.manipulation.PreviewCamera;
+import lightning.document.manipulation.Viewport;
 import lightning.scene.light.Light;
 
 /**

@@ -8,7 +8,7 @@ import java.util.function.Predicate;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.Node;
 import javafx.scene.layout.VBox;
-import lightning.editor.document.EditorState;
+import lightning.editor.EditorState;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ValueWidget;

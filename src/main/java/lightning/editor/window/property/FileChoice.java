@@ -1,7 +1,7 @@
 package lightning.editor.window.property;
 
 import lightning.base.text.Messages;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.format.jen.asset.FileKind;
 import lightning.scene.attribute.ValueKind;
 

@@ -17,7 +17,7 @@ import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 import lightning.base.text.Messages;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;

@@ -3,7 +3,7 @@ package lightning.editor.window.property;
 import java.util.Optional;
 import javafx.scene.control.Button;
 import javafx.scene.layout.StackPane;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.ValueWidget;

@@ -3,7 +3,7 @@ package lightning.editor.window.property;
 import javafx.css.PseudoClass;
 import javafx.scene.input.DragEvent;
 import javafx.scene.input.TransferMode;
-import lightning.editor.document.LightGroupEdits;
+import lightning.document.LightGroupEdits;
 import lightning.editor.window.model.SceneEditor;
 
 /** Drag and drop of lights in the list: onto a light group or one of its lights to join the group, elsewhere to leave it. */

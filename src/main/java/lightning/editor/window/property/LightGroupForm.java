@@ -4,7 +4,7 @@ import java.util.Optional;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.Node;
 import lightning.base.text.Messages;
-import lightning.editor.document.EditorState;
+import lightning.editor.EditorState;
 import lightning.editor.window.model.EditorModel;
 import lightning.scene.SceneElement;
 import lightning.scene.attribute.SceneAttribute;

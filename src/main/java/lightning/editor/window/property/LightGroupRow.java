@@ -10,7 +10,7 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import lightning.base.text.Messages;
-import lightning.editor.document.LightGroupEdits;
+import lightning.document.LightGroupEdits;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.DisplayColors;
 import lightning.editor.window.widget.LightTypes;

@@ -11,7 +11,7 @@ import javafx.scene.input.DragEvent;
 import javafx.scene.input.Dragboard;
 import javafx.scene.input.TransferMode;
 import lightning.base.text.Messages;
-import lightning.editor.document.LightEdits;
+import lightning.document.LightEdits;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.value.ShapeLinks;

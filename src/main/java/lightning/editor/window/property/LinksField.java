@@ -13,7 +13,7 @@ import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.layout.StackPane;
 import lightning.base.text.Messages;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;

@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.model.CommandRegistry;
 
 /** List cell with a name that can be edited in place. The list is editable only while renaming. */

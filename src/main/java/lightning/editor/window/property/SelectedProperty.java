@@ -2,7 +2,7 @@ package lightning.editor.window.property;
 
 import java.util.Optional;
 import java.util.function.Supplier;
-import lightning.editor.document.EditOutcome;
+import lightning.document.EditOutcome;
 import lightning.format.jen.PropertyEdit;
 import lightning.scene.Scene;
 import lightning.scene.SceneElement;

@@ -16,7 +16,7 @@ import javafx.scene.layout.GridPane;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Messages;
 import lightning.base.text.RefusalException;
-import lightning.editor.document.EditOutcome;
+import lightning.document.EditOutcome;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Scene;
 import lightning.scene.sky.Sky;

@@ -15,7 +15,7 @@ import lightning.base.file.FileState;
 import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.editor.document.FileThread;
+import lightning.document.FileThread;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenFile;

@@ -11,7 +11,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
-import lightning.editor.loop.ContactSheet;
+import lightning.document.loop.ContactSheet;
 import lightning.editor.window.widget.PixelImage;
 import lightning.format.sequence.Sequence;
 

@@ -20,7 +20,7 @@ import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 import javafx.util.Subscription;
 import lightning.base.text.Messages;
-import lightning.editor.document.EditorState;
+import lightning.editor.EditorState;
 import lightning.editor.window.command.PathPrompt;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;

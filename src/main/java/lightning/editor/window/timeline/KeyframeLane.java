@@ -9,7 +9,7 @@ import javafx.css.PseudoClass;
 import javafx.scene.layout.Pane;
 import javafx.scene.layout.Region;
 import lightning.base.text.Messages;
-import lightning.editor.document.KeyId;
+import lightning.document.KeyId;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.Track;
 

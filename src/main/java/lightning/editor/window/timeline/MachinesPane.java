@@ -13,7 +13,7 @@ import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
 import lightning.base.text.RefusalException;
 import lightning.base.work.DedicatedThread;
-import lightning.editor.document.FileThread;
+import lightning.document.FileThread;
 import lightning.editor.window.command.PathPrompt;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.RenderMachines;

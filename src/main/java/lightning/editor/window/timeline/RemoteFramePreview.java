@@ -2,7 +2,7 @@ package lightning.editor.window.timeline;
 
 import java.util.concurrent.Executor;
 import java.util.function.BiConsumer;
-import lightning.editor.document.EditorState;
+import lightning.editor.EditorState;
 import lightning.editor.window.model.SceneEditor;
 import lightning.render.image.Film;
 import lightning.scene.Scene;

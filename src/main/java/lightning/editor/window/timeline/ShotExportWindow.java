@@ -1,7 +1,7 @@
 package lightning.editor.window.timeline;
 
 import javafx.stage.Window;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.command.CommandKeys;
 import lightning.editor.window.command.PathPrompt;
 import lightning.editor.window.model.CommandRegistry;

@@ -4,7 +4,7 @@ import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleObjectProperty;
-import lightning.editor.document.EditorState;
+import lightning.editor.EditorState;
 import lightning.editor.window.model.KeySelection;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.shot.Shot;

@@ -11,7 +11,7 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.HBox;
 import lightning.base.text.Messages;
 import lightning.base.text.NumberUnit;
-import lightning.editor.document.StepRange;
+import lightning.document.StepRange;
 import lightning.editor.window.model.StatusMessage;
 import lightning.editor.window.model.ViewActions;
 import lightning.editor.window.widget.NumberField;

@@ -7,7 +7,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import lightning.base.work.DedicatedThread;
-import lightning.editor.loop.Frame;
+import lightning.document.loop.Frame;
 import lightning.render.shading.explanation.PixelExplainer;
 import org.jspecify.annotations.Nullable;
 

@@ -5,7 +5,7 @@ import java.util.List;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 import lightning.base.text.Messages;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.model.ViewActions;
 import lightning.render.image.DisplayCurve;

@@ -3,7 +3,7 @@ package lightning.editor.window.welcome;
 import java.util.List;
 import java.util.function.BiPredicate;
 import lightning.base.text.Messages;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 
 /**
  * Short lesson in the open scene.

@@ -1,8 +1,8 @@
 package lightning.editor.window.welcome;
 
 import java.util.Optional;
-import lightning.editor.document.Command;
-import lightning.editor.document.EditorState;
+import lightning.editor.Command;
+import lightning.editor.EditorState;
 import lightning.editor.window.model.EditorModel;
 import lightning.scene.Scene;
 

@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 import javafx.beans.property.ReadOnlyIntegerProperty;
 import javafx.beans.property.ReadOnlyIntegerWrapper;
 import javafx.util.Subscription;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.model.EditorModel;
 
 /**

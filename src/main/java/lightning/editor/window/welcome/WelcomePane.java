@@ -27,7 +27,7 @@ import javafx.scene.shape.Rectangle;
 import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.command.FileActions;
 import lightning.editor.window.model.CommandRegistry;
 import org.kordamp.ikonli.javafx.FontIcon;

@@ -18,8 +18,8 @@ import javafx.scene.layout.VBox;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
 import lightning.base.text.RefusalException;
-import lightning.editor.document.HsvColor;
-import lightning.editor.document.StepRange;
+import lightning.document.HsvColor;
+import lightning.document.StepRange;
 import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
 

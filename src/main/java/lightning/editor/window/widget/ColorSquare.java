@@ -12,7 +12,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.shape.Circle;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
-import lightning.editor.document.HsvColor;
+import lightning.document.HsvColor;
 import lightning.render.image.ViewTransform;
 import org.jspecify.annotations.Nullable;
 

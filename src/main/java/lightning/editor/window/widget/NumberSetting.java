@@ -2,7 +2,7 @@ package lightning.editor.window.widget;
 
 import java.util.Optional;
 import lightning.base.text.NumberUnit;
-import lightning.editor.document.StepRange;
+import lightning.document.StepRange;
 import org.jspecify.annotations.Nullable;
 
 /** Number edited by a widget. */

@@ -15,7 +15,7 @@ import javafx.scene.image.PixelFormat;
 import javafx.scene.image.WritableImage;
 import javafx.scene.layout.Region;
 import javafx.scene.shape.Rectangle;
-import lightning.editor.document.PictureArea;
+import lightning.document.PictureArea;
 import org.jspecify.annotations.Nullable;
 
 /** View of a pixel buffer that changes in place, fitted to the view or zoomed and panned. */

@@ -8,7 +8,7 @@ import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
 import lightning.base.text.NumberUnit;
-import lightning.editor.document.StepRange;
+import lightning.document.StepRange;
 import lightning.scene.value.ColorTemperature;
 import lightning.scene.value.SceneLimits;
 

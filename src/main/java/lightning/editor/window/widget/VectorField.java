@@ -10,7 +10,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
-import lightning.editor.document.StepRange;
+import lightning.document.StepRange;
 import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
 

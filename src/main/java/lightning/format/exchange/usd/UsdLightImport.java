@@ -10,7 +10,6 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.base.text.RefusalException;
-import lightning.format.exchange.UsdLightExport;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.gltf.JsonValue;
 import lightning.format.ies.IesReader;

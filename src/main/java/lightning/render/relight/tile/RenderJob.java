@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import io.soabase.recordbuilder.core.RecordBuilder;
 import lightning.base.work.Progress;
+import lightning.render.RenderOptions;
 import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
 import lightning.render.gather.PointChanges;

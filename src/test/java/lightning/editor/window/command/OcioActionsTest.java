@@ -9,7 +9,7 @@ import javafx.application.Platform;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.OwnEditor;
 import lightning.render.image.ViewTransform;

@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import javafx.scene.Node;
 import javafx.scene.input.KeyCode;
-import lightning.editor.document.Command;
-import lightning.editor.document.DeskScene;
+import lightning.document.DeskScene;
+import lightning.editor.Command;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.OwnEditor;
 import lightning.render.shading.reference.ReferenceTracer;
@@ -33,7 +33,7 @@ class EffectsPaneTest extends EditorFixture {
     void editRemovingEffect_removesItFromList() {
         robot.push(KeyCode.SHIFT, KeyCode.F9);
         assertThat(isListed("effect-spot-cone")).isTrue();
-        robot.interact(() -> model().editor().edit(scene -> lightning.editor.document.LightEdits.delete(scene, "stage")));
+        robot.interact(() -> model().editor().edit(scene -> lightning.document.LightEdits.delete(scene, "stage")));
         assertThat(isListed("effect-spot-cone")).isFalse();
     }
 
@@ -99,7 +99,7 @@ class EffectsPaneTest extends EditorFixture {
 
     @Test
     void editRemovingEffect_isNotMeasured() {
-        robot.interact(() -> model().editor().edit(scene -> lightning.editor.document.LightEdits.delete(scene, "stage")));
+        robot.interact(() -> model().editor().edit(scene -> lightning.document.LightEdits.delete(scene, "stage")));
         openAndMeasure();
         assertThat(text("effects-outcome")).contains("lamp: full recompute");
     }

@@ -20,10 +20,10 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import lightning.base.math.Rgb;
-import lightning.editor.document.Command;
-import lightning.editor.document.EditOutcome;
-import lightning.editor.document.LightGroupEdits;
-import lightning.editor.document.MixerEdits;
+import lightning.document.EditOutcome;
+import lightning.document.LightGroupEdits;
+import lightning.document.MixerEdits;
+import lightning.editor.Command;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.OwnEditor;
 import lightning.editor.window.ScreenBounds;
@@ -396,7 +396,7 @@ class MixerPaneTest extends EditorFixture {
 
     @Test
     void renamedLight_keepsItsPicture() {
-        robot.interact(() -> model().editor().edit(scene -> lightning.editor.document.LightEdits.rename(scene, "stage", "key")));
+        robot.interact(() -> model().editor().edit(scene -> lightning.document.LightEdits.rename(scene, "stage", "key")));
         assertThat(robot.lookup("#thumbnail-key").<ImageView>query().getImage()).isNotNull();
     }
 

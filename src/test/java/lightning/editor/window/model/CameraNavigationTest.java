@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Optional;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
-import lightning.editor.document.manipulation.CameraDrag;
+import lightning.document.manipulation.CameraDrag;
 import org.junit.jupiter.api.Test;
 
 class CameraNavigationTest {

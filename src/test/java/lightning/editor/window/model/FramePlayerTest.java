@@ -9,7 +9,7 @@ import java.util.function.LongPredicate;
 import javafx.scene.layout.Pane;
 import javafx.stage.Stage;
 import lightning.base.math.Vec3;
-import lightning.editor.document.EditOutcome;
+import lightning.document.EditOutcome;
 import lightning.editor.window.JavaFxRequirement;
 import lightning.editor.window.StageExtension;
 import lightning.editor.window.TestEditors;

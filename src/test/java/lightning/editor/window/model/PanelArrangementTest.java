@@ -2,7 +2,7 @@ package lightning.editor.window.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import org.junit.jupiter.api.Test;
 
 /** Places of the panels: opening, closing, moving, and the line in the preferences. */

@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Optional;
-import lightning.editor.loop.DisplayMode;
-import lightning.editor.loop.Frame;
-import lightning.editor.loop.RenderState;
+import lightning.document.loop.DisplayMode;
+import lightning.document.loop.Frame;
+import lightning.document.loop.RenderState;
 import lightning.render.image.Film;
 import lightning.render.measure.Timing;
 import lightning.render.measure.WarmSaving;

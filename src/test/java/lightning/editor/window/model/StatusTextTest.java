@@ -2,8 +2,8 @@ package lightning.editor.window.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import lightning.editor.loop.RenderActivity;
-import lightning.editor.loop.RenderState;
+import lightning.document.loop.RenderActivity;
+import lightning.document.loop.RenderState;
 import org.junit.jupiter.api.Test;
 
 class StatusTextTest {

@@ -3,8 +3,8 @@ package lightning.editor.window.model;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import lightning.editor.loop.DisplayMode;
-import lightning.editor.loop.Frame;
+import lightning.document.loop.DisplayMode;
+import lightning.document.loop.Frame;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.plan.UpdatePlan;

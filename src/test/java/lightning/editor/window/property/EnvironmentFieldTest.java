@@ -22,7 +22,7 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.text.Text;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.EditorFixture;
 import lightning.scene.Scene;
 import lightning.scene.World;

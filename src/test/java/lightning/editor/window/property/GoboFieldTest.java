@@ -14,7 +14,7 @@ import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javax.imageio.ImageIO;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.OwnEditor;
 import lightning.scene.Scene;

@@ -9,7 +9,7 @@ import java.util.Optional;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javax.imageio.ImageIO;
-import lightning.editor.document.LightEdits;
+import lightning.document.LightEdits;
 import lightning.editor.window.EditorFixture;
 import lightning.scene.Scene;
 import lightning.scene.asset.LightTexture;

@@ -23,7 +23,7 @@ import javafx.scene.input.MouseButton;
 import javax.imageio.ImageIO;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.TextTyping;
 import lightning.scene.Scene;

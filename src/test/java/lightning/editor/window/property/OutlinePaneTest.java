@@ -59,7 +59,7 @@ class OutlinePaneTest extends EditorFixture {
     }
 
     private void group() {
-        robot.interact(() -> model().editor().edit(scene -> new lightning.editor.document.EditOutcome.Applied(scene.replaceNode("ball",
+        robot.interact(() -> model().editor().edit(scene -> new lightning.document.EditOutcome.Applied(scene.replaceNode("ball",
                 List.of(new NodeGroup("toys", Placement.IDENTITY, List.of(node("ball"),
                         new Shape(new Solid.Sphere(), "marble", "matt", new Placement(new Vec3(1, 0.3, 1), Vec3.ZERO,
                                 new Vec3(0.3, 0.3, 0.3))))))))));
@@ -224,7 +224,7 @@ class OutlinePaneTest extends EditorFixture {
         press(KeyCode.DELETE);
         click("save-scene");
         waitFor("the scene is saved", () -> !model().editor().document().isDirty());
-        Scene read = lightning.editor.document.OpenDocument.open(folder.resolve("desk.jen")).scene();
+        Scene read = lightning.document.OpenDocument.open(folder.resolve("desk.jen")).scene();
         assertThat(read).isEqualTo(model().editor().scene());
     }
 }

@@ -9,7 +9,7 @@ import java.net.http.HttpResponse;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.ListView;
 import javafx.scene.control.TextField;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.EditorFixture;
 import lightning.scene.Scene;
 import lightning.scene.light.Light;
@@ -69,7 +69,7 @@ class LiveReviewPaneTest extends EditorFixture {
         String before = get("data").body();
         Light lamp = light("lamp");
         robot.interact(() -> model().editor().editOrReport(
-                scene -> lightning.editor.document.EditOutcome.of(() -> scene.withLight(lamp.withIntensity(3.25 * lamp.intensity())))));
+                scene -> lightning.document.EditOutcome.of(() -> scene.withLight(lamp.withIntensity(3.25 * lamp.intensity())))));
         robot.interact(() -> model().editor().go());
         waitFor("the page has the new value", () -> !get("data").body().equals(before));
         assertThat(get("data").body()).contains("\"intensity\":" + 3.25 * lamp.intensity());

@@ -2,7 +2,7 @@ package lightning.editor.window.timeline;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import lightning.editor.document.DeskScene;
+import lightning.document.DeskScene;
 import lightning.scene.shot.Shot;
 import lightning.shot.HostLostException;
 import lightning.shot.ShotRelighter;

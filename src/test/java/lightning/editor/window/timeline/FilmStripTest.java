@@ -11,7 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import lightning.base.work.Await;
 import lightning.base.work.Progress;
-import lightning.editor.document.DeskScene;
+import lightning.document.DeskScene;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;

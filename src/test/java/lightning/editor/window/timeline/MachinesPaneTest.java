@@ -8,7 +8,7 @@ import java.util.Optional;
 import javafx.scene.Scene;
 import javafx.scene.control.TextField;
 import javafx.stage.Stage;
-import lightning.editor.document.OpenDocument;
+import lightning.document.OpenDocument;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.command.PathPrompt;
 import lightning.editor.window.widget.ColorTheme;

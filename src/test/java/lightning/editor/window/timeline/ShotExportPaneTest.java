@@ -13,7 +13,7 @@ import javafx.scene.input.KeyCode;
 import javafx.stage.Stage;
 import javax.imageio.ImageIO;
 import lightning.base.work.Await;
-import lightning.editor.document.OpenDocument;
+import lightning.document.OpenDocument;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.command.PathPrompt;
 import lightning.editor.window.widget.ColorTheme;

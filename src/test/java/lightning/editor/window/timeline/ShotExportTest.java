@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import lightning.base.work.Progress;
-import lightning.editor.document.OpenDocument;
+import lightning.document.OpenDocument;
 import lightning.render.image.ViewTransform;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -10,7 +10,7 @@ import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.RadioMenuItem;
-import lightning.editor.document.AttributeNumber;
+import lightning.document.AttributeNumber;
 import lightning.editor.window.EditorFixture;
 import lightning.scene.IndirectSettings;
 import org.junit.jupiter.api.Test;

@@ -3,7 +3,7 @@ package lightning.editor.window.traced;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import javafx.geometry.Bounds;
-import lightning.editor.document.MaterialLibrary;
+import lightning.document.MaterialLibrary;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
 import lightning.scene.material.Material;

@@ -7,7 +7,7 @@ import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import lightning.base.text.Language;
 import lightning.base.text.Messages;
-import lightning.editor.document.Command;
+import lightning.editor.Command;
 import lightning.editor.window.EditorFixture;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.scene.AntialiasMode;

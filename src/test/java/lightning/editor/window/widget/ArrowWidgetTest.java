@@ -17,7 +17,7 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
 import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
-import lightning.editor.document.StepRange;
+import lightning.document.StepRange;
 import lightning.editor.window.JavaFxRequirement;
 import lightning.editor.window.StageExtension;
 import lightning.sample.Slow;

@@ -14,7 +14,7 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.stage.Stage;
 import lightning.base.math.Rgb;
-import lightning.editor.document.HsvColor;
+import lightning.document.HsvColor;
 import lightning.editor.window.JavaFxRequirement;
 import lightning.editor.window.StageExtension;
 import lightning.sample.Slow;

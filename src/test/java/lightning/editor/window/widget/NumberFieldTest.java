@@ -7,7 +7,7 @@ import javafx.scene.control.Button;
 import javafx.scene.input.KeyCode;
 import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
-import lightning.editor.document.StepRange;
+import lightning.document.StepRange;
 import lightning.editor.window.JavaFxRequirement;
 import lightning.editor.window.StageExtension;
 import org.junit.jupiter.api.Test;

@@ -6,6 +6,7 @@ import java.util.Random;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
+import lightning.render.RenderOptions;
 import lightning.render.engine.Engine;
 import lightning.render.engine.choice.Engines;
 import lightning.render.image.FilmAssert;

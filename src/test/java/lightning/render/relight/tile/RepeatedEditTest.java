@@ -7,6 +7,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
+import lightning.render.RenderOptions;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.Renderer;

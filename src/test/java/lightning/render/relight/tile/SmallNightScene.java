@@ -6,8 +6,8 @@ import lightning.sample.IndirectScenes;
 import lightning.scene.Scene;
 
 /** Scene of thirty lights over few pixels, for repeated traces. */
-final class SmallNightScene {
-    static final Scene SCENE = read();
+public final class SmallNightScene {
+    public static final Scene SCENE = read();
 
     private SmallNightScene() {}
 

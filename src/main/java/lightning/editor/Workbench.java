@@ -1,0 +1,481 @@
+package lightning.editor;
+
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Future;
+import java.util.function.Consumer;
+import java.util.function.LongFunction;
+import java.util.function.Supplier;
+import lightning.document.Autosave;
+import lightning.document.DiskStatus;
+import lightning.document.EditHistory;
+import lightning.document.EditOutcome;
+import lightning.document.FileThread;
+import lightning.document.LightEdits;
+import lightning.document.LooksFolder;
+import lightning.document.OpenDocument;
+import lightning.document.OverwriteConfirmation;
+import lightning.document.RecoveryFolder;
+import lightning.document.SaveRequest;
+import lightning.document.SavedScene;
+import lightning.document.Selection;
+import lightning.document.loop.CoarsePicture;
+import lightning.document.loop.DisplayMode;
+import lightning.document.loop.Frame;
+import lightning.document.loop.KeptPictures;
+import lightning.document.loop.RenderFeed;
+import lightning.document.loop.RenderListener;
+import lightning.document.loop.RenderLoop;
+import lightning.document.loop.RenderState;
+import lightning.render.RenderOptions;
+import lightning.render.cache.PixelCache;
+import lightning.render.image.ViewTransform;
+import lightning.scene.Scene;
+import lightning.scene.VisibleState;
+import lightning.scene.light.Light;
+import lightning.scene.shot.AnimatedScene;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Model of an editor window: the open document, its image, its renderer and its autosave. All panes share one, edit the document through
+ * it, and listen to its changes.
+ *
+ * <p>Confined to the window's thread, to which it forwards events of the render loop and results of file access.
+ */
+public final class Workbench implements AutoCloseable {
+    private final Runnable changeListener;
+    private volatile RenderOptions renderOptions;
+    private final RenderLoop loop;
+    private final FileThread files;
+    private final ArrayDeque<Runnable> pendingSaves = new ArrayDeque<>();
+    private final Autosave autosave;
+    private final RecoveryFolder recovery;
+    private OpenDocument document;
+    private final RenderFeed feed;
+    private final Runnable progressListener;
+    /** Last reported state of the image. */
+    private RenderState renderState = RenderState.NONE;
+    private long openCount;
+    private Optional<Scene> previousScene = Optional.empty();
+    private Optional<Scene> sceneInProgress = Optional.empty();
+    private Optional<Light> copiedLight = Optional.empty();
+    /** True if the image shows only the direct light of a scene whose indirect light is being rendered. */
+    private boolean isFrameStep;
+    private boolean isVerifying;
+    private boolean isLive;
+
+    /**
+     * @param document         initial document; rendered by {@link #go()}
+     * @param files            reads and writes the document; its window's thread owns the workbench
+     * @param changeListener   called on that thread after every change of the workbench's state
+     * @param progressListener called there if only {@link #renderState} changed
+     * @param canvas           receives events of the render loop on its own threads, before the workbench
+     * @param failureListener  receives, on the autosave thread, failures to save
+     * @param kept             pictures of earlier processes
+     */
+    public Workbench(OpenDocument document, RenderOptions options, RecoveryFolder recovery, FileThread files, Runnable changeListener,
+            Runnable progressListener, RenderListener canvas, Consumer<Throwable> failureListener, KeptPictures kept) {
+        this.document = document;
+        this.changeListener = changeListener;
+        this.progressListener = progressListener;
+        this.files = files;
+        this.recovery = recovery;
+        autosave = new Autosave(recovery, Autosave.DEFAULT_DELAY, failureListener);
+        feed = new RenderFeed(files.windowExecutor(), canvas, this::renderStateChanged);
+        renderOptions = options;
+        loop = new RenderLoop(options, feed, kept);
+    }
+
+    /** Sets a running startup preview before the document is rendered, as {@link RenderLoop#setStartupPreview}. */
+    public void setStartupPreview(Future<Optional<CoarsePicture>> preview, Future<?> menusShown) {
+        loop.setStartupPreview(preview, menusShown);
+    }
+
+    /** Returns the options of the next render. Callable on any thread. */
+    public RenderOptions options() {
+        return renderOptions;
+    }
+
+    public OpenDocument document() {
+        return document;
+    }
+
+    /** Returns the folder of unsaved edits. */
+    public RecoveryFolder recovery() {
+        return recovery;
+    }
+
+    /** Returns the image and the progress of the next one. */
+    public RenderState renderState() {
+        return renderState;
+    }
+
+    /** Returns the last rendered image; its film may have been overwritten. */
+    public Optional<Frame> frame() {
+        return Optional.ofNullable(renderState.frame());
+    }
+
+    /** Returns the cache of the image: see {@link RenderLoop#cache}. Callable on any thread. */
+    public Optional<PixelCache> cache() {
+        return loop.cache();
+    }
+
+    private void renderStateChanged() {
+        Frame before = renderState.frame();
+        boolean wasRendering = sceneInProgress.isPresent();
+        boolean wasVerifying = isVerifying;
+        refresh();
+        boolean isSame = renderState.frame() == before && sceneInProgress.isPresent() == wasRendering && isVerifying == wasVerifying;
+        (isSame ? progressListener : changeListener).run();
+    }
+
+    /** Reads the loop's activity before its reported results, so that a job that just finished is in the results. */
+    private void refresh() {
+        boolean isBusy = loop.isBusy();
+        isVerifying = loop.isVerifying();
+        sceneInProgress = isBusy ? sceneInProgress : Optional.empty();
+        RenderState newState = feed.state();
+        Frame newFrame = newState.frame();
+        if (newFrame != null && newFrame != renderState.frame()) {
+            Optional<Scene> shownScene = frame().map(Frame::scene).filter(_ -> !isFrameStep);
+            previousScene = shownScene.filter(s -> !VisibleState.isSame(s, newFrame.scene())).or(() -> previousScene);
+            isFrameStep = newFrame.step() == Frame.Step.DIRECT_LIGHT;
+        }
+        renderState = newState;
+    }
+
+    /** Returns the last edit; empty if there is none, or if it changed the view or the image size. */
+    public Optional<LastEdit> lastEdit() {
+        return LastEdit.of(document.scene(), frame().map(Frame::scene), previousScene);
+    }
+
+    /** Returns the state that determines which commands are enabled. */
+    public EditorState editorState() {
+        return EditorState.of(document, frame()).withSceneInProgress(sceneInProgress).withVerifying(isVerifying)
+                .withCopiedLight(copiedLight);
+    }
+
+    /** Opens another document and renders it. Unsaved edits of the current one are lost. */
+    public void open(OpenDocument other) {
+        openCount++;
+        feed.open(openCount);
+        loop.open(other.scene(), openCount);
+        sceneInProgress = Optional.of(other.scene());
+        autosave.discard();
+        document = other;
+        renderState = RenderState.NONE;
+        previousScene = Optional.empty();
+        autosave.documentChanged(document);
+        changeListener.run();
+    }
+
+    /**
+     * Opens the unsaved scene of a crashed process: see {@link OpenDocument#recover}. It stays recoverable until it is saved. If the same
+     * file is open already, its picture is updated as by an edit.
+     *
+     * @param onLooks called when the looks of a scene without a file are recovered, too
+     */
+    public void recover(RecoveryFolder.RecoverableScene recoverable, OpenDocument recovered, Runnable onLooks) {
+        if (recovered.file().equals(document.file()) && recovered.scene().hasSameView(document.scene())) {
+            autosave.discard();
+            document = recovered;
+            autosave.documentChanged(document);
+            go();
+        } else {
+            open(recovered);
+        }
+        autosave.adopt(recoverable, () -> files.windowExecutor().execute(onLooks));
+    }
+
+    /** Returns the folder for the looks of the open document if it has no file of its own; empty if it has one. */
+    public Optional<Path> untitledLooks() {
+        return document.isUntitled() ? Optional.of(recovery.looksFolder(document.file())) : Optional.empty();
+    }
+
+    /** Keeps the looks of a document without a file recoverable, and asks to save it before it is closed. */
+    public void looksChanged() {
+        document.setUnsavedLooks();
+        contentChanged();
+    }
+
+    /** Applies an edit unless it was refused; returns the reason if it was. Renders it immediately in live mode. */
+    public Optional<String> edit(EditOutcome change) {
+        return edit(change, null);
+    }
+
+    /** Applies an edit as part of a gesture: see {@link EditHistory#edit(Scene, Object)}. */
+    public Optional<String> edit(EditOutcome change, @Nullable Object gesture) {
+        return edit(change, gesture, isLive);
+    }
+
+    /** Applies an edit as above, and renders it also if live mode is off, unless there is no picture yet. */
+    public Optional<String> editAndRender(EditOutcome change, @Nullable Object gesture) {
+        return edit(change, gesture, isLive || frame().isPresent());
+    }
+
+    private Optional<String> edit(EditOutcome change, @Nullable Object gesture, boolean renders) {
+        Optional<String> refusal = document.apply(change, gesture);
+        if (refusal.isEmpty()) {
+            afterEdit(renders);
+        }
+        return refusal;
+    }
+
+    /** Applies an edit as a separate step and changes the selection, in one notification. */
+    public Optional<String> editAndSelect(EditOutcome change, Selection selection) {
+        Optional<String> refusal = document.apply(change, null);
+        if (refusal.isEmpty()) {
+            document.select(selection);
+            afterEdit();
+        }
+        return refusal;
+    }
+
+    /** Edits the scene with its shot: see {@link OpenDocument#applyToShot}. */
+    public Optional<String> editShot(Supplier<AnimatedScene> edit, @Nullable Object gesture) {
+        Scene before = document.scene();
+        Optional<String> refusal = document.applyToShot(edit, gesture);
+        if (refusal.isEmpty()) {
+            boolean isSameScene = document.scene().equals(before);
+            autosave.documentChanged(document);
+            if (!isSameScene) {
+                renderIf(isLive);
+            }
+            changeListener.run();
+        }
+        return refusal;
+    }
+
+    /** Shows a frame of the shot, in the image too; returns the reason if it cannot be shown. */
+    public Optional<String> showFrame(int frame) {
+        document.showFrame(frame);
+        go();
+        return document.frameProblem();
+    }
+
+    public void undo() {
+        document.history().undo();
+        afterEdit();
+    }
+
+    public void redo() {
+        document.history().redo();
+        afterEdit();
+    }
+
+    /** Undoes or redoes until that many document steps are done: see {@link EditHistory#goTo}. */
+    public void goTo(int position) {
+        document.history().goTo(position);
+        afterEdit();
+    }
+
+    /** Undoes or redoes steps of the selected light; returns the reason if refused: see {@link EditHistory#goToLightStep}. */
+    public Optional<String> goToLightStep(int position) {
+        return editSelectedLight(id -> document.history().goToLightStep(id, position));
+    }
+
+    /** Undoes the last edit of the selected light; returns the reason if refused. */
+    public Optional<String> undoLight() {
+        return editSelectedLight(document.history()::undoLight);
+    }
+
+    /** Redoes the edit undone last of the selected light; returns the reason if refused. */
+    public Optional<String> redoLight() {
+        return editSelectedLight(document.history()::redoLight);
+    }
+
+    private Optional<String> editSelectedLight(LongFunction<EditOutcome> step) {
+        document.resolveSelection();
+        long id = document.selectedLight().map(l -> document.history().id(l.name())).orElse(-1L);
+        Optional<String> refusal = step.apply(id).refusal();
+        afterEdit();
+        return refusal;
+    }
+
+    public void select(Selection selection) {
+        document.select(selection);
+        changeListener.run();
+    }
+
+    /** Selects the light with that name; nothing if it does not exist. */
+    public void selectLight(String name) {
+        select(Selection.light(document.history(), name));
+    }
+
+    /** Copies the selected light's settings for {@link #pasteSettings}. */
+    public void copySettings() {
+        copiedLight = document.selectedLight();
+        changeListener.run();
+    }
+
+    /** Applies the copied settings to the selected light; returns the reason if refused. */
+    public Optional<String> pasteSettings() {
+        Optional<Light> selected = document.selectedLight();
+        return selected.isEmpty() || copiedLight.isEmpty() ? Command.PASTE_SETTINGS.disabledReason(editorState())
+                : edit(LightEdits.pasteSettings(document.scene(), selected.get().name(), copiedLight.get()));
+    }
+
+    /**
+     * Saves to the document's file or another, after all earlier saves: see {@link SaveRequest#write}.
+     *
+     * @param completion receives the failure; empty on success
+     */
+    public void saveAs(Path file, Set<OverwriteConfirmation> allowed, Consumer<Optional<Throwable>> completion) {
+        OpenDocument savedDocument = document;
+        pendingSaves.add(() -> write(savedDocument, file, allowed, completion));
+        if (pendingSaves.size() == 1) {
+            pendingSaves.element().run();
+        }
+    }
+
+    private void write(OpenDocument savedDocument, Path file, Set<OverwriteConfirmation> allowed,
+            Consumer<Optional<Throwable>> completion) {
+        SaveRequest request = savedDocument.prepareSave(file, allowed);
+        Path looks = recovery.looksFolder(savedDocument.file());
+        files.runInOrder(() -> {
+            SavedScene newSaved = request.write();
+            if (request.untitled()) {
+                LooksFolder.move(looks, file);
+            }
+            return newSaved;
+        }, newSaved -> {
+            savedDocument.onSaved(newSaved);
+            if (savedDocument == document) {
+                loop.keepPicture();
+            }
+            contentChanged();
+            saveNext();
+            completion.accept(Optional.empty());
+        }, failure -> {
+            saveNext();
+            completion.accept(Optional.of(failure));
+        });
+    }
+
+    private void saveNext() {
+        pendingSaves.remove();
+        if (!pendingSaves.isEmpty()) {
+            pendingSaves.element().run();
+        }
+    }
+
+    /** Returns whether a save is pending. */
+    public boolean isSaving() {
+        return !pendingSaves.isEmpty();
+    }
+
+    /** Sets the observed state of the document's file on disk. */
+    public void setDiskStatus(DiskStatus status) {
+        document.setDiskStatus(status);
+        changeListener.run();
+    }
+
+    /** Keeps the open scene although its file was changed: see {@link OpenDocument#ignoreDiskChange}. */
+    public void ignoreDiskChange() {
+        document.ignoreDiskChange();
+        contentChanged();
+    }
+
+    /**
+     * Reloads the file from disk and renders it.
+     *
+     * @param completion receives the failure; empty on success. Not called if another document was opened meanwhile
+     */
+    public void reload(Consumer<Optional<Throwable>> completion) {
+        OpenDocument reloadedDocument = document;
+        files.runInOrder(reloadedDocument.readSaved(), newSaved -> {
+            if (reloadedDocument == document) {
+                reloadedDocument.onReloaded(newSaved);
+                contentChanged();
+                go();
+                completion.accept(Optional.empty());
+            }
+        }, failure -> completion.accept(Optional.of(failure)));
+    }
+
+    private void contentChanged() {
+        autosave.documentChanged(document);
+        changeListener.run();
+    }
+
+    /** Renders the document's scene. */
+    public void go() {
+        sceneInProgress = Optional.of(document.scene());
+        loop.render(document.scene());
+        changeListener.run();
+    }
+
+    public void updateReflections() {
+        sceneInProgress = Optional.of(sceneInProgress.orElseGet(() -> frame().map(Frame::scene).orElse(document.scene())));
+        loop.updateReflections();
+        changeListener.run();
+    }
+
+    public void verify() {
+        isVerifying = frame().isPresent();
+        loop.verify();
+        changeListener.run();
+    }
+
+    /** Cancels running and pending renders. */
+    public void cancel() {
+        if (loop.cancel()) {
+            feed.waitingRenderCanceled();
+        }
+        refresh();
+        changeListener.run();
+    }
+
+    /** Changes the options and keeps the cache. */
+    public void changeOptions(RenderOptions options) {
+        renderOptions = options;
+        sceneInProgress = Optional.of(document.scene());
+        loop.changeOptions(options, document.scene());
+        changeListener.run();
+    }
+
+    /** Changes the display mode: see {@link RenderLoop#setDisplayMode}. */
+    public void setDisplayMode(DisplayMode mode) {
+        loop.setDisplayMode(mode);
+    }
+
+    /** Sets the view transform: see {@link RenderLoop#setView}. */
+    public void setView(ViewTransform view) {
+        loop.setView(view);
+    }
+
+    /** Switches live mode; switching it on renders pending edits. */
+    public void setLive(boolean v) {
+        isLive = v;
+        renderIf(isLive);
+        changeListener.run();
+    }
+
+    private void afterEdit() {
+        afterEdit(isLive);
+    }
+
+    private void afterEdit(boolean renders) {
+        document.clampFrame();
+        autosave.documentChanged(document);
+        renderIf(renders);
+        changeListener.run();
+    }
+
+    private void renderIf(boolean renders) {
+        if (renders && Command.GO.isEnabled(editorState())) {
+            sceneInProgress = Optional.of(document.scene());
+            loop.render(document.scene());
+        }
+    }
+
+    /** Stops all threads. Unsaved edits are lost: ask before. */
+    @Override
+    public void close() {
+        loop.close();
+        autosave.discard();
+        autosave.close();
+    }
+}

@@ -1,5 +1,0 @@
-/** Cues, which are saved looks of a scene with images, and light rigs as files. */
-@NullMarked
-package lightning.editor.document.cue;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,5 +1,0 @@
-/** Handles and picking in the preview: from a pointer to a place in the scene. */
-@NullMarked
-package lightning.editor.document.manipulation;
-
-import org.jspecify.annotations.NullMarked;

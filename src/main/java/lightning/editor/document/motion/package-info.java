@@ -1,5 +1,0 @@
-/** Recorded movement of one light: keyframes and file format (paper §3.7). */
-@NullMarked
-package lightning.editor.document.motion;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,8 @@
+/**
+ * The editor without its window: commands and when they are enabled ({@link lightning.editor.Command}), and the model that panes share
+ * ({@link lightning.editor.Workbench}).
+ */
+@NullMarked
+package lightning.editor;
+
+import org.jspecify.annotations.NullMarked;

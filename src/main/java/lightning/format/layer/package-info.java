@@ -1,5 +1,0 @@
-/** Layers (AOVs) of an image that add up to it, written as one OpenEXR file. */
-@NullMarked
-package lightning.format.layer;
-
-import org.jspecify.annotations.NullMarked;

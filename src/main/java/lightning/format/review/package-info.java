@@ -1,5 +1,0 @@
-/** Review pages: a picture with a fader for each light in one HTML file, and the files that reviewers save in it. */
-@NullMarked
-package lightning.format.review;
-
-import org.jspecify.annotations.NullMarked;

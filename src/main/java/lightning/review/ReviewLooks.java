@@ -1,0 +1,54 @@
+package lightning.review;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+import lightning.document.EditOutcome;
+import lightning.document.look.Cue;
+import lightning.scene.Scene;
+import lightning.scene.shot.Shot;
+
+/**
+ * Looks of a scene for a review page.
+ *
+ * @param looks    looks that fit the scene
+ * @param problems a sentence for each other one
+ */
+public record ReviewLooks(List<ReviewLook> looks, List<String> problems) {
+    /**
+     * Applies looks to a scene.
+     *
+     * @param cues  stored looks
+     * @param scene scene of a picture
+     */
+    public static ReviewLooks of(List<Cue> cues, Scene scene) {
+        List<ReviewLook> looks = new ArrayList<>();
+        List<String> problems = new ArrayList<>();
+        for (Cue cue : cues) {
+            if (cue.lighting().isEmpty()) {
+                problems.add(cue.problem());
+                continue;
+            }
+            switch (cue.lighting().get().applyTo(scene)) {
+                case EditOutcome.Applied applied -> looks.add(new ReviewLook(cue.name(), applied.scene()));
+                case EditOutcome.Refused refused -> problems.add(cue.name() + ": " + refused.reason());
+            }
+        }
+        return new ReviewLooks(List.copyOf(looks), List.copyOf(problems));
+    }
+
+    /**
+     * Returns pictures of frames with the looks that fit them.
+     *
+     * @param base scene of the shot without keyframes applied
+     * @throws IllegalArgumentException as {@link Shot#sceneAt}
+     */
+    public static List<ReviewPicture> film(List<Cue> cues, Shot shot, Scene base, List<Integer> frames) {
+        List<ReviewPicture> pictures = new ArrayList<>();
+        for (int frame : frames) {
+            Scene scene = shot.sceneAt(base, frame);
+            pictures.add(new ReviewPicture(OptionalInt.of(frame), scene, of(cues, scene).looks));
+        }
+        return pictures;
+    }
+}

@@ -1,0 +1,5 @@
+/** Review pages: a picture with a fader for each light in one HTML file, and the files that reviewers save in it. */
+@NullMarked
+package lightning.review;
+
+import org.jspecify.annotations.NullMarked;

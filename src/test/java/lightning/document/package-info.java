@@ -1,0 +1,2 @@
+/** Tests of the editor's document without a window. */
+package lightning.document;

@@ -1,2 +1,0 @@
-/** Tests of the editor's document without a window. */
-package lightning.editor.document;
