@@ -104,7 +104,7 @@ public final class GuidePictures {
         open(Command.CONTRIBUTIONS, "#contributions", 760, 480);
         Thread.sleep(10 * Screen.DRAW_MS);
         panel("#contributions", "contributions");
-        open(Command.CUES, "#cues", 860, 640);
+        open(Command.LOOKS, "#looks", 860, 640);
         look("as it was");
         edit(0, light -> light.withIntensity(light.intensity() * 0.2));
         tint(new Rgb(0.35, 0.5, 1));
@@ -112,7 +112,7 @@ public final class GuidePictures {
         tint(new Rgb(1, 0.6, 0.3));
         look("warm");
         compare();
-        panel("#cues", "cues");
+        panel("#looks", "looks");
         open(Command.HISTORY_PANEL, "#history", 380, 400);
         panel("#history", "history");
         open(Command.SCOPES, "#scopes", 540, 560);
@@ -207,7 +207,7 @@ public final class GuidePictures {
 
     /** Compares the second with the third look. */
     private void compare() throws Exception {
-        Node pane = Screen.node("#cues");
+        Node pane = Screen.node("#looks");
         run(() -> {
             List<Node> a =
                     pane.lookupAll(".toggle-button").stream().filter(n -> n instanceof ButtonBase b && b.getText().equals("A")).toList();
@@ -220,10 +220,10 @@ public final class GuidePictures {
     }
 
     private void look(String name) throws Exception {
-        TextField field = (TextField) Screen.node("#cue-new-name");
+        TextField field = (TextField) Screen.node("#look-new-name");
         run(() -> {
             field.setText(name);
-            ((Button) field.getScene().lookup("#cue-keep")).fire();
+            ((Button) field.getScene().lookup("#look-keep")).fire();
         });
         Thread.sleep(3 * Screen.DRAW_MS);
     }

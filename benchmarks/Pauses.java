@@ -124,14 +124,14 @@ public final class Pauses {
             drag("drag its color", i -> edit(light, l -> l.withColor(new Rgb(1, 0.5 + 0.01 * i, 0.7))));
             drag("drag its position", i -> edit(light, l -> l.withPosition(l.position().plus(new Vec3(0.01, 0, 0.01)))));
             openMenus();
-            for (Command panel : List.of(Command.MIXER, Command.CONTRIBUTIONS, Command.CUES, Command.SCOPES, Command.EFFECTS_PANEL,
+            for (Command panel : List.of(Command.MIXER, Command.CONTRIBUTIONS, Command.LOOKS, Command.SCOPES, Command.EFFECTS_PANEL,
                     Command.ACCURACY_PANEL, Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.KEYS, Command.PALETTE, Command.ABOUT)) {
                 openAndClose(panel.plainTitle(), () -> model.commands().run(panel));
                 openAndClose(panel.plainTitle() + ", again", () -> model.commands().run(panel));
             }
             editScene();
             arrangeWindow();
-            for (Command panel : List.of(Command.MIXER, Command.CONTRIBUTIONS, Command.CUES, Command.SCOPES, Command.EFFECTS_PANEL,
+            for (Command panel : List.of(Command.MIXER, Command.CONTRIBUTIONS, Command.LOOKS, Command.SCOPES, Command.EFFECTS_PANEL,
                     Command.ACCURACY_PANEL, Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.KEYS)) {
                 onWindow(() -> {
                     model.commands().run(panel);
@@ -156,7 +156,7 @@ public final class Pauses {
         }
 
         private void editScene() throws Exception {
-            for (Command command : List.of(Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.SOLO, Command.SOLO, Command.NEW_BANK,
+            for (Command command : List.of(Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.SOLO, Command.SOLO, Command.NEW_LIGHT_GROUP,
                     Command.DELETE_LIGHT, Command.LOOK_THROUGH_LIGHT, Command.LOOK_THROUGH_LIGHT, Command.ONLY_SELECTED,
                     Command.ONLY_SELECTED, Command.VERIFY, Command.UNDO, Command.REDO, Command.SAVE_SCENE)) {
                 command(command, "");

@@ -12,8 +12,8 @@ import lightning.cli.option.PictureOptions;
 import lightning.cli.output.BadInputException;
 import lightning.cli.output.Console;
 import lightning.cli.output.ViewOption;
-import lightning.document.look.Cue;
-import lightning.document.look.CueFolder;
+import lightning.document.look.Look;
+import lightning.document.look.LookFiles;
 import lightning.format.jen.JenDocument;
 import lightning.review.ReviewContent;
 import lightning.review.ReviewFilm;
@@ -56,8 +56,8 @@ final class ReviewPageOptions {
     /** Returns what a page of a scene file shows; prints a line for each look that it cannot show. */
     ReviewContent content(JenDocument document, Path file, PictureOptions picture, ViewOption view, Console console)
             throws IOException, BadInputException {
-        List<Cue> cues = cues(file, document.scene());
-        ReviewLooks.of(cues, document.scene()).problems().forEach(problem -> console.warn("%s", problem));
+        List<Look> looks = looks(file, document.scene());
+        ReviewLooks.of(looks, document.scene()).problems().forEach(problem -> console.warn("%s", problem));
         List<ReviewPicture> pictures;
         boolean isFilm = !frames.isEmpty() || document.shot().filter(shot -> shot.last() > shot.first()).isPresent();
         Scene base = picture.apply(document.scene());
@@ -65,9 +65,9 @@ final class ReviewPageOptions {
             Shot shot = document.shot().orElseThrow(() -> new BadInputException(Console.text(
                     "%s: has no shot block (see docs/jen-format.md)", file)));
             Scene small = picture.hasSize() ? base : ReviewFilm.reduced(base);
-            pictures = film(cues, shot, small);
+            pictures = film(looks, shot, small);
         } else {
-            pictures = List.of(new ReviewPicture(OptionalInt.empty(), base, ReviewLooks.of(cues, base).looks()));
+            pictures = List.of(new ReviewPicture(OptionalInt.empty(), base, ReviewLooks.of(looks, base).looks()));
         }
         Optional<Language> chosen = Optional.ofNullable(language).map(l -> l == PageLanguage.DE ? Language.GERMAN : Language.ENGLISH);
         var content = new ReviewContent(file.getFileName().toString(), base, pictures, view.of(base), chosen);
@@ -75,27 +75,27 @@ final class ReviewPageOptions {
         return content;
     }
 
-    private List<ReviewPicture> film(List<Cue> cues, Shot shot, Scene scene) throws BadInputException {
+    private List<ReviewPicture> film(List<Look> looks, Shot shot, Scene scene) throws BadInputException {
         List<Integer> chosen = chosenFrames(shot);
         try {
-            return ReviewLooks.film(cues, shot, scene, chosen);
+            return ReviewLooks.film(looks, shot, scene, chosen);
         } catch (RefusalException e) {
             throw new BadInputException(e.getMessage());
         }
     }
 
-    private List<Cue> cues(Path file, Scene scene) throws IOException, BadInputException {
+    private List<Look> looks(Path file, Scene scene) throws IOException, BadInputException {
         if (noLooks) {
             return List.of();
         }
-        List<Cue> all = new CueFolder(file).list(scene.stage());
+        List<Look> all = new LookFiles(file).list(scene.stage());
         for (String name : looks) {
-            if (all.stream().noneMatch(cue -> cue.name().equals(name))) {
+            if (all.stream().noneMatch(look -> look.name().equals(name))) {
                 throw new BadInputException(Console.text("--look: the scene has no look %s; it has %s", Quote.of(name),
-                        all.isEmpty() ? "none" : String.join(", ", all.stream().map(Cue::name).toList())));
+                        all.isEmpty() ? "none" : String.join(", ", all.stream().map(Look::name).toList())));
             }
         }
-        return looks.isEmpty() ? all : all.stream().filter(cue -> looks.contains(cue.name())).toList();
+        return looks.isEmpty() ? all : all.stream().filter(look -> looks.contains(look.name())).toList();
     }
 
     private List<Integer> chosenFrames(Shot shot) throws BadInputException {

@@ -35,9 +35,9 @@ public sealed interface MixerChannel {
     static List<MixerChannel> channelsOf(Scene scene) {
         LightRig rig = scene.rig();
         List<MixerChannel> all = new ArrayList<>(members(rig, ""));
-        for (LightGroup bank : rig.lightGroups()) {
-            all.add(new OfLightGroup(bank.name()));
-            all.addAll(members(rig, bank.name()));
+        for (LightGroup group : rig.lightGroups()) {
+            all.add(new OfLightGroup(group.name()));
+            all.addAll(members(rig, group.name()));
         }
         scene.world().domes().stream().map(dome -> new SceneElement.OfDome(dome.name())).filter(dome -> dome.isIn(scene))
                 .forEach(dome -> all.add(new OfContribution(dome)));

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 import lightning.document.EditOutcome;
-import lightning.document.look.Cue;
+import lightning.document.look.Look;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 
@@ -18,20 +18,20 @@ public record ReviewLooks(List<ReviewLook> looks, List<String> problems) {
     /**
      * Applies looks to a scene.
      *
-     * @param cues  stored looks
-     * @param scene scene of a picture
+     * @param stored stored looks
+     * @param scene  scene of a picture
      */
-    public static ReviewLooks of(List<Cue> cues, Scene scene) {
+    public static ReviewLooks of(List<Look> stored, Scene scene) {
         List<ReviewLook> looks = new ArrayList<>();
         List<String> problems = new ArrayList<>();
-        for (Cue cue : cues) {
-            if (cue.lighting().isEmpty()) {
-                problems.add(cue.problem());
+        for (Look look : stored) {
+            if (look.lighting().isEmpty()) {
+                problems.add(look.problem());
                 continue;
             }
-            switch (cue.lighting().get().applyTo(scene)) {
-                case EditOutcome.Applied applied -> looks.add(new ReviewLook(cue.name(), applied.scene()));
-                case EditOutcome.Refused refused -> problems.add(cue.name() + ": " + refused.reason());
+            switch (look.lighting().get().applyTo(scene)) {
+                case EditOutcome.Applied applied -> looks.add(new ReviewLook(look.name(), applied.scene()));
+                case EditOutcome.Refused refused -> problems.add(look.name() + ": " + refused.reason());
             }
         }
         return new ReviewLooks(List.copyOf(looks), List.copyOf(problems));
@@ -43,11 +43,11 @@ public record ReviewLooks(List<ReviewLook> looks, List<String> problems) {
      * @param base scene of the shot without keyframes applied
      * @throws IllegalArgumentException as {@link Shot#sceneAt}
      */
-    public static List<ReviewPicture> film(List<Cue> cues, Shot shot, Scene base, List<Integer> frames) {
+    public static List<ReviewPicture> film(List<Look> looks, Shot shot, Scene base, List<Integer> frames) {
         List<ReviewPicture> pictures = new ArrayList<>();
         for (int frame : frames) {
             Scene scene = shot.sceneAt(base, frame);
-            pictures.add(new ReviewPicture(OptionalInt.of(frame), scene, of(cues, scene).looks));
+            pictures.add(new ReviewPicture(OptionalInt.of(frame), scene, of(looks, scene).looks));
         }
         return pictures;
     }

@@ -169,7 +169,7 @@ final class FarmTest {
         assertThat(shared.toFile().list()).containsExactlyInAnyOrder("cluster.p12", "stop", "127.0.0.1-17811.log");
     }
 
-    /** OpenCue's own library makes the job; its server is replaced by this test. */
+    /** OpenLook's own library makes the job; its server is replaced by this test. */
     @Test
     void openCueJob_rendersChunks() throws Exception {
         PythonPrograms.require("outline");

@@ -1,4 +1,4 @@
-/** Cues, which are saved looks of a scene with images, and light rigs as files. */
+/** Looks, which are saved looks of a scene with images, and light rigs as files. */
 @NullMarked
 package lightning.document.look;
 

@@ -18,8 +18,8 @@ import lightning.editor.Command;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandKeys;
 import lightning.editor.window.contribution.ContributionPane;
-import lightning.editor.window.cue.CuePane;
 import lightning.editor.window.dock.DockTabs;
+import lightning.editor.window.look.LookPane;
 import lightning.editor.window.measure.ScopesPane;
 import lightning.editor.window.mixer.MixerPane;
 import lightning.editor.window.model.CommandRegistry;
@@ -107,7 +107,7 @@ final class DockedPanels implements DockTabs.Callbacks, AutoCloseable {
     private Region createPane(Command panel) {
         return switch (panel) {
             case MIXER -> new MixerPane(model.editor(), model.picture(), model.workbench(), model.files().windowExecutor());
-            case CUES -> new CuePane(model.editor(), model.picture(), model.files());
+            case LOOKS -> new LookPane(model.editor(), model.picture(), model.files());
             case CONTRIBUTIONS -> new ContributionPane(model);
             case SCOPES -> new ScopesPane(model.picture(), model.files().windowExecutor());
             case HISTORY_PANEL -> new HistoryPane(model.editor(), model.workbench());
@@ -254,7 +254,7 @@ final class DockedPanels implements DockTabs.Callbacks, AutoCloseable {
         static PanelSize of(Command panel) {
             return switch (panel) {
                 case MIXER -> new PanelSize(1000, 490);
-                case CUES -> new PanelSize(820, 670);
+                case LOOKS -> new PanelSize(820, 670);
                 case CONTRIBUTIONS -> new PanelSize(680, 510);
                 case SCOPES -> new PanelSize(540, 570);
                 case HISTORY_PANEL -> new PanelSize(380, 590);

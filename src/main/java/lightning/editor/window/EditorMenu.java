@@ -55,14 +55,15 @@ final class EditorMenu extends MenuBar {
                 Command.COPY_SETTINGS,
                 Command.PASTE_SETTINGS, SEPARATOR, Command.PICK_MATERIAL, Command.EDIT_WORLD);
         Menu light =
-                menu(Messages.tr("Light"), Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, SEPARATOR, Command.NEW_BANK,
-                        Command.DELETE_BANK, SEPARATOR, Command.RENAME_LIGHT,
+                menu(Messages.tr("Light"), Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, SEPARATOR,
+                        Command.NEW_LIGHT_GROUP,
+                        Command.DELETE_LIGHT_GROUP, SEPARATOR, Command.RENAME_LIGHT,
                         Command.SWITCH_ON, Command.SOLO, Command.LOOK_THROUGH_LIGHT, SEPARATOR, Command.AIM, Command.PLACE_HIGHLIGHT,
                         Command.PLACE_DIFFUSE, Command.PLACE_RIM, Command.PLACE_SHADOW, Command.PLACE_FLAG, SEPARATOR,
                         Command.MIXER,
                         Command.LIGHT_LINKS,
                         Command.CONTRIBUTIONS, Command.MATCH_REFERENCE,
-                        Command.CUES,
+                        Command.LOOKS,
                         Command.MAKE_ANIMATION, SEPARATOR);
         Menu rig = menu(Messages.tr("Light Rig"), Command.LOAD_RIG, Command.ADD_RIG, Command.SAVE_RIG);
         rig.setGraphic(new FontIcon("mdi2f-file-outline"));

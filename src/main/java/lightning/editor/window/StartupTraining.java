@@ -47,7 +47,7 @@ public final class StartupTraining extends LightningApp {
 
     private static List<Runnable> steps(EditorModel model) {
         List<Runnable> steps = new ArrayList<>();
-        Stream.of(Command.MIXER, Command.CONTRIBUTIONS, Command.CUES, Command.SCOPES, Command.EFFECTS_PANEL, Command.ACCURACY_PANEL,
+        Stream.of(Command.MIXER, Command.CONTRIBUTIONS, Command.LOOKS, Command.SCOPES, Command.EFFECTS_PANEL, Command.ACCURACY_PANEL,
                 Command.COMPARE_SETTINGS,
                 Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.KEYS, Command.PALETTE, Command.ABOUT, Command.TIMELINE)
                 .forEach(command -> steps.add(() -> model.commands().run(command)));

@@ -69,7 +69,7 @@ class ClosedPanelTest extends EditorFixture {
         Set<Thread> others = threads();
         open();
         floatPanels();
-        open(Command.MIXER, Command.SCOPES, Command.CONTRIBUTIONS, Command.CUES, Command.HISTORY_PANEL, Command.UPDATES_PANEL,
+        open(Command.MIXER, Command.SCOPES, Command.CONTRIBUTIONS, Command.LOOKS, Command.HISTORY_PANEL, Command.UPDATES_PANEL,
                 Command.EFFECTS_PANEL, Command.ACCURACY_PANEL, Command.COMPARE_SETTINGS, Command.KEYS, Command.TIMELINE);
         robot.moveTo("#traced-picture");
         waitFor("the panels' threads run", () -> runs("lightning-mixer") && runs("lightning-scopes") && runs("lightning-contributions"));

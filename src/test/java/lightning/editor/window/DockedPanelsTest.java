@@ -96,8 +96,8 @@ class DockedPanelsTest extends EditorFixture {
     void panelBehindAnother_isNotInWindow() {
         run(Command.MIXER);
         waitFor("the mixer is shown", () -> isInWindow("#mixer"));
-        run(Command.CUES);
-        waitFor("looks are shown", () -> isInWindow("#cues") && !isInWindow("#mixer"));
+        run(Command.LOOKS);
+        waitFor("looks are shown", () -> isInWindow("#looks") && !isInWindow("#mixer"));
         robot.clickOn("#tab-mixer");
         waitFor("the mixer is shown again", () -> isInWindow("#mixer"));
         assertThat(panels().front(PanelPlace.BELOW)).contains(Command.MIXER);
@@ -121,7 +121,7 @@ class DockedPanelsTest extends EditorFixture {
         robot.push(KeyCode.CONTROL, KeyCode.ALT, KeyCode.DIGIT1);
         waitFor("the mixer is shown", () -> isInWindow("#mixer") && isInWindow("#preview-canvas"));
         robot.push(KeyCode.CONTROL, KeyCode.ALT, KeyCode.DIGIT2);
-        waitFor("looks are shown", () -> isInWindow("#cues") && isInWindow("#scopes") && !isInWindow("#preview-canvas"));
+        waitFor("looks are shown", () -> isInWindow("#looks") && isInWindow("#scopes") && !isInWindow("#preview-canvas"));
         robot.push(KeyCode.CONTROL, KeyCode.ALT, KeyCode.DIGIT3);
         waitFor("the timeline is shown", () -> isInWindow("#timeline") && isInWindow("#preview-canvas") && !isInWindow("#scopes"));
         assertThat(model().layout().filmStripShownProperty().get()).isTrue();
@@ -189,7 +189,7 @@ class DockedPanelsTest extends EditorFixture {
     @Test
     @OwnEditor
     void arrangement_afterRestart_isRestored() throws Exception {
-        run(Command.CUES);
+        run(Command.LOOKS);
         run(Command.MIXER);
         run(Command.SCOPES);
         run(Command.FLOAT_PANEL);
@@ -230,7 +230,7 @@ class DockedPanelsTest extends EditorFixture {
     @Test
     void controlTab_switchesPanelsOfDock() {
         run(Command.MIXER);
-        run(Command.CUES);
+        run(Command.LOOKS);
         robot.interact(() -> robot.lookup("#dock-below").<TabPane>query().requestFocus());
         robot.push(KeyCode.CONTROL, KeyCode.TAB);
         waitFor("the mixer is in front", () -> panels().isShown(Command.MIXER));

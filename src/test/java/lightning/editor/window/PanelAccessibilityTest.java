@@ -31,7 +31,7 @@ class PanelAccessibilityTest extends EditorFixture {
     private static final int MANY = 120;
     private static final List<Command> PANELS = List.of(Command.ACCURACY_PANEL, Command.COMPARE_SETTINGS, Command.EFFECTS_PANEL,
             Command.KEYS, Command.SCOPES,
-            Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.LIGHT_LINKS,
+            Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.LOOKS, Command.CONTRIBUTIONS, Command.LIGHT_LINKS,
             Command.PALETTE, Command.ABOUT);
 
     @BeforeEach

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 class PanelShortcutsTest extends EditorFixture {
     private static final List<Command> PANELS =
             List.of(Command.ACCURACY_PANEL, Command.COMPARE_SETTINGS, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
-                    Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.LIGHT_LINKS);
+                    Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.LOOKS, Command.CONTRIBUTIONS, Command.LIGHT_LINKS);
 
     @BeforeEach
     void openPanelsInWindows() {

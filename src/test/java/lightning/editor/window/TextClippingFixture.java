@@ -46,7 +46,7 @@ abstract class TextClippingFixture extends EditorFixture {
         robot.interact(() -> model().editor().selection().selectLight("stage"));
         for (Command panel : List.of(Command.ACCURACY_PANEL, Command.COMPARE_SETTINGS, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
                 Command.HISTORY_PANEL,
-                Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.LIGHT_LINKS,
+                Command.UPDATES_PANEL, Command.MIXER, Command.LOOKS, Command.CONTRIBUTIONS, Command.LIGHT_LINKS,
                 Command.PALETTE)) {
             checkWindow(panel.name(), () -> model().commands().run(panel));
             robot.interact(this::narrow);

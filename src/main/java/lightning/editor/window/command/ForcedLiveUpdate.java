@@ -7,7 +7,7 @@ import javafx.util.Subscription;
 import lightning.editor.EditorState;
 import lightning.editor.window.model.SceneEditor;
 
-/** Renders edits of the mixer and of cues immediately, also while Live is off. */
+/** Renders edits of the mixer and of looks immediately, also while Live is off. */
 public final class ForcedLiveUpdate {
     private ForcedLiveUpdate() {}
 

@@ -10,7 +10,7 @@ import javafx.scene.control.MenuItem;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.document.EditOutcome;
-import lightning.document.look.CueFolder;
+import lightning.document.look.LookFiles;
 import lightning.editor.Command;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.StatusMessage;
@@ -69,7 +69,7 @@ final class ReviewActions {
         Shot shot = content.shot().get();
         ViewTransform view = model.picture().outputView();
         String title = model.editor().document().name();
-        CueFolder folder = model.editor().looksFolder();
+        LookFiles folder = model.editor().looksFolder();
         model.files().runConcurrently(() -> {
             Scene base = ReviewFilm.reduced(content.base());
             List<ReviewPicture> pictures = ReviewLooks.film(folder.list(base.stage()), shot, base, ReviewFilm.frames(shot));
@@ -86,7 +86,7 @@ final class ReviewActions {
         }
         ViewTransform view = model.picture().outputView();
         String title = model.editor().document().name();
-        CueFolder folder = model.editor().looksFolder();
+        LookFiles folder = model.editor().looksFolder();
         model.files().runConcurrently(() -> {
             ReviewLooks looks = ReviewLooks.of(folder.list(cache.scene().stage()), cache.scene());
             return ReviewContent.of(title, new ReviewPicture(OptionalInt.empty(), cache.scene(), looks.looks()), view);

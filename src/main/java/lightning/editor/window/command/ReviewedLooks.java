@@ -2,8 +2,8 @@ package lightning.editor.window.command;
 
 import lightning.base.text.Messages;
 import lightning.base.work.Progress;
-import lightning.document.look.CueFolder;
 import lightning.document.look.Lighting;
+import lightning.document.look.LookFiles;
 import lightning.editor.Command;
 import lightning.editor.window.model.ComparedLooks;
 import lightning.editor.window.model.EditorModel;
@@ -29,7 +29,7 @@ record ReviewedLooks(EditorModel model) {
      * @param reviewer name that a reviewer entered
      */
     void save(PixelCache cache, Scene before, Scene after, String reviewer) {
-        CueFolder folder = model.editor().looksFolder();
+        LookFiles folder = model.editor().looksFolder();
         String name = fileName(reviewer);
         model.files().runInOrder(() -> {
             String first = free(folder, Messages.tr("Before the review of {0}", name));
@@ -43,7 +43,7 @@ record ReviewedLooks(EditorModel model) {
         }, looks -> {
             model.editor().compareLooks(looks);
             var panels = model.layout().panelsProperty();
-            panels.set(panels.get().open(Command.CUES));
+            panels.set(panels.get().open(Command.LOOKS));
         }, failure -> model.editor().message().show(ErrorMessage.of(failure)));
     }
 
@@ -62,7 +62,7 @@ record ReviewedLooks(EditorModel model) {
         return allowed.substring(0, Math.min(allowed.length(), MAX_NAME)).replaceAll("[ .]+$", "");
     }
 
-    private static String free(CueFolder folder, String name) {
+    private static String free(LookFiles folder, String name) {
         String free = name;
         for (int i = 2; folder.has(free); i++) {
             free = name + " " + i;

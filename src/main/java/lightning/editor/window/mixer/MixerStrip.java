@@ -74,7 +74,7 @@ final class MixerStrip extends VBox {
         name.setWrapText(SEPARATOR.matcher(id).find());
         name.setTooltip(new Tooltip(id));
         if (channel instanceof MixerChannel.OfLightGroup) {
-            getStyleClass().add("bank-strip");
+            getStyleClass().add("group-strip");
         }
         head.getStyleClass().add("strip-head");
         head.setId("strip-head-" + id);

@@ -91,8 +91,8 @@ final class StripDrag {
             if (next.isEmpty() || next.get() != strip) {
                 model.edit(scene -> switch (strip.channel()) {
                     case MixerChannel.OfContribution(SceneElement.OfLight(String light)) -> dropLight(scene, light, next);
-                    case MixerChannel.OfLightGroup(String bank) ->
-                            MixerEdits.moveLightGroup(scene, bank, next.map(s -> s.channel().title(scene)));
+                    case MixerChannel.OfLightGroup(String group) ->
+                            MixerEdits.moveLightGroup(scene, group, next.map(s -> s.channel().title(scene)));
                     case MixerChannel.OfContribution _ -> new EditOutcome.Applied(scene);
                 }, null);
             }
@@ -117,8 +117,8 @@ final class StripDrag {
                 case MixerChannel.OfContribution(SceneElement.OfLight(String name)) -> {
                     return MixerEdits.moveToEnd(scene, light, scene.light(name).map(l -> l.lightGroup()).orElse(""));
                 }
-                case MixerChannel.OfLightGroup(String bank) -> {
-                    return MixerEdits.moveToEnd(scene, light, bank);
+                case MixerChannel.OfLightGroup(String group) -> {
+                    return MixerEdits.moveToEnd(scene, light, group);
                 }
                 case MixerChannel.OfContribution _ -> {
                     // The strips of environments are after all lights.

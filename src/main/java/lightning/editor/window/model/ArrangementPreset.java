@@ -9,7 +9,7 @@ public enum ArrangementPreset {
     /** Lights are placed and mixed. */
     LIGHT(Command.ARRANGE_LIGHT, CanvasLayout.SIDE_BY_SIDE, List.of(Command.MIXER), false),
     /** Looks are compared in a large picture. */
-    COMPARE(Command.ARRANGE_COMPARE, CanvasLayout.PICTURE_ALONE, List.of(Command.SCOPES, Command.CUES, Command.CONTRIBUTIONS), false),
+    COMPARE(Command.ARRANGE_COMPARE, CanvasLayout.PICTURE_ALONE, List.of(Command.SCOPES, Command.LOOKS, Command.CONTRIBUTIONS), false),
     /** Keyframes are set along the timeline. */
     SHOT(Command.ARRANGE_SHOT, CanvasLayout.PICTURE_LARGE, List.of(Command.TIMELINE), true);
 

@@ -38,8 +38,8 @@ final class LightActions {
                 () -> actions.edit((s, n) -> LightEdits.setOn(s, n, !requireNonNull(actions.selection.light()).on())));
         commands.setAction(Command.SOLO,
                 () -> actions.edit((s, n) -> LightEdits.setSolo(s, n, !requireNonNull(actions.selection.light()).solo())));
-        commands.setAction(Command.NEW_BANK, () -> actions.edit(LightGroupEdits::create));
-        commands.setAction(Command.DELETE_BANK,
+        commands.setAction(Command.NEW_LIGHT_GROUP, () -> actions.edit(LightGroupEdits::create));
+        commands.setAction(Command.DELETE_LIGHT_GROUP,
                 () -> actions.edit((s, n) -> LightGroupEdits.delete(s, LightEdits.light(s, n).lightGroup())));
         commands.setAction(Command.COPY_SETTINGS, bench::copySettings);
         commands.setAction(Command.PASTE_SETTINGS, () -> bench.pasteSettings().ifPresent(message::show));

@@ -19,7 +19,7 @@ import lightning.editor.Command;
 public record PanelArrangement(List<Slot> slots, Map<PanelPlace, Command> fronts) {
     /** Arrangement with all panels closed, each at its usual place. */
     public static final PanelArrangement INITIAL = new PanelArrangement(List.of(below(Command.MIXER), below(Command.TIMELINE),
-            below(Command.CUES), below(Command.CONTRIBUTIONS), below(Command.UPDATES_PANEL), left(Command.SCOPES),
+            below(Command.LOOKS), below(Command.CONTRIBUTIONS), below(Command.UPDATES_PANEL), left(Command.SCOPES),
             left(Command.HISTORY_PANEL)), Map.of());
 
     /**

@@ -16,7 +16,7 @@ import javafx.beans.property.SimpleObjectProperty;
 import lightning.document.EditOutcome;
 import lightning.document.OpenDocument;
 import lightning.document.Selection;
-import lightning.document.look.CueFolder;
+import lightning.document.look.LookFiles;
 import lightning.document.manipulation.PreviewCamera;
 import lightning.editor.EditorState;
 import lightning.editor.Workbench;
@@ -100,9 +100,9 @@ public final class SceneEditor {
     }
 
     /** Returns the folder of the looks of the open scene. */
-    public CueFolder looksFolder() {
+    public LookFiles looksFolder() {
         Path scene = document().file();
-        return untitledLooks().map(folder -> CueFolder.ofUntitled(scene, folder)).orElseGet(() -> new CueFolder(scene));
+        return untitledLooks().map(folder -> LookFiles.ofUntitled(scene, folder)).orElseGet(() -> new LookFiles(scene));
     }
 
     /** Two looks that the panel of looks shall show beside each other; null if it has done so. */

@@ -43,7 +43,7 @@ final class LightGroupRow extends HBox {
     LightGroupRow(SceneEditor editor, ObservableSet<String> collapsedGroups, Runnable onRenamed) {
         this.editor = editor;
         this.collapsedGroups = collapsedGroups;
-        getStyleClass().addAll("light-row", "bank-row");
+        getStyleClass().addAll("light-row", "group-row");
         foldButton.setGraphic(arrow);
         foldButton.getStyleClass().addAll("flat", "fold");
         foldButton.setFocusTraversable(false);
@@ -58,7 +58,7 @@ final class LightGroupRow extends HBox {
                 startRename();
             }
         });
-        master.getStyleClass().add("bank-master");
+        master.getStyleClass().add("group-master");
         master.setMinWidth(USE_PREF_SIZE);
         solo.setGraphic(new FontIcon(MaterialDesignA.ALPHA_S_CIRCLE));
         solo.setOnAction(_ -> edit(b -> b.withSolo(solo.isSelected())));

@@ -94,7 +94,7 @@ public final class LightListPane extends VBox {
     private ContextMenu menu() {
         CommandMenuItems items = CommandMenuItems.forMenu(commands, "of-light-");
         return new ContextMenu(items.item(Command.RENAME_LIGHT), items.item(Command.DUPLICATE_LIGHT), items.item(Command.DELETE_LIGHT),
-                new SeparatorMenuItem(), items.item(Command.NEW_BANK), items.item(Command.DELETE_BANK),
+                new SeparatorMenuItem(), items.item(Command.NEW_LIGHT_GROUP), items.item(Command.DELETE_LIGHT_GROUP),
                 new SeparatorMenuItem(), items.item(Command.COPY_SETTINGS), items.item(Command.PASTE_SETTINGS), new SeparatorMenuItem(),
                 items.item(Command.SWITCH_ON), items.item(Command.SOLO), items.item(Command.LOOK_THROUGH_LIGHT));
     }

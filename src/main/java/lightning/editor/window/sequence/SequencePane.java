@@ -76,7 +76,7 @@ public final class SequencePane extends VBox implements SequenceFile.Listener {
         editor = model.editor();
         file = new SequenceFile(model.files(), this);
         setId("sequence");
-        getStyleClass().add("cues");
+        getStyleClass().add("looks");
         Button open = button("sequence-open", Messages.tr("Open Sequence…"),
                 () -> prompt().fileToOpen(Messages.tr("Open Sequence"), EXTENSION).ifPresent(this::open));
         Button create = button("sequence-new", Messages.tr("New Sequence…"), this::create);
@@ -96,7 +96,7 @@ public final class SequencePane extends VBox implements SequenceFile.Listener {
         moment.setValue(SheetMoment.MIDDLE);
         moment.valueProperty().subscribe(this::showNewPictures);
         cards.setId("sequence-cards");
-        cards.getStyleClass().add("cue-gallery");
+        cards.getStyleClass().add("look-gallery");
         var scroll = new ScrollPane(cards);
         scroll.setFitToWidth(true);
         scroll.getStyleClass().add("edge-to-edge");

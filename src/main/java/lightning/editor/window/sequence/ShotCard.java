@@ -31,7 +31,7 @@ final class ShotCard extends VBox {
     ShotCard(Sequence.Entry entry, Runnable onChosen) {
         shot = entry.name();
         setId("shot-" + shot);
-        getStyleClass().addAll("cue-card", "shot-card");
+        getStyleClass().addAll("look-card", "shot-card");
         setFocusTraversable(true);
         setOnMouseClicked(_ -> {
             requestFocus();
@@ -45,7 +45,7 @@ final class ShotCard extends VBox {
         });
         setPictureCount(1);
         overrides.getStyleClass().add("shot-overrides");
-        problem.getStyleClass().add("cue-problem");
+        problem.getStyleClass().add("look-problem");
         problem.setWrapText(true);
         problem.setMaxWidth(WIDTH);
         problem.setManaged(false);
@@ -72,7 +72,7 @@ final class ShotCard extends VBox {
         for (int i = 0; i < count; i++) {
             var picture = new ImageView();
             var frame = new StackPane(picture);
-            frame.getStyleClass().add("cue-frame");
+            frame.getStyleClass().add("look-frame");
             frame.setMinSize(WIDTH, HEIGHT);
             frame.setMaxSize(WIDTH, HEIGHT);
             pictures.add(picture);

@@ -44,7 +44,7 @@ record Lesson(String title, String summary, List<Step> steps) {
                             (start, now) -> now.hasOtherLights(start)),
                     new Step(Messages.key("Press {0} to save the scene: looks are stored next to it."), List.of(Command.SAVE_SCENE),
                             (_, now) -> !now.state().untitled()),
-                    new Step(Messages.key("Press {0}, type a name and choose Save Look."), List.of(Command.CUES),
+                    new Step(Messages.key("Press {0}, type a name and choose Save Look."), List.of(Command.LOOKS),
                             (start, now) -> now.savedLooks() > start.savedLooks()))),
             new Lesson(Messages.key("Paint with light"), Messages.key("Say how the picture shall change, and let the lights follow"),
                     List.of(

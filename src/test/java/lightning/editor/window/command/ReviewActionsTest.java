@@ -11,7 +11,7 @@ import javafx.scene.control.Menu;
 import javafx.scene.control.MenuBar;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.ToggleButton;
-import lightning.document.look.CueFolder;
+import lightning.document.look.LookFiles;
 import lightning.editor.Command;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.OwnEditor;
@@ -42,10 +42,10 @@ class ReviewActionsTest extends EditorFixture {
         Light lamp = light("lamp");
         open(review("A: \\\"<b>", lamp));
         waitFor("the lamp is as reviewed", () -> light("lamp").intensity() == 2 * lamp.intensity());
-        waitFor("both looks are chosen", () -> isChosen("cue-a-Before the review of A_ __b_") && isChosen("cue-b-Review of A_ __b_"));
-        CueFolder looks = model().editor().looksFolder();
+        waitFor("both looks are chosen", () -> isChosen("look-a-Before the review of A_ __b_") && isChosen("look-b-Review of A_ __b_"));
+        LookFiles looks = model().editor().looksFolder();
         assertThat(looks.list(before.stage())).extracting("name").contains("Before the review of A_ __b_", "Review of A_ __b_");
-        assertThat(looks.list(before.stage()).stream().filter(cue -> cue.name().startsWith("Review")).findFirst().orElseThrow().lighting()
+        assertThat(looks.list(before.stage()).stream().filter(look -> look.name().startsWith("Review")).findFirst().orElseThrow().lighting()
                 .orElseThrow().rig().light("lamp").orElseThrow().intensity()).isEqualTo(2 * lamp.intensity());
         robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(model().editor().scene()).isEqualTo(before);

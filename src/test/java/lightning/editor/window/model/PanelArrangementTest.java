@@ -11,18 +11,18 @@ class PanelArrangementTest {
 
     @Test
     void openedPanel_isInFront() {
-        PanelArrangement both = NONE.open(Command.MIXER).open(Command.CUES);
-        assertThat(both.openIn(PanelPlace.BELOW)).containsExactly(Command.MIXER, Command.CUES);
-        assertThat(both.front(PanelPlace.BELOW)).contains(Command.CUES);
+        PanelArrangement both = NONE.open(Command.MIXER).open(Command.LOOKS);
+        assertThat(both.openIn(PanelPlace.BELOW)).containsExactly(Command.MIXER, Command.LOOKS);
+        assertThat(both.front(PanelPlace.BELOW)).contains(Command.LOOKS);
         assertThat(both.isShown(Command.MIXER)).isFalse();
         assertThat(both.inFront(Command.MIXER).isShown(Command.MIXER)).isTrue();
     }
 
     @Test
     void closedFront_givesWayToNeighbor() {
-        PanelArrangement three = NONE.open(Command.MIXER).open(Command.CONTRIBUTIONS).open(Command.CUES);
-        assertThat(three.close(Command.CUES).front(PanelPlace.BELOW)).contains(Command.CONTRIBUTIONS);
-        assertThat(three.close(Command.MIXER).front(PanelPlace.BELOW)).contains(Command.CUES);
+        PanelArrangement three = NONE.open(Command.MIXER).open(Command.CONTRIBUTIONS).open(Command.LOOKS);
+        assertThat(three.close(Command.LOOKS).front(PanelPlace.BELOW)).contains(Command.CONTRIBUTIONS);
+        assertThat(three.close(Command.MIXER).front(PanelPlace.BELOW)).contains(Command.LOOKS);
         assertThat(three.closeAll().front(PanelPlace.BELOW)).isEmpty();
     }
 
@@ -38,7 +38,7 @@ class PanelArrangementTest {
 
     @Test
     void text_restoresArrangement() {
-        PanelArrangement used = NONE.open(Command.MIXER).open(Command.CUES).move(Command.SCOPES, PanelPlace.WINDOW)
+        PanelArrangement used = NONE.open(Command.MIXER).open(Command.LOOKS).move(Command.SCOPES, PanelPlace.WINDOW)
                 .move(Command.HISTORY_PANEL, PanelPlace.BELOW).inFront(Command.MIXER).move(Command.CONTRIBUTIONS, PanelPlace.LEFT)
                 .close(Command.CONTRIBUTIONS);
         assertThat(PanelArrangement.parse(used.format())).isEqualTo(used);
@@ -47,8 +47,8 @@ class PanelArrangementTest {
     @Test
     void textOfOtherVersion_isReadAsFarAsPossible() {
         assertThat(PanelArrangement.parse("")).isEqualTo(NONE);
-        PanelArrangement read = PanelArrangement.parse("RADAR:BELOW:FRONT,CUES:NOWHERE:OPEN,CUES:LEFT,:,MIXER");
-        assertThat(read.openIn(PanelPlace.BELOW)).containsExactly(Command.CUES);
+        PanelArrangement read = PanelArrangement.parse("RADAR:BELOW:FRONT,LOOKS:NOWHERE:OPEN,LOOKS:LEFT,:,MIXER");
+        assertThat(read.openIn(PanelPlace.BELOW)).containsExactly(Command.LOOKS);
         assertThat(read.slots()).hasSameSizeAs(NONE.slots());
     }
 
@@ -61,7 +61,7 @@ class PanelArrangementTest {
         assertThat(layout.panelsHiddenProperty().get()).isFalse();
         assertThat(layout.panelsProperty().get().openIn(PanelPlace.WINDOW)).isEmpty();
         assertThat(layout.panelsProperty().get().openIn(PanelPlace.LEFT)).containsExactly(Command.SCOPES);
-        assertThat(layout.panelsProperty().get().front(PanelPlace.BELOW)).contains(Command.CUES);
+        assertThat(layout.panelsProperty().get().front(PanelPlace.BELOW)).contains(Command.LOOKS);
     }
 
     @Test

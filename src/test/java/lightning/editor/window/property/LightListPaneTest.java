@@ -177,10 +177,10 @@ class LightListPaneTest {
     @Test
     void lightGroups_areListedAfterUngroupedLights(FxRobot robot) {
         robot.clickOn("key");
-        robot.interact(() -> model.commands().run(Command.NEW_BANK));
+        robot.interact(() -> model.commands().run(Command.NEW_LIGHT_GROUP));
         assertThat(names(robot)).containsExactly("fill", "sun", "group", "key");
         assertThat(selected(robot)).isEqualTo("key");
-        robot.interact(() -> model.commands().run(Command.DELETE_BANK));
+        robot.interact(() -> model.commands().run(Command.DELETE_LIGHT_GROUP));
         assertThat(names(robot)).containsExactly("key", "fill", "sun");
         robot.interact(() -> model.commands().run(Command.UNDO));
         assertThat(names(robot)).containsExactly("fill", "sun", "group", "key");
@@ -188,16 +188,16 @@ class LightListPaneTest {
 
     @Test
     void collapsedGroup_hidesItsLights(FxRobot robot) {
-        robot.interact(() -> model.commands().run(Command.NEW_BANK));
-        robot.clickOn(".bank-row .fold");
+        robot.interact(() -> model.commands().run(Command.NEW_LIGHT_GROUP));
+        robot.clickOn(".group-row .fold");
         assertThat(names(robot)).containsExactly("fill", "sun", "group");
-        robot.clickOn(".bank-row .fold");
+        robot.clickOn(".group-row .fold");
         assertThat(names(robot)).containsExactly("fill", "sun", "group", "key");
     }
 
     @Test
     void groupToggles_applyToAllItsLights(FxRobot robot) {
-        robot.interact(() -> model.commands().run(Command.NEW_BANK));
+        robot.interact(() -> model.commands().run(Command.NEW_LIGHT_GROUP));
         robot.clickOn(toggle(robot, "group on"));
         assertThat(model.editor().scene().rig().lightGroup("group").orElseThrow().on()).isFalse();
         assertThat(model.editor().scene().isActive(TestEditors.light(model, "key"))).isFalse();
@@ -207,7 +207,7 @@ class LightListPaneTest {
 
     @Test
     void lightDroppedOnGroup_joinsIt(FxRobot robot) {
-        robot.interact(() -> model.commands().run(Command.NEW_BANK));
+        robot.interact(() -> model.commands().run(Command.NEW_LIGHT_GROUP));
         robot.interact(() -> LightGroupDrop.moveLight("sun", "group", model.editor()));
         assertThat(names(robot)).containsExactly("fill", "group", "key", "sun");
         robot.interact(() -> LightGroupDrop.moveLight("key", "", model.editor()));
@@ -216,7 +216,7 @@ class LightListPaneTest {
 
     @Test
     void groupKeys_renameToggleAndDeleteIt(FxRobot robot) {
-        robot.interact(() -> model.commands().run(Command.NEW_BANK));
+        robot.interact(() -> model.commands().run(Command.NEW_LIGHT_GROUP));
         robot.clickOn("group").push(KeyCode.F2).write("left").push(KeyCode.ENTER);
         assertThat(TestEditors.light(model, "key").lightGroup()).isEqualTo("left");
         robot.push(KeyCode.SPACE);

@@ -188,11 +188,11 @@ class WelcomePaneTest extends EditorFixture {
         assertStep(4, 4);
         robot.interact(() -> model().commands().run(Command.GO));
         waitForPicture();
-        robot.interact(() -> model().commands().run(Command.CUES));
-        waitFor("the looks are shown", () -> robot.lookup("#cue-new-name").tryQuery().isPresent());
+        robot.interact(() -> model().commands().run(Command.LOOKS));
+        waitFor("the looks are shown", () -> robot.lookup("#look-new-name").tryQuery().isPresent());
         robot.interact(() -> {
-            robot.lookup("#cue-new-name").<TextField>query().setText("first");
-            robot.lookup("#cue-keep").<Button>query().fire();
+            robot.lookup("#look-new-name").<TextField>query().setText("first");
+            robot.lookup("#look-keep").<Button>query().fire();
         });
         waitFor("the look is saved", () -> text("lesson-text").equals("Done."));
     }

@@ -1,4 +1,4 @@
-package lightning.editor.window.cue;
+package lightning.editor.window.look;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -26,14 +26,14 @@ import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
 @OwnEditor
-class CuePaneTest extends EditorFixture {
+class LookPaneTest extends EditorFixture {
     private Scene day;
     private Scene night;
 
-    private void saveCue(String name) {
-        robot.interact(() -> robot.lookup("#cue-new-name").<TextField>query().setText(name));
-        click("cue-keep");
-        waitFor("the cue is kept", () -> robot.lookup("#cue-" + name).tryQuery().isPresent());
+    private void saveLook(String name) {
+        robot.interact(() -> robot.lookup("#look-new-name").<TextField>query().setText(name));
+        click("look-keep");
+        waitFor("the look is kept", () -> robot.lookup("#look-" + name).tryQuery().isPresent());
     }
 
     private void go() {
@@ -42,20 +42,20 @@ class CuePaneTest extends EditorFixture {
     }
 
     /** Saves two looks, of which the second is applied. */
-    private void saveTwoCues() {
+    private void saveTwoLooks() {
         day = model().editor().scene();
         floatPanels();
         robot.push(KeyCode.SHIFT, KeyCode.F4);
-        saveCue("day");
+        saveLook("day");
         robot.interact(() -> model().editor().edit(s -> LightEdits.edit(s, "lamp", l -> l.withColor(new Rgb(0.1, 0.1, 0.5)))));
         robot.interact(() -> model().editor().edit(s -> LightEdits.setOn(s, "sun", false)));
         go();
         night = model().editor().scene();
-        saveCue("night");
+        saveLook("night");
     }
 
     private int[] shownPixels() {
-        return robot.lookup("#cue-picture").<PictureView>query().pixels();
+        return robot.lookup("#look-picture").<PictureView>query().pixels();
     }
 
     private int[] pixels(Scene scene) {
@@ -66,8 +66,8 @@ class CuePaneTest extends EditorFixture {
     @Test
     void lowPanel_showsRowOfLooks() {
         robot.push(KeyCode.SHIFT, KeyCode.F4);
-        saveCue("day");
-        Region card = robot.lookup("#cue-day").query();
+        saveLook("day");
+        Region card = robot.lookup("#look-day").query();
         WaitForAsyncUtils.waitForFxEvents();
         Node scroll = card;
         while (!(scroll instanceof ScrollPane)) {
@@ -83,7 +83,7 @@ class CuePaneTest extends EditorFixture {
         waitForPicture();
         floatPanels();
         robot.push(KeyCode.SHIFT, KeyCode.F4);
-        saveCue("day");
+        saveLook("day");
         assertThat(folder.resolve("desk.cues")).doesNotExist();
         assertThat(model().editor().document().isDirty()).isTrue();
         answer = folder.resolve("mine.jen");
@@ -102,16 +102,16 @@ class CuePaneTest extends EditorFixture {
         OpenDocument copy = OpenDocument.openCopy(folder.resolve("desk.jen"));
         robot.interact(() -> model().open(copy));
         robot.push(KeyCode.SHIFT, KeyCode.F4);
-        waitFor("the empty list says what to do", () -> robot.lookup(".cue-gallery .pane-note").tryQuery().isPresent());
-        assertThat(robot.lookup(".cue-gallery .pane-note").<Label>query().getText())
+        waitFor("the empty list says what to do", () -> robot.lookup(".look-gallery .pane-note").tryQuery().isPresent());
+        assertThat(robot.lookup(".look-gallery .pane-note").<Label>query().getText())
                 .isEqualTo("No looks yet. Saved looks appear here and are stored with the scene when you save it.");
     }
 
     @Test
-    void cues_areSavedRestoredRenamedAndRecovered() throws Exception {
-        saveTwoCues();
+    void looks_areSavedRestoredRenamedAndRecovered() throws Exception {
+        saveTwoLooks();
         assertThat(JenReader.read(folder.resolve("desk.cues/night.jen")).scene().lights()).isEqualTo(night.lights());
-        click("cue-restore-day");
+        click("look-restore-day");
         assertThat(model().editor().scene()).isEqualTo(day);
         waitForPicture();
         assertFilmIs(new ReferenceTracer(day).trace());
@@ -119,23 +119,23 @@ class CuePaneTest extends EditorFixture {
         assertThat(model().editor().scene()).isEqualTo(night);
         waitForPicture();
         assertFilmIs(new ReferenceTracer(night).trace());
-        robot.clickOn("#cue-name-day");
-        robot.interact(() -> robot.lookup("#cue-name-day").<TextField>query().setText("noon"));
+        robot.clickOn("#look-name-day");
+        robot.interact(() -> robot.lookup("#look-name-day").<TextField>query().setText("noon"));
         robot.push(KeyCode.ENTER);
-        waitFor("the cue is renamed", () -> robot.lookup("#cue-noon").tryQuery().isPresent());
-        click("cue-remove-noon");
-        waitFor("the cue is removed", () -> robot.lookup("#cue-noon").tryQuery().isEmpty());
-        click("cue-back");
-        waitFor("the cue is restored", () -> robot.lookup("#cue-noon").tryQuery().isPresent());
+        waitFor("the look is renamed", () -> robot.lookup("#look-noon").tryQuery().isPresent());
+        click("look-remove-noon");
+        waitFor("the look is removed", () -> robot.lookup("#look-noon").tryQuery().isEmpty());
+        click("look-back");
+        waitFor("the look is restored", () -> robot.lookup("#look-noon").tryQuery().isPresent());
         assertThat(Files.exists(folder.resolve("desk.cues/noon.png"))).isTrue();
     }
 
     @Test
-    void blend_betweenTwoCues_isExactInOneUndoStep() {
-        saveTwoCues();
-        click("cue-a-day");
-        click("cue-b-night");
-        Slider slider = robot.lookup("#cue-blend").query();
+    void blend_betweenTwoLooks_isExactInOneUndoStep() {
+        saveTwoLooks();
+        click("look-a-day");
+        click("look-b-night");
+        Slider slider = robot.lookup("#look-blend").query();
         robot.interact(() -> slider.setValue(30));
         Lighting expected = LightingBlend.blend(Lighting.of(day), Lighting.of(night), 0.3);
         assertThat(Lighting.of(model().editor().scene())).isEqualTo(expected);
@@ -147,47 +147,47 @@ class CuePaneTest extends EditorFixture {
         robot.interact(() -> slider.setValue(0));
         assertThat(model().editor().scene()).isEqualTo(day);
         robot.interact(() -> slider.setValue(100));
-        robot.drag("#cue-blend .thumb").moveBy(-60, 0).moveBy(-60, 0).drop();
+        robot.drag("#look-blend .thumb").moveBy(-60, 0).moveBy(-60, 0).drop();
         assertThat(model().editor().scene()).isNotEqualTo(night);
         robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(model().editor().scene()).isEqualTo(night);
     }
 
     @Test
-    void comparedCues_showWipeFlipAndDifference() {
-        saveTwoCues();
-        click("cue-a-day");
-        click("cue-b-night");
-        assertThat(robot.lookup("#cue-picture").<PictureView>query().wipe().isVisible()).isTrue();
+    void comparedLooks_showWipeFlipAndDifference() {
+        saveTwoLooks();
+        click("look-a-day");
+        click("look-b-night");
+        assertThat(robot.lookup("#look-picture").<PictureView>query().wipe().isVisible()).isTrue();
         assertThat(shownPixels()).isEqualTo(pixels(night));
-        click("cue-flip");
+        click("look-flip");
         assertThat(shownPixels()).isEqualTo(pixels(day));
-        assertThat(text("cue-note")).isEqualTo("A: day");
-        robot.clickOn("#cue-picture");
+        assertThat(text("look-note")).isEqualTo("A: day");
+        robot.clickOn("#look-picture");
         assertThat(shownPixels()).isEqualTo(pixels(night));
-        assertThat(text("cue-note")).isEqualTo("B: night");
-        click("cue-difference");
+        assertThat(text("look-note")).isEqualTo("B: night");
+        click("look-difference");
         int[] difference = shownPixels();
         int[] a = pixels(day);
         int[] b = pixels(night);
         for (int i = 0; i < a.length; i++) {
             assertThat(difference[i] == 0xFF000000).as("pixel %d", i).isEqualTo(a[i] == b[i]);
         }
-        click("cue-b-day");
-        assertThat(text("cue-note")).isEqualTo("The images are identical");
+        click("look-b-day");
+        assertThat(text("look-note")).isEqualTo("The images are identical");
     }
 
     /** A zoomed comparison could not be fitted to its panel again. */
     @Test
     void doubleClick_fitsComparison() {
-        saveTwoCues();
-        click("cue-a-day");
-        click("cue-b-night");
-        PictureView view = robot.lookup("#cue-picture").query();
+        saveTwoLooks();
+        click("look-a-day");
+        click("look-b-night");
+        PictureView view = robot.lookup("#look-picture").query();
         double fitted = view.magnification();
         robot.interact(() -> view.zoomBy(40));
         assertThat(view.magnification()).isGreaterThan(fitted);
-        robot.doubleClickOn("#cue-picture");
+        robot.doubleClickOn("#look-picture");
         assertThat(view.magnification()).isEqualTo(fitted);
     }
 
@@ -195,7 +195,7 @@ class CuePaneTest extends EditorFixture {
     void stalePicture_isNotSaved() {
         robot.interact(() -> model().editor().edit(s -> LightEdits.setOn(s, "sun", false)));
         robot.push(KeyCode.SHIFT, KeyCode.F4);
-        assertThat(robot.lookup("#cue-keep").query().isDisabled()).isTrue();
+        assertThat(robot.lookup("#look-keep").query().isDisabled()).isTrue();
     }
 
     @Test

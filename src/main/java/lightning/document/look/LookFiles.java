@@ -24,8 +24,8 @@ import lightning.scene.Stage;
  * Folder {@code NAME.cues} next to {@code NAME.jen} with the saved looks of a scene. Each has two files: its lights as blocks of a scene
  * file, and its image as PNG. All methods access files; do not call them on a window's thread.
  */
-public final class CueFolder {
-    /** Maximum number of listed cues. */
+public final class LookFiles {
+    /** Maximum number of listed looks. */
     public static final int MAX_CUES = 200;
     /** Maximum length of a name, in characters. */
     private static final int MAX_NAME_LENGTH = 60;
@@ -38,13 +38,13 @@ public final class CueFolder {
     private final Path sceneFolder;
     private final Path folder;
 
-    private CueFolder(Path sceneFolder, Path folder) {
+    private LookFiles(Path sceneFolder, Path folder) {
         this.sceneFolder = sceneFolder;
         this.folder = folder;
     }
 
     /** @param scene scene file */
-    public CueFolder(Path scene) {
+    public LookFiles(Path scene) {
         this(ParentFolder.of(scene), LooksFolder.of(scene));
     }
 
@@ -54,8 +54,8 @@ public final class CueFolder {
      * @param scene file that the scene is a copy of, or its proposed file
      * @param folder private folder, which may not exist
      */
-    public static CueFolder ofUntitled(Path scene, Path folder) {
-        return new CueFolder(ParentFolder.of(scene), folder.toAbsolutePath());
+    public static LookFiles ofUntitled(Path scene, Path folder) {
+        return new LookFiles(ParentFolder.of(scene), folder.toAbsolutePath());
     }
 
     /** Returns the folder, which may not exist. */
@@ -81,12 +81,12 @@ public final class CueFolder {
     }
 
     /**
-     * Returns all cues by name, each with its lights and image, or the reason why they cannot be read.
+     * Returns all looks by name, each with its lights and image, or the reason why they cannot be read.
      *
      * @param stage stage of the scene
      * @throws IOException if the folder cannot be read, or is outside the scene's folder
      */
-    public List<Cue> list(Stage stage) throws IOException {
+    public List<Look> list(Stage stage) throws IOException {
         if (!Files.exists(folder)) {
             return List.of();
         }
@@ -96,14 +96,14 @@ public final class CueFolder {
             files = all.filter(f -> f.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(LIGHTS_EXTENSION)
                     && !f.getFileName().toString().startsWith(".")).sorted().limit(MAX_CUES).toList();
         }
-        List<Cue> cues = new ArrayList<>();
+        List<Look> looks = new ArrayList<>();
         for (Path file : files) {
-            cues.add(readCue(file, stage));
+            looks.add(readLook(file, stage));
         }
-        return cues;
+        return looks;
     }
 
-    private Cue readCue(Path file, Stage stage) {
+    private Look readLook(Path file, Stage stage) {
         String title = file.getFileName().toString();
         String name = title.substring(0, title.length() - LIGHTS_EXTENSION.length());
         Optional<Lighting> lighting = Optional.empty();
@@ -114,7 +114,7 @@ public final class CueFolder {
         } catch (IOException e) {
             problem = e.getMessage() == null ? Messages.tr("{0} cannot be read", Quote.path(file)) : e.getMessage();
         }
-        return new Cue(name, file, lighting, problem, readPicture(file(name, PICTURE_EXTENSION)));
+        return new Look(name, file, lighting, problem, readPicture(file(name, PICTURE_EXTENSION)));
     }
 
     private Optional<Film> readPicture(Path file) {
@@ -142,7 +142,7 @@ public final class CueFolder {
     }
 
     /**
-     * Saves a cue, replacing one with the same name.
+     * Saves a look, replacing one with the same name.
      *
      * @param film image, displayed with {@code view}
      * @throws IOException if it cannot be written; the old one is then unchanged, or has the new image
@@ -158,13 +158,13 @@ public final class CueFolder {
         lighting.write(file(name, LIGHTS_EXTENSION));
     }
 
-    /** Returns whether a cue with that name exists. */
+    /** Returns whether a look with that name exists. */
     public boolean has(String name) {
         return Files.exists(file(name, LIGHTS_EXTENSION));
     }
 
     /**
-     * Renames a cue.
+     * Renames a look.
      *
      * @throws IOException if the new name is taken, or the files cannot be moved
      */
@@ -185,7 +185,7 @@ public final class CueFolder {
         Files.move(file(from, LIGHTS_EXTENSION), file(to, LIGHTS_EXTENSION));
     }
 
-    /** Removes a cue: renames its files to {@code .gone}, from which {@link #restore} recovers them. */
+    /** Removes a look: renames its files to {@code .gone}, from which {@link #restore} recovers them. */
     public void remove(String name) throws IOException {
         checkInsideSceneFolder(folder);
         for (String extension : List.of(LIGHTS_EXTENSION, PICTURE_EXTENSION)) {
@@ -196,7 +196,7 @@ public final class CueFolder {
     }
 
     /**
-     * Restores a removed cue.
+     * Restores a removed look.
      *
      * @throws IOException if the name is taken, or nothing can be restored
      */

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class CueFolderTest {
+class LookFilesTest {
     private static final String TEXT = """
             jen 1
             world { ambience 0.3  background 0 0.1 0.2 }
@@ -30,46 +30,46 @@ class CueFolderTest {
     @TempDir
     private Path folder;
     private Scene scene;
-    private CueFolder cues;
+    private LookFiles looks;
 
     @BeforeEach
     void open() throws Exception {
         Path file = Files.writeString(folder.resolve("room.jen"), TEXT);
         scene = JenReader.read(file).scene();
-        cues = new CueFolder(file);
+        looks = new LookFiles(file);
     }
 
     private void save(String name) throws IOException {
-        cues.save(name, Lighting.of(scene), Film.black(4, 3), ViewTransform.DEFAULT);
+        looks.save(name, Lighting.of(scene), Film.black(4, 3), ViewTransform.DEFAULT);
     }
 
-    private List<Cue> list() throws IOException {
-        return cues.list(scene.stage());
+    private List<Look> list() throws IOException {
+        return looks.list(scene.stage());
     }
 
     @Test
-    void savedCue_roundTripsWithLinksAndPicture() throws IOException {
+    void savedLook_roundTripsWithLinksAndPicture() throws IOException {
         save("warm evening");
-        Cue cue = list().getFirst();
-        assertThat(cue.name()).isEqualTo("warm evening");
-        assertThat(cue.lighting()).hasValue(Lighting.of(scene));
-        assertThat(cue.picture().orElseThrow().hasSameBits(Film.black(4, 3))).isTrue();
+        Look look = list().getFirst();
+        assertThat(look.name()).isEqualTo("warm evening");
+        assertThat(look.lighting()).hasValue(Lighting.of(scene));
+        assertThat(look.picture().orElseThrow().hasSameBits(Film.black(4, 3))).isTrue();
         assertThat(folder.resolve("room.cues/warm evening.jen")).content().startsWith("jen 1\n").contains("light key spot")
                 .doesNotContain("sphere");
         assertThat(folder.resolve("room.cues/warm evening.png")).exists();
     }
 
     @Test
-    void sceneWithoutCues_hasEmptyList() throws IOException {
+    void sceneWithoutLooks_hasEmptyList() throws IOException {
         assertThat(list()).isEmpty();
-        assertThat(cues.path()).doesNotExist();
+        assertThat(looks.path()).doesNotExist();
     }
 
     @Test
-    void brokenCue_isListedWithProblem() throws IOException {
+    void brokenLook_isListedWithProblem() throws IOException {
         save("good");
-        Files.writeString(cues.path().resolve("bad.jen"), "jen 1\nlight key spot { bank none }\n");
-        assertThat(list()).extracting(Cue::name).containsExactly("bad", "good");
+        Files.writeString(looks.path().resolve("bad.jen"), "jen 1\nlight key spot { bank none }\n");
+        assertThat(list()).extracting(Look::name).containsExactly("bad", "good");
         assertThat(list().getFirst().lighting()).isEmpty();
         assertThat(list().getFirst().problem()).contains("there is no bank").contains(":2:");
     }
@@ -77,7 +77,7 @@ class CueFolderTest {
     @Test
     void damagedPicture_keepsLights() throws IOException {
         save("dusk");
-        Files.writeString(cues.path().resolve("dusk.png"), "no picture");
+        Files.writeString(looks.path().resolve("dusk.png"), "no picture");
         assertThat(list().getFirst().picture()).isEmpty();
         assertThat(list().getFirst().lighting()).isPresent();
     }
@@ -86,7 +86,7 @@ class CueFolderTest {
     void linkOutsideSceneFolder_isRejected(@TempDir Path elsewhere) throws IOException {
         save("dusk");
         Path secret = Files.writeString(elsewhere.resolve("secret.jen"), "jen 1\n");
-        Files.createSymbolicLink(cues.path().resolve("out.jen"), secret);
+        Files.createSymbolicLink(looks.path().resolve("out.jen"), secret);
         assertThat(list()).filteredOn(c -> c.name().equals("out")).first()
                 .satisfies(c -> assertThat(c.problem()).contains("expected a file in the scene's folder"));
     }
@@ -95,18 +95,18 @@ class CueFolderTest {
     void rename_movesBothFilesAndRejectsTakenName() throws IOException {
         save("a");
         save("b");
-        assertThatThrownBy(() -> cues.rename("a", "b")).isInstanceOf(IOException.class);
-        cues.rename("a", "c");
-        assertThat(list()).extracting(Cue::name).containsExactly("b", "c");
+        assertThatThrownBy(() -> looks.rename("a", "b")).isInstanceOf(IOException.class);
+        looks.rename("a", "c");
+        assertThat(list()).extracting(Look::name).containsExactly("b", "c");
         assertThat(list().getLast().picture()).isPresent();
     }
 
     @Test
-    void removedCue_canBeRestored() throws IOException {
+    void removedLook_canBeRestored() throws IOException {
         save("a");
-        cues.remove("a");
+        looks.remove("a");
         assertThat(list()).isEmpty();
-        cues.restore("a");
+        looks.restore("a");
         assertThat(list().getFirst().lighting()).hasValue(Lighting.of(scene));
         assertThat(list().getFirst().picture()).isPresent();
     }
@@ -114,10 +114,10 @@ class CueFolderTest {
     @Test
     void invalidFileNames_areRejected() {
         for (String name : List.of("", " ", "../x", "a/b", "a\\b", ".hidden", "end.", "a\nb", "x".repeat(61), "a:b")) {
-            assertThat(CueFolder.nameProblem(name)).as(name).isPresent();
+            assertThat(LookFiles.nameProblem(name)).as(name).isPresent();
             assertThatThrownBy(() -> save(name)).isInstanceOf(IOException.class);
         }
-        assertThat(CueFolder.nameProblem("Über Nacht 2")).isEmpty();
+        assertThat(LookFiles.nameProblem("Über Nacht 2")).isEmpty();
     }
 
     @Test

@@ -13,4 +13,4 @@ import lightning.render.image.Film;
  * @param problem  reason why it cannot be read, a sentence; empty if it can
  * @param picture  saved image, as linear values of the display codes; empty if there is no readable image
  */
-public record Cue(String name, Path file, Optional<Lighting> lighting, String problem, Optional<Film> picture) {}
+public record Look(String name, Path file, Optional<Lighting> lighting, String problem, Optional<Film> picture) {}

@@ -1,4 +1,4 @@
-package lightning.editor.window.cue;
+package lightning.editor.window.look;
 
 import java.util.Locale;
 import java.util.Optional;
@@ -11,7 +11,7 @@ import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.StackPane;
 import lightning.base.text.Messages;
-import lightning.document.look.Cue;
+import lightning.document.look.Look;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.image.Difference;
 import lightning.render.image.DifferenceImage;
@@ -19,7 +19,7 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
 /** Comparison of two looks' pictures: A over the left part of B, one at a time, or their difference. */
-final class CueCompare extends BorderPane {
+final class LookCompare extends BorderPane {
     /** Mode of the comparison. */
     enum CompareMode {
         WIPE(Messages.key("Wipe"), Messages.key("A on the left, B on the right; drag to wipe")),
@@ -39,19 +39,19 @@ final class CueCompare extends BorderPane {
     private final Label note = new Label();
     private CompareMode mode = CompareMode.WIPE;
     private boolean isFlipped;
-    private Optional<Cue> a = Optional.empty();
-    private Optional<Cue> b = Optional.empty();
+    private Optional<Look> a = Optional.empty();
+    private Optional<Look> b = Optional.empty();
 
-    CueCompare() {
-        getStyleClass().add("cue-compare");
-        picture.setId("cue-picture");
-        note.setId("cue-note");
+    LookCompare() {
+        getStyleClass().add("look-compare");
+        picture.setId("look-picture");
+        note.setId("look-note");
         note.getStyleClass().add("pane-note");
         var group = new ToggleGroup();
         var modeButtons = new HBox();
         for (CompareMode option : CompareMode.values()) {
             var button = new ToggleButton(Messages.tr(option.title));
-            button.setId("cue-" + option.name().toLowerCase(Locale.ROOT));
+            button.setId("look-" + option.name().toLowerCase(Locale.ROOT));
             button.setTooltip(new Tooltip(Messages.tr(option.help)));
             button.setToggleGroup(group);
             button.setSelected(option == mode);
@@ -90,7 +90,7 @@ final class CueCompare extends BorderPane {
     }
 
     /** Compares the pictures of two looks; shows the picture if only one is given. */
-    void show(Optional<Cue> first, Optional<Cue> second) {
+    void show(Optional<Look> first, Optional<Look> second) {
         a = first;
         b = second;
         isFlipped = false;
@@ -99,8 +99,8 @@ final class CueCompare extends BorderPane {
 
     private void show() {
         picture.wipe().setVisible(false);
-        Optional<Film> left = a.flatMap(Cue::picture);
-        Optional<Film> right = b.flatMap(Cue::picture);
+        Optional<Film> left = a.flatMap(Look::picture);
+        Optional<Film> right = b.flatMap(Look::picture);
         if (left.isEmpty() || right.isEmpty()) {
             note.setText(Messages.tr("Choose two looks, A and B, to compare"));
             left.or(() -> right).ifPresentOrElse(this::showFilm, picture::clear);

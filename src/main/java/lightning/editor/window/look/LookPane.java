@@ -1,4 +1,4 @@
-package lightning.editor.window.cue;
+package lightning.editor.window.look;
 
 import static java.util.Objects.requireNonNull;
 
@@ -29,10 +29,10 @@ import lightning.base.text.Quote;
 import lightning.base.text.RefusalException;
 import lightning.document.EditOutcome;
 import lightning.document.FileThread;
-import lightning.document.look.Cue;
-import lightning.document.look.CueFolder;
 import lightning.document.look.Lighting;
 import lightning.document.look.LightingBlend;
+import lightning.document.look.Look;
+import lightning.document.look.LookFiles;
 import lightning.document.loop.Frame;
 import lightning.editor.EditorState;
 import lightning.editor.window.command.ForcedLiveUpdate;
@@ -48,8 +48,8 @@ import lightning.scene.Scene;
 import lightning.scene.Stage;
 import org.jspecify.annotations.Nullable;
 
-/** Gallery of the open scene's saved looks (cues): saves, applies, compares and blends them. */
-public final class CuePane extends VBox {
+/** Gallery of the open scene's saved looks (looks): saves, applies, compares and blends them. */
+public final class LookPane extends VBox {
     private static final double PERCENT = 100;
     /** Height of one row of looks with their buttons, pixels. */
     private static final double MIN_GALLERY_HEIGHT = 200;
@@ -62,12 +62,12 @@ public final class CuePane extends VBox {
     private final FlowPane gallery = new FlowPane();
     private final Label message = new Label();
     private final Button restoreButton = new Button(Messages.tr("Undo Delete"));
-    private final CueCompare compare = new CueCompare();
+    private final LookCompare compare = new LookCompare();
     private final Slider blend = new Slider(0, PERCENT, 0);
     private final DisabledReason blendReason;
     private final Label percent = new Label("0 %");
-    private final Map<String, CueCard> cards = new LinkedHashMap<>();
-    private List<Cue> cues = List.of();
+    private final Map<String, LookCard> cards = new LinkedHashMap<>();
+    private List<Look> looks = List.of();
     private String a = "";
     private String b = "";
     private String removedName = "";
@@ -75,49 +75,49 @@ public final class CuePane extends VBox {
     private boolean isUpdating;
 
     /** Saved look with its thumbnail, which is null if there is no picture. */
-    private record CueEntry(Cue cue, CueCard.@Nullable CueThumbnail thumbnail) {}
+    private record LookEntry(Look look, LookCard.@Nullable LookThumbnail thumbnail) {}
 
-    public CuePane(SceneEditor editor, TracedPicture picture, FileThread files) {
+    public LookPane(SceneEditor editor, TracedPicture picture, FileThread files) {
         this.editor = editor;
         this.picture = picture;
         this.files = files;
-        setId("cues");
-        getStyleClass().add("cues");
-        name.setId("cue-new-name");
+        setId("looks");
+        getStyleClass().add("looks");
+        name.setId("look-new-name");
         name.setPromptText(Messages.tr("Look name"));
         name.setAccessibleText(Messages.tr("look name"));
         var saveButton = new Button(Messages.tr("Save Look"));
-        saveButton.setId("cue-keep");
+        saveButton.setId("look-keep");
         saveButton.getStyleClass().add("accent");
-        saveButton.setOnAction(_ -> saveCue());
+        saveButton.setOnAction(_ -> saveLook());
         saveButton.setMinWidth(Region.USE_PREF_SIZE);
         name.setOnAction(_ -> saveButton.fire());
         var saveBox = new StackPane(saveButton);
         saveReason = new DisabledReason(saveBox, saveButton,
                 Messages.tr("Save the look and a thumbnail in the scene's folder"));
-        message.setId("cue-message");
+        message.setId("look-message");
         message.getStyleClass().add("pane-note");
         message.setMaxWidth(Double.MAX_VALUE);
         HBox.setHgrow(message, Priority.ALWAYS);
-        restoreButton.setId("cue-back");
+        restoreButton.setId("look-back");
         restoreButton.setVisible(false);
         restoreButton.setMinWidth(Region.USE_PREF_SIZE);
         restoreButton.setOnAction(_ -> restoreRemoved());
         var tools = new HBox(name, saveBox, message, restoreButton);
         tools.getStyleClass().add("mixer-tools");
-        blend.setId("cue-blend");
+        blend.setId("look-blend");
         blend.setAccessibleText(Messages.tr("blend from A to B in percent"));
         blend.setTooltip(new Tooltip(Messages.tr("Blend the lighting from A to B")));
         blend.setOnMousePressed(_ -> gesture = new Object());
         blend.setOnMouseReleased(_ -> gesture = null);
         blend.valueProperty().subscribe(v -> blendTo(v.doubleValue() / PERCENT));
         HBox.setHgrow(blend, Priority.ALWAYS);
-        percent.setId("cue-percent");
+        percent.setId("look-percent");
         percent.setMinWidth(44);
         var blendRow = new HBox(new Label(Messages.tr("Blend  A")), blend, new Label("B"), percent);
         blendRow.getStyleClass().add("mixer-tools");
         blendReason = new DisabledReason(blendRow, blend);
-        gallery.getStyleClass().add("cue-gallery");
+        gallery.getStyleClass().add("look-gallery");
         var scroll = new ScrollPane(gallery);
         scroll.setFitToWidth(true);
         // The comparison would leave no room for the looks in a low panel.
@@ -135,10 +135,10 @@ public final class CuePane extends VBox {
 
     /** Lists the looks and starts to observe the editor. */
     private Subscription subscribe() {
-        return Subscription.combine(editor.documentProperty().subscribe(_ -> loadCues()),
+        return Subscription.combine(editor.documentProperty().subscribe(_ -> loadLooks()),
                 editor.comparedLooksProperty().subscribe(_ -> takeComparison()),
-                editor.looksVersionProperty().subscribe(_ -> loadCues()),
-                editor.editorStateProperty().map(EditorState::untitled).subscribe(_ -> loadCues()),
+                editor.looksVersionProperty().subscribe(_ -> loadLooks()),
+                editor.editorStateProperty().map(EditorState::untitled).subscribe(_ -> loadLooks()),
                 editor.editorStateProperty().subscribe(state -> saveReason.set(saveDisabledReason(state))),
                 ForcedLiveUpdate.renderWhileFocused(this, editor, files.windowExecutor()));
     }
@@ -147,7 +147,7 @@ public final class CuePane extends VBox {
         return state.frame().isEmpty() ? Optional.of(Messages.tr("nothing is rendered yet")) : state.pendingMessage();
     }
 
-    private CueFolder folder() {
+    private LookFiles folder() {
         return editor.looksFolder();
     }
 
@@ -170,30 +170,30 @@ public final class CuePane extends VBox {
         message.setText(text);
     }
 
-    private void loadCues() {
-        CueFolder folder = folder();
+    private void loadLooks() {
+        LookFiles folder = folder();
         Stage stage = editor.scene().stage();
         runFileTask(() -> {
-            List<CueEntry> entries = new ArrayList<>();
-            for (Cue cue : folder.list(stage)) {
-                entries.add(new CueEntry(cue, cue.picture().map(CueCard::thumbnail).orElse(null)));
+            List<LookEntry> entries = new ArrayList<>();
+            for (Look look : folder.list(stage)) {
+                entries.add(new LookEntry(look, look.picture().map(LookCard::thumbnail).orElse(null)));
             }
             return entries;
         }, entries -> {
             if (folder.path().equals(folder().path())) {
-                showCues(entries);
+                showLooks(entries);
             }
         });
     }
 
-    private void showCues(List<CueEntry> entries) {
-        cues = entries.stream().map(CueEntry::cue).toList();
+    private void showLooks(List<LookEntry> entries) {
+        looks = entries.stream().map(LookEntry::look).toList();
         cards.clear();
-        for (CueEntry entry : entries) {
-            cards.put(entry.cue().name(), new CueCard(entry.cue(), entry.thumbnail(), new CardCallbacks()));
+        for (LookEntry entry : entries) {
+            cards.put(entry.look().name(), new LookCard(entry.look(), entry.thumbnail(), new CardCallbacks()));
         }
         gallery.getChildren().setAll(cards.values());
-        if (cues.isEmpty()) {
+        if (looks.isEmpty()) {
             var empty = new Label(editor.document().isUntitled()
                     ? Messages.tr("No looks yet. Saved looks appear here and are stored with the scene when you save it.")
                     : Messages.tr("No looks yet. Saved looks appear here and are stored in {0}.", folder().path().getFileName()));
@@ -203,17 +203,17 @@ public final class CuePane extends VBox {
         updateChoice();
     }
 
-    private Optional<Cue> findCue(String cueName) {
-        return cues.stream().filter(c -> c.name().equals(cueName)).findFirst();
+    private Optional<Look> findLook(String lookName) {
+        return looks.stream().filter(c -> c.name().equals(lookName)).findFirst();
     }
 
-    private Optional<Lighting> lighting(String cueName) {
-        return findCue(cueName).flatMap(Cue::lighting);
+    private Optional<Lighting> lighting(String lookName) {
+        return findLook(lookName).flatMap(Look::lighting);
     }
 
     private void updateChoice() {
-        cards.forEach((cueName, card) -> card.show(cueName.equals(a), cueName.equals(b)));
-        compare.show(findCue(a), findCue(b));
+        cards.forEach((lookName, card) -> card.show(lookName.equals(a), lookName.equals(b)));
+        compare.show(findLook(a), findLook(b));
         boolean hasBoth = lighting(a).isPresent() && lighting(b).isPresent();
         blendReason.set(hasBoth ? Optional.empty() : Optional.of(Messages.tr("choose two looks, A and B")));
         isUpdating = true;
@@ -222,44 +222,44 @@ public final class CuePane extends VBox {
         isUpdating = false;
     }
 
-    private void saveCue() {
-        String cueName = name.getText().strip();
-        Optional<String> refusal = CueFolder.nameProblem(cueName).or(() -> saveDisabledReason(editor.editorStateProperty().get()));
+    private void saveLook() {
+        String lookName = name.getText().strip();
+        Optional<String> refusal = LookFiles.nameProblem(lookName).or(() -> saveDisabledReason(editor.editorStateProperty().get()));
         if (refusal.isPresent()) {
             showMessage(refusal.get());
             return;
         }
-        if (findCue(cueName).isPresent()) {
-            showMessage(Messages.tr("The name {0} is already in use", Quote.of(cueName)));
+        if (findLook(lookName).isPresent()) {
+            showMessage(Messages.tr("The name {0} is already in use", Quote.of(lookName)));
             return;
         }
-        CueFolder folder = folder();
+        LookFiles folder = folder();
         Lighting lighting = Lighting.of(editor.scene());
         Frame frame = requireNonNull(picture.frame());
         Film film = frame.film();
         ViewTransform view = picture.viewProperty().get().withMarksClipping(false);
         runFileTask(() -> {
-            folder.save(cueName, lighting, film, view);
-            return cueName;
+            folder.save(lookName, lighting, film, view);
+            return lookName;
         }, savedName -> {
             showMessage(Messages.tr("Saved {0}", Quote.of(savedName)));
             editor.savedLooksProperty().set(editor.savedLooksProperty().get() + 1);
             editor.looksChanged();
             name.clear();
-            loadCues();
+            loadLooks();
         });
     }
 
     private void restoreRemoved() {
-        CueFolder folder = folder();
-        String cueName = removedName;
+        LookFiles folder = folder();
+        String lookName = removedName;
         runFileTask(() -> {
-            folder.restore(cueName);
-            return cueName;
+            folder.restore(lookName);
+            return lookName;
         }, _ -> {
             showMessage("");
             restoreButton.setVisible(false);
-            loadCues();
+            loadLooks();
         });
     }
 
@@ -288,52 +288,52 @@ public final class CuePane extends VBox {
     }
 
     /** Handles the actions of the cards. */
-    private final class CardCallbacks implements CueCard.Callbacks {
+    private final class CardCallbacks implements LookCard.Callbacks {
         @Override
-        public void restore(Cue cue) {
-            cue.lighting().ifPresent(CuePane.this::applyLighting);
+        public void restore(Look look) {
+            look.lighting().ifPresent(LookPane.this::applyLighting);
         }
 
         @Override
-        public void rename(Cue cue, String to) {
-            if (to.equals(cue.name())) {
+        public void rename(Look look, String to) {
+            if (to.equals(look.name())) {
                 return;
             }
-            CueFolder folder = folder();
+            LookFiles folder = folder();
             runFileTask(() -> {
-                folder.rename(cue.name(), to);
+                folder.rename(look.name(), to);
                 return to;
             }, _ -> {
-                a = a.equals(cue.name()) ? to : a;
-                b = b.equals(cue.name()) ? to : b;
+                a = a.equals(look.name()) ? to : a;
+                b = b.equals(look.name()) ? to : b;
                 showMessage("");
-                loadCues();
+                loadLooks();
             });
         }
 
         @Override
-        public void remove(Cue cue) {
-            CueFolder folder = folder();
+        public void remove(Look look) {
+            LookFiles folder = folder();
             runFileTask(() -> {
-                folder.remove(cue.name());
-                return cue.name();
-            }, cueName -> {
-                removedName = cueName;
+                folder.remove(look.name());
+                return look.name();
+            }, lookName -> {
+                removedName = lookName;
                 restoreButton.setVisible(true);
-                showMessage(Messages.tr("Deleted {0}", Quote.of(cueName)));
-                loadCues();
+                showMessage(Messages.tr("Deleted {0}", Quote.of(lookName)));
+                loadLooks();
             });
         }
 
         @Override
-        public void chooseA(Cue cue) {
-            a = a.equals(cue.name()) ? "" : cue.name();
+        public void chooseA(Look look) {
+            a = a.equals(look.name()) ? "" : look.name();
             updateChoice();
         }
 
         @Override
-        public void chooseB(Cue cue) {
-            b = b.equals(cue.name()) ? "" : cue.name();
+        public void chooseB(Look look) {
+            b = b.equals(look.name()) ? "" : look.name();
             updateChoice();
         }
     }

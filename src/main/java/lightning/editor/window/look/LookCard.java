@@ -1,4 +1,4 @@
-package lightning.editor.window.cue;
+package lightning.editor.window.look;
 
 import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
@@ -13,7 +13,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
-import lightning.document.look.Cue;
+import lightning.document.look.Look;
 import lightning.editor.window.widget.PixelImage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
@@ -22,7 +22,7 @@ import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
 
 /** Card of a look in the gallery: thumbnail, name and actions. */
-final class CueCard extends VBox {
+final class LookCard extends VBox {
     private static final int WIDTH = 176;
     private static final int HEIGHT = 99;
 
@@ -32,15 +32,15 @@ final class CueCard extends VBox {
 
     /** Actions of a card. */
     interface Callbacks {
-        void restore(Cue cue);
+        void restore(Look look);
 
-        void rename(Cue cue, String name);
+        void rename(Look look, String name);
 
-        void remove(Cue cue);
+        void remove(Look look);
 
-        void chooseA(Cue cue);
+        void chooseA(Look look);
 
-        void chooseB(Cue cue);
+        void chooseB(Look look);
     }
 
     /**
@@ -48,11 +48,11 @@ final class CueCard extends VBox {
      *
      * @param thumbnail thumbnail from {@link #thumbnail}; null if there is none
      */
-    CueCard(Cue cue, @Nullable CueThumbnail thumbnail, Callbacks callbacks) {
-        setId("cue-" + cue.name());
-        getStyleClass().add("cue-card");
+    LookCard(Look look, @Nullable LookThumbnail thumbnail, Callbacks callbacks) {
+        setId("look-" + look.name());
+        getStyleClass().add("look-card");
         var frame = new StackPane();
-        frame.getStyleClass().add("cue-frame");
+        frame.getStyleClass().add("look-frame");
         frame.setMinSize(WIDTH, HEIGHT);
         frame.setMaxSize(WIDTH, HEIGHT);
         if (thumbnail == null) {
@@ -60,61 +60,61 @@ final class CueCard extends VBox {
         } else {
             frame.getChildren().add(new ImageView(PixelImage.of(thumbnail.width, thumbnail.height, thumbnail.pixels)));
         }
-        name.setId("cue-name-" + cue.name());
-        name.setText(cue.name());
-        name.setAccessibleText(Messages.tr("name of look {0}", cue.name()));
-        name.setOnAction(_ -> callbacks.rename(cue, name.getText().strip()));
+        name.setId("look-name-" + look.name());
+        name.setText(look.name());
+        name.setAccessibleText(Messages.tr("name of look {0}", look.name()));
+        name.setOnAction(_ -> callbacks.rename(look, name.getText().strip()));
         name.addEventHandler(KeyEvent.KEY_PRESSED, e -> {
-            if (e.getCode() == KeyCode.ESCAPE && !name.getText().equals(cue.name())) {
-                name.setText(cue.name());
+            if (e.getCode() == KeyCode.ESCAPE && !name.getText().equals(look.name())) {
+                name.setText(look.name());
                 e.consume();
             }
         });
         name.focusedProperty().subscribe(focused -> {
             if (!focused) {
-                name.setText(cue.name());
+                name.setText(look.name());
             }
         });
         var restore = new Button(Messages.tr("Apply"));
-        restore.setId("cue-restore-" + cue.name());
+        restore.setId("look-restore-" + look.name());
         restore.setTooltip(new Tooltip(Messages.tr("Apply this look to the scene")));
-        restore.setOnAction(_ -> callbacks.restore(cue));
-        a.setId("cue-a-" + cue.name());
+        restore.setOnAction(_ -> callbacks.restore(look));
+        a.setId("look-a-" + look.name());
         a.setTooltip(new Tooltip(Messages.tr("Use this look as A")));
-        a.setAccessibleText(Messages.tr("{0} as A", cue.name()));
-        a.setOnAction(_ -> callbacks.chooseA(cue));
-        b.setId("cue-b-" + cue.name());
+        a.setAccessibleText(Messages.tr("{0} as A", look.name()));
+        a.setOnAction(_ -> callbacks.chooseA(look));
+        b.setId("look-b-" + look.name());
         b.setTooltip(new Tooltip(Messages.tr("Use this look as B")));
-        b.setAccessibleText(Messages.tr("{0} as B", cue.name()));
-        b.setOnAction(_ -> callbacks.chooseB(cue));
+        b.setAccessibleText(Messages.tr("{0} as B", look.name()));
+        b.setOnAction(_ -> callbacks.chooseB(look));
         var remove = new Button("", new FontIcon(MaterialDesignT.TRASH_CAN_OUTLINE));
-        remove.setId("cue-remove-" + cue.name());
-        remove.setAccessibleText(Messages.tr("delete look {0}", cue.name()));
+        remove.setId("look-remove-" + look.name());
+        remove.setAccessibleText(Messages.tr("delete look {0}", look.name()));
         remove.setTooltip(new Tooltip(Messages.tr("Delete Look")));
-        remove.setOnAction(_ -> callbacks.remove(cue));
+        remove.setOnAction(_ -> callbacks.remove(look));
         for (var control : new ButtonBase[] {restore, a, b}) {
-            control.setDisable(cue.lighting().isEmpty());
+            control.setDisable(look.lighting().isEmpty());
         }
         var buttons = new HBox(restore, a, b, remove);
-        buttons.getStyleClass().add("cue-buttons");
+        buttons.getStyleClass().add("look-buttons");
         getChildren().addAll(frame, name, buttons);
-        if (cue.lighting().isEmpty()) {
-            var problem = new Label(cue.problem());
-            problem.setId("cue-problem-" + cue.name());
+        if (look.lighting().isEmpty()) {
+            var problem = new Label(look.problem());
+            problem.setId("look-problem-" + look.name());
             problem.setWrapText(true);
             problem.setMaxWidth(WIDTH);
-            problem.getStyleClass().add("cue-problem");
+            problem.getStyleClass().add("look-problem");
             getChildren().add(problem);
         }
     }
 
     /** Thumbnail of a look at the size of a card: {@code int[width * height]}, opaque. */
-    record CueThumbnail(int width, int height, int[] pixels) {
+    record LookThumbnail(int width, int height, int[] pixels) {
         // Immutable by convention: the array is written only before construction.
     }
 
     /** Downscales a film by nearest-neighbor sampling at pixel centers. */
-    static CueThumbnail thumbnail(Film film) {
+    static LookThumbnail thumbnail(Film film) {
         double shrink = Math.max(1, Math.max((double) film.width() / WIDTH, (double) film.height() / HEIGHT));
         int width = (int) Math.max(1, film.width() / shrink);
         int height = (int) Math.max(1, film.height() / shrink);
@@ -128,7 +128,7 @@ final class CueCard extends VBox {
                 rgb[i++] = film.blue(px, py);
             }
         }
-        return new CueThumbnail(width, height, ViewTransform.DEFAULT.toPixels(Film.ofScanlines(width, height, rgb)));
+        return new LookThumbnail(width, height, ViewTransform.DEFAULT.toPixels(Film.ofScanlines(width, height, rgb)));
     }
 
     void show(boolean isA, boolean isB) {
