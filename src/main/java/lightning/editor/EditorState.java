@@ -55,10 +55,11 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
                 document.isUntitled());
     }
 
-    /** Returns whether Set Keyframe applies to a track: of the selected light or its group, of the selected shape or group, or of the camera. */
+    /** Returns whether Set Keyframe applies to a track: of the selected light or its group, of the selected shape or group, of the camera
+     * or of the world. */
     public boolean isSelected(SceneElement<?> target) {
         return switch (target) {
-            case SceneElement.OfCamera _ -> true;
+            case SceneElement.OfCamera _,SceneElement.OfWorld _ -> true;
             case SceneElement.OfLight(String name) -> selectedLight.filter(l -> l.name().equals(name)).isPresent();
             case SceneElement.OfLightGroup(String name) -> selectedLight.filter(l -> l.lightGroup().equals(name)).isPresent();
             case SceneElement.OfNode(String name) -> selectedNode.filter(n -> n.name().equals(name)).isPresent();

@@ -45,7 +45,7 @@ public final class ShotArbitraries {
 
     private static List<SceneElement<?>> targets(Scene scene) {
         Set<String> outer = scene.nodes().stream().map(SceneNode::name).collect(Collectors.toSet());
-        return Stream.concat(Stream.of(SceneElement.CAMERA), SceneElement.named(scene).filter(
+        return Stream.concat(Stream.of(SceneElement.CAMERA, SceneElement.WORLD), SceneElement.named(scene).filter(
                 e -> !(e instanceof SceneElement.OfMaterial) && (!(e instanceof SceneElement.OfNode) || outer.contains(e.name()))))
                 .toList();
     }

@@ -64,6 +64,7 @@ record ShotValues(AnimatedScene animated, Shot shot, ConversionNotes notes) {
             }
             case SceneElement.OfLightGroup(String name) -> addValues(tracks.addObject().put("bank", name), track, frames);
             case SceneElement.OfCamera _ -> addValues(tracks.addObject().put("camera", true), track, frames);
+            case SceneElement.OfWorld _ -> addValues(tracks.addObject().put("world", true), track, frames);
             case SceneElement.OfDome(String name) -> addValues(tracks.addObject().put("dome", name), track, frames);
             default -> {
                 // A matrix has all attributes of an object.

@@ -123,7 +123,7 @@ final class BlockTypes {
 
     /** Keywords of the blocks allowed in a shot, which can be animated. */
     static final List<String> KEYED_KEYWORDS =
-            Stream.concat(Stream.of(CAMERA, LIGHT, LIGHT_GROUP, DOME).map(BlockType::keyword), NODE_KEYWORDS.stream()).toList();
+            Stream.concat(Stream.of(CAMERA, WORLD, LIGHT, LIGHT_GROUP, DOME).map(BlockType::keyword), NODE_KEYWORDS.stream()).toList();
 
     private BlockTypes() {}
 

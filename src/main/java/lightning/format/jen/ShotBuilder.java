@@ -56,7 +56,8 @@ record ShotBuilder(TokenList tokens, ProblemList problems, Scene scene) {
     }
 
     static SceneElement<?> target(Block child) {
-        return child.type == BlockTypes.CAMERA ? SceneElement.CAMERA : child.type == BlockTypes.LIGHT ? new SceneElement.OfLight(child.name)
+        return child.type == BlockTypes.CAMERA ? SceneElement.CAMERA : child.type == BlockTypes.WORLD ? SceneElement.WORLD
+                : child.type == BlockTypes.LIGHT ? new SceneElement.OfLight(child.name)
                 : child.type == BlockTypes.LIGHT_GROUP ? new SceneElement.OfLightGroup(child.name)
                 : child.type == BlockTypes.DOME ? new SceneElement.OfDome(child.name) : new SceneElement.OfNode(child.name);
     }

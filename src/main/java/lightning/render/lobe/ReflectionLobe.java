@@ -38,14 +38,14 @@ public final class ReflectionLobe {
      * Sets the view and the roughness.
      *
      * @param cosine of the angle between the normal and the view, above 0
-     * @param width  α, above 0
+     * @param alpha  width α, above 0
      */
-    public void aim(double cosine, double width) {
+    public void aim(double cosine, double alpha) {
         viewX = Math.sqrt(Math.max(0, 1 - cosine * cosine));
         viewY = 0;
         viewZ = cosine;
-        alpha = width;
-        alphaY = width;
+        this.alpha = alpha;
+        alphaY = alpha;
         isRound = true;
         double length = Math.sqrt(alpha * alpha * viewX * viewX + viewZ * viewZ);
         stretchedX = alpha * viewX / length;

@@ -76,9 +76,9 @@ public record RoughLobes(double alpha, @Nullable Anisotropy anisotropy, double c
         return alpha == 0 ? coatAlpha : coatAlpha == 0 ? across : Math.min(across, coatAlpha);
     }
 
-    /** Returns the width of a lobe across its direction, where it is narrowest. @param width its α */
-    public double narrow(Kind kind, double width) {
-        return anisotropy != null && kind == Kind.SURFACE ? anisotropy.across(width) : width;
+    /** Returns the width of a lobe across its direction, where it is narrowest. @param lobeAlpha its α */
+    public double narrow(Kind kind, double lobeAlpha) {
+        return anisotropy != null && kind == Kind.SURFACE ? anisotropy.across(lobeAlpha) : lobeAlpha;
     }
 
     /**

@@ -31,14 +31,14 @@ public record AnisotropicHighlight(Anisotropy anisotropy, double cos, double sin
 
     /** Returns α∥², before it is widened by the light of one sample. @param alpha α of the roughness */
     public double squareAlong(double alpha) {
-        double width = anisotropy.along(alpha);
-        return width * width;
+        double along = anisotropy.along(alpha);
+        return along * along;
     }
 
     /** Returns α⊥², before it is widened by the light of one sample. @param alpha α of the roughness */
     public double squareAcross(double alpha) {
-        double width = anisotropy.across(alpha);
-        return width * width;
+        double across = anisotropy.across(alpha);
+        return across * across;
     }
 
     /**

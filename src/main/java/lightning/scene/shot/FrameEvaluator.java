@@ -9,6 +9,7 @@ import lightning.scene.Camera;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.SceneElement;
+import lightning.scene.World;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightGroup;
@@ -40,8 +41,9 @@ final class FrameEvaluator {
                     scene.rig().lightGroups().stream()
                             .map(group -> animate(group, new SceneElement.OfLightGroup(group.name()), LightGroup.ATTRIBUTES)).toList()));
         }
-        if (has(SceneElement.OfDome.class)) {
-            result = result.withWorld(scene.world().withNamed(scene.world().named().stream()
+        if (has(SceneElement.OfWorld.class) || has(SceneElement.OfDome.class)) {
+            World world = animate(scene.world(), SceneElement.WORLD, World.ATTRIBUTES);
+            result = result.withWorld(world.withNamed(world.named().stream()
                     .map(dome -> animate(dome, new SceneElement.OfDome(dome.name()), Dome.ATTRIBUTES)).toList()));
         }
         return has(SceneElement.OfNode.class) ? result.withNodes(nodes(scene.nodes())) : result;

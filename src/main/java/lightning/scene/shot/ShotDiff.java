@@ -100,7 +100,11 @@ public final class ShotDiff {
 
     /** Returns a target's name in lists. */
     public static String name(SceneElement<?> target) {
-        return target instanceof SceneElement.OfCamera ? Messages.tr("camera") : Quote.path(target.name());
+        return switch (target) {
+            case SceneElement.OfCamera _ -> Messages.tr("camera");
+            case SceneElement.OfWorld _ -> Messages.tr("world");
+            default -> Quote.path(target.name());
+        };
     }
 
     private String title(Track track) {

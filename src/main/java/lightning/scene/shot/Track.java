@@ -35,9 +35,9 @@ public record Track(SceneElement<?> target, String attribute, List<Keyframe> key
     /** Returns whether the attributes of an element can have keyframes. */
     public static boolean canAnimate(SceneElement<?> element) {
         return switch (element) {
-            case SceneElement.OfCamera _,SceneElement.OfLight _,SceneElement.OfLightGroup _,SceneElement.OfDome _,SceneElement.OfNode _ ->
+            case SceneElement.OfCamera _,SceneElement.OfWorld _,SceneElement.OfLight _,SceneElement.OfLightGroup _,SceneElement.OfDome _,SceneElement.OfNode _ ->
                     true;
-            case SceneElement.OfPicture _,SceneElement.OfIndirect _,SceneElement.OfWorld _,SceneElement.OfMaterial _ -> false;
+            case SceneElement.OfPicture _,SceneElement.OfIndirect _,SceneElement.OfMaterial _ -> false;
         };
     }
 

@@ -80,6 +80,7 @@ class ShotWriterTest {
                   camera { fov { 1 40 smooth 24 30 stepped  48 20 linear } }
                   light key { type { 1 spot 9 point stepped } at { 1 0 3 2 } samples { 3 9 } }
                   bank "3\\" row" { on { 1 no } }
+                  world { rotation { 1 0  48 90 } sky { 24 yes } }
                   dome sky { intensity { 1 0.5  48 0 } on { 30 no } }
                   group tree { rotate { 1 0 0 0  48 0 360 0 } }
                 }
@@ -91,6 +92,8 @@ class ShotWriterTest {
                 new Track(new SceneElement.OfLight("key"), "at", List.of(key(1, Interpolation.LINEAR, 0.0, 3.0, 2.0))),
                 new Track(new SceneElement.OfLight("key"), "samples", List.of(key(3, Interpolation.STEPPED, 9.0))),
                 new Track(new SceneElement.OfLightGroup("3\" row"), "on", List.of(word(1, "no"))),
+                new Track(SceneElement.WORLD, "rotation", List.of(key(1, Interpolation.LINEAR, 0.0), key(48, Interpolation.LINEAR, 90.0))),
+                new Track(SceneElement.WORLD, "sky", List.of(word(24, "yes"))),
                 new Track(new SceneElement.OfDome("sky"), "intensity",
                         List.of(key(1, Interpolation.LINEAR, 0.5), key(48, Interpolation.LINEAR, 0.0))),
                 new Track(new SceneElement.OfDome("sky"), "on", List.of(word(30, "no"))),
@@ -146,7 +149,7 @@ class ShotWriterTest {
                 "s.jen:19:13: light 'key': dropoff: expected '{' and keys, found '3'",
                 "s.jen:20:5: light 'key': shadowed_by has no keys: only numbers and words have",
                 "s.jen:23:17: sphere 'stem': unknown property 'top', expected one of at, rotate, scale, visible",
-                "s.jen:24:3: shot: a picture has no keys, expected '}' or one of camera, light, bank, dome, sphere, cone, cylinder, frustum, "
+                "s.jen:24:3: shot: a picture has no keys, expected '}' or one of camera, world, light, bank, dome, sphere, cone, cylinder, frustum, "
                         + "plane, mesh, group",
                 "s.jen:25:26: group 'tree': scale must be at least 1e-9 in absolute value on every axis, was 0");
     }

@@ -10,6 +10,7 @@ import lightning.base.math.Vec3;
 import lightning.sample.IndirectArbitraries;
 import lightning.sample.ShotArbitraries;
 import lightning.scene.Camera;
+import lightning.scene.Dome;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.SceneElement;
@@ -67,6 +68,26 @@ class ShotTest {
         Shot shot = Shot.DEFAULT.withTracks(List.of(tracks));
         shot.check(SCENE);
         return shot.sceneAt(SCENE, frame);
+    }
+
+    @Test
+    void keysOfTheWorld_turnItsEnvironment_andDimAmbientLight() {
+        World world = valueAt(24,
+                new Track(SceneElement.WORLD, "rotation", List.of(key(0, Interpolation.LINEAR, 0), key(48, Interpolation.LINEAR, 90))),
+                new Track(SceneElement.WORLD, "ambience", List.of(key(0, Interpolation.LINEAR, 1), key(32, Interpolation.LINEAR, 0))))
+                .world();
+        assertThat(World.ROTATION.get(world)).isEqualTo(45);
+        assertThat(world.ambience()).isEqualTo(0.25);
+    }
+
+    @Test
+    void keysOfTheWorld_andOfADome_actTogether() {
+        Scene scene = SCENE.withWorld(World.DEFAULT.withNamed(List.of(Dome.of("sky"))));
+        Shot shot = Shot.DEFAULT.withTracks(List.of(new Track(SceneElement.WORLD, "intensity", List.of(key(0, Interpolation.LINEAR, 0.5))),
+                new Track(new SceneElement.OfDome("sky"), "intensity", List.of(key(0, Interpolation.LINEAR, 0.25)))));
+        World world = shot.sceneAt(scene, 3).world();
+        assertThat(world.own().intensity()).isEqualTo(0.5);
+        assertThat(world.named()).extracting(Dome::intensity).containsExactly(0.25);
     }
 
     private static double intensity(int frame, Keyframe... keys) {

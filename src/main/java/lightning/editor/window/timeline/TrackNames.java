@@ -5,6 +5,7 @@ import lightning.base.text.Messages;
 import lightning.scene.Camera;
 import lightning.scene.Dome;
 import lightning.scene.SceneElement;
+import lightning.scene.World;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightGroup;
@@ -27,6 +28,7 @@ final class TrackNames {
     static String attribute(Track track) {
         List<? extends SceneAttribute<?, ?>> attributes = switch (track.target()) {
             case SceneElement.OfCamera _ -> Camera.ATTRIBUTES;
+            case SceneElement.OfWorld _ -> World.ATTRIBUTES;
             case SceneElement.OfLight _ -> LightAttribute.ALL;
             case SceneElement.OfLightGroup _ -> LightGroup.ATTRIBUTES;
             case SceneElement.OfDome _ -> Dome.ATTRIBUTES;
