@@ -1,4 +1,7 @@
-/** Annotation for the check of null values. */
+/**
+ * Annotation for the check of null values.
+ * What any program could use; nothing here knows scenes or pictures.
+ */
 @NullMarked
 package lightning.base;
 

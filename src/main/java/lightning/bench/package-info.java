@@ -1,5 +1,6 @@
 /**
  * Benchmark harness: savings of re-rendering and cost of accuracy on any scenes, with result files.
+ * Single measurements belong to {@code render.measure}; the editor is not known here.
  *
  * <pre>{@code
  * BenchResults results = ResultsFile.readJson(Path.of("results.json"));

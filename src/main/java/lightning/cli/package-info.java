@@ -1,5 +1,6 @@
 /**
  * Command line: each command is a class, {@link lightning.cli.Lightning} runs them.
+ * A command reads its options, calls another group and prints; it computes nothing itself.
  *
  * <pre>{@code
  * int exit = Lightning.run(System.out, System.err, "render", "scenes/bird.jen", "-o", "bird.png");

@@ -1,4 +1,7 @@
-/** Layers (AOVs) of an image that add up to it, written as one OpenEXR file. */
+/**
+ * Layers (AOVs) of an image that add up to it, written as one OpenEXR file.
+ * Pictures without layers are written by {@code format.image}.
+ */
 @NullMarked
 package lightning.layer;
 

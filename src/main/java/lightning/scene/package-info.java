@@ -1,5 +1,6 @@
 /**
  * Scene description: the content of a {@code .jen} file as immutable records.
+ * Nothing here traces, reads a file or knows a window.
  *
  * <p>Angles are in degrees and lengths in scene units, exactly as written in the file. Every constructor rejects values outside the ranges
  * of {@link lightning.scene.value.SceneLimits} with an {@link java.lang.IllegalArgumentException} whose message names the property, the expected

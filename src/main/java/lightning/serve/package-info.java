@@ -1,5 +1,6 @@
 /**
  * Server that keeps scenes loaded and answers requests of other programs: JSON, one message a line ({@code docs/serve.md}).
+ * Commands with options and printed results belong to {@code cli}.
  *
  * <pre>{@code
  * try (Server server = new Server(ServerOptions.DEFAULT)) {

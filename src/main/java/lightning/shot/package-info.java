@@ -1,5 +1,6 @@
 /**
  * Relighting of all frames of a shot: an edit updates every frame, the focused one first.
+ * Keyframes and their values belong to {@code scene.shot}.
  *
  * <pre>{@code
  * try (ShotRelighter shot = ShotRelighter.of(first, last, new LocalFrameHost(RenderOptions.DEFAULT, bytes), listener)) {

@@ -1,4 +1,4 @@
-/** Looks, which are saved looks of a scene with images, and light rigs as files. */
+/** Saved looks of a scene with their pictures, and light rigs as files. */
 @NullMarked
 package lightning.document.look;
 

@@ -1,4 +1,7 @@
-/** Descriptors of attributes: name, kind of value, range, comparison and format. */
+/**
+ * Descriptors of attributes: name, kind of value, range, comparison and format.
+ * The attributes themselves stand beside the records that have them.
+ */
 @NullMarked
 package lightning.scene.attribute;
 

@@ -1,4 +1,7 @@
-/** Materials and their attributes. */
+/**
+ * Materials and their attributes.
+ * How a material scatters light belongs to {@code render.shading}.
+ */
 @NullMarked
 package lightning.scene.material;
 

@@ -1,4 +1,4 @@
-/** Gallery of saved looks (looks), which can be applied, compared and blended. */
+/** Gallery of saved looks, which can be applied, compared and blended. */
 @NullMarked
 package lightning.editor.window.look;
 

@@ -1,4 +1,7 @@
-/** Files that a scene names: where they are, and how they are decoded. */
+/**
+ * Files that a scene names: where they are, and how they are decoded.
+ * The decoded values are records of {@code scene.asset}.
+ */
 @NullMarked
 package lightning.format.jen.asset;
 
