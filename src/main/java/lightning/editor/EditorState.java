@@ -8,6 +8,7 @@ import lightning.document.OpenDocument;
 import lightning.document.ShotFrame;
 import lightning.document.loop.DisplayMode;
 import lightning.document.loop.Frame;
+import lightning.document.loop.RenderState;
 import lightning.render.shading.RenderedScenes;
 import lightning.scene.Scene;
 import lightning.scene.SceneElement;
@@ -17,12 +18,16 @@ import lightning.scene.light.LightType;
 import lightning.scene.node.SceneNode;
 
 /**
- * State of the editor that determines which commands are enabled.
+ * State of the editor: what its window shows, and which commands are enabled. {@link Workbench} replaces it as a whole.
  *
+ * @param document         open document, of which the state has what panes show
  * @param scene            scene of the document
- * @param frame            traced image; empty before the first
+ * @param render           traced image, and the progress of the next one
+ * @param previousScene    scene of the image before, which shows another scene; empty if there is none
+ * @param frameStep        whether the image shows only the direct light of a scene whose indirect light is being rendered
  * @param sceneInProgress  scene that is being rendered; empty if none
  * @param verifying        whether a verification is running
+ * @param live             whether edits are rendered immediately
  * @param selectedLight    selected light
  * @param selectedNode     selected shape or group; empty if a light is selected
  * @param undoLabel        label of the step that undo reverts; {@code redoLabel} and the two of the selected light correspond
@@ -35,24 +40,47 @@ import lightning.scene.node.SceneNode;
  * @param untitled         whether the document has no file of its own yet
  */
 @RecordBuilder
-public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sceneInProgress,
-        boolean verifying, Optional<Light> selectedLight, Optional<SceneNode> selectedNode, Optional<String> undoLabel,
+public record EditorState(OpenDocument document, Scene scene, RenderState render, Optional<Scene> previousScene, boolean frameStep,
+        Optional<Scene> sceneInProgress, boolean verifying, boolean live, Optional<Light> selectedLight, Optional<SceneNode> selectedNode,
+        Optional<String> undoLabel,
         Optional<String> redoLabel,
         Optional<String> undoLightLabel, Optional<String> redoLightLabel, boolean dirty, boolean changedOnDisk,
         Optional<Light> copiedLight, boolean reading, Optional<ShotFrame> shotFrame, int selectedKeyCount,
         boolean untitled)
         implements EditorStateBuilder.With {
 
-    /** Returns the state of a document and its image, with nothing running or copied. */
-    public static EditorState of(OpenDocument document, Optional<Frame> frame) {
-        EditHistory history = document.history();
-        Optional<Light> selected = document.selectedLight();
+    /** Returns the state of a document without an image, with nothing running or copied. */
+    public static EditorState of(OpenDocument document) {
+        return new EditorState(document, document.scene(), RenderState.NONE, Optional.empty(), false, Optional.empty(), false, false,
+                Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), false, false,
+                Optional.empty(), false, Optional.empty(), 0, false).showing(document);
+    }
+
+    /** Returns this state with the present content of a document. */
+    EditorState showing(OpenDocument shown) {
+        EditHistory history = shown.history();
+        Optional<Light> selected = shown.selectedLight();
         long id = selected.map(l -> history.id(l.name())).orElse(-1L);
-        return new EditorState(document.scene(), frame, Optional.empty(), false,
-                selected, document.selection().node(document.scene()), history.undoLabel(), history.redoLabel(), history.undoLabel(id),
-                history.redoLabel(id),
-                document.isDirty(), document.isChangedOnDisk(), Optional.empty(), false, document.shotFrame(), 0,
-                document.isUntitled());
+        return with(s -> s.document(shown).scene(shown.scene()).selectedLight(selected).selectedNode(shown.selection().node(shown.scene()))
+                .undoLabel(history.undoLabel()).redoLabel(history.redoLabel()).undoLightLabel(history.undoLabel(id))
+                .redoLightLabel(history.redoLabel(id)).dirty(shown.isDirty()).changedOnDisk(shown.isChangedOnDisk())
+                .shotFrame(shown.shotFrame()).untitled(shown.isUntitled()));
+    }
+
+    /** Returns this state with the present image. An image of another scene makes the one before the previous. */
+    EditorState withImage(RenderState next) {
+        Frame newFrame = next.frame();
+        if (newFrame == null || newFrame == render.frame()) {
+            return withRender(next);
+        }
+        Optional<Scene> shownScene = renderedScene().filter(_ -> !frameStep);
+        return withPreviousScene(shownScene.filter(s -> !VisibleState.isSame(s, newFrame.scene())).or(() -> previousScene))
+                .withFrameStep(newFrame.step() == Frame.Step.DIRECT_LIGHT).withRender(next);
+    }
+
+    /** Returns the traced image; empty before the first. */
+    public Optional<Frame> frame() {
+        return Optional.ofNullable(render.frame());
     }
 
     /** Returns whether Set Keyframe applies to a track: of the selected light or its group, of the selected shape or group, of the camera
@@ -69,27 +97,27 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
 
     /** Returns the scene of the traced image; empty before the first. */
     public Optional<Scene> renderedScene() {
-        return frame.map(Frame::scene);
+        return frame().map(Frame::scene);
     }
 
     /** Returns the scene of its reflections; empty before the first. */
     public Optional<Scene> mirroredScene() {
-        return frame.map(Frame::mirroredScene);
+        return frame().map(Frame::mirroredScene);
     }
 
     /** Returns whether the canvas shows the full image, not a part of it. */
     boolean isFullPicture() {
-        return frame.map(Frame::displayMode).orElse(DisplayMode.FULL_PICTURE).isFullPicture();
+        return frame().map(Frame::displayMode).orElse(DisplayMode.FULL_PICTURE).isFullPicture();
     }
 
     /** Returns whether there are edits that the traced image does not show, reflections excluded. */
     public boolean hasPendingEdits() {
-        return frame.isEmpty() || !VisibleState.isSame(scene, frame.get().scene());
+        return frame().isEmpty() || !VisibleState.isSame(scene, frame().get().scene());
     }
 
     /** Returns the warning that the image is out of date, for the canvas and Save Image; empty if it is current. */
     public Optional<String> pendingMessage() {
-        if (frame.isEmpty()) {
+        if (frame().isEmpty()) {
             return Optional.empty();
         }
         return lacksIndirectLight() ? Optional.of(Messages.tr("the image has no indirect light yet"))
@@ -99,21 +127,21 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
 
     /** Returns whether the traced image shows the scene, but not its indirect light, which is rendered after direct light. */
     public boolean lacksIndirectLight() {
-        return frame.filter(f -> f.showsDirectLightOf(scene)).isPresent();
+        return frame().filter(f -> f.showsDirectLightOf(scene)).isPresent();
     }
 
     /** Returns whether the traced image has one sample per pixel center and its anti-aliasing samples are pending. */
     public boolean lacksSamples() {
-        return frame.isPresent() && !frame.get().isFinished();
+        return frame().isPresent() && !frame().get().isFinished();
     }
 
     /** Returns the warning that reflections are out of date, for the canvas; empty if they are current. */
     public Optional<String> staleMirrorsMessage() {
-        if (frame.isEmpty()) {
+        if (frame().isEmpty()) {
             return Optional.empty();
         }
-        Scene shownScene = frame.get().scene();
-        if (new RenderedScenes(shownScene, frame.get().mirroredScene()).areReflectionsCurrent()) {
+        Scene shownScene = frame().get().scene();
+        if (new RenderedScenes(shownScene, frame().get().mirroredScene()).areReflectionsCurrent()) {
             return Optional.empty();
         }
         boolean isUnlit = shownScene.lights().stream().noneMatch(shownScene::isActive);

@@ -33,7 +33,6 @@ import lightning.render.RenderOptions;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;
-import lightning.scene.VisibleState;
 import lightning.scene.light.Light;
 import lightning.scene.shot.AnimatedScene;
 import org.jspecify.annotations.Nullable;
@@ -47,24 +46,16 @@ import org.jspecify.annotations.Nullable;
 public final class Workbench implements AutoCloseable {
     private final Runnable changeListener;
     private volatile RenderOptions renderOptions;
+    /** Replaced as a whole by every change. */
+    private EditorState state;
     private final RenderLoop loop;
     private final FileThread files;
     private final ArrayDeque<Runnable> pendingSaves = new ArrayDeque<>();
     private final Autosave autosave;
     private final RecoveryFolder recovery;
-    private OpenDocument document;
     private final RenderFeed feed;
     private final Runnable progressListener;
-    /** Last reported state of the image. */
-    private RenderState renderState = RenderState.NONE;
     private long openCount;
-    private Optional<Scene> previousScene = Optional.empty();
-    private Optional<Scene> sceneInProgress = Optional.empty();
-    private Optional<Light> copiedLight = Optional.empty();
-    /** True if the image shows only the direct light of a scene whose indirect light is being rendered. */
-    private boolean isFrameStep;
-    private boolean isVerifying;
-    private boolean isLive;
 
     /**
      * @param document         initial document; rendered by {@link #go()}
@@ -77,7 +68,7 @@ public final class Workbench implements AutoCloseable {
      */
     public Workbench(OpenDocument document, RenderOptions options, RecoveryFolder recovery, FileThread files, Runnable changeListener,
             Runnable progressListener, RenderListener canvas, Consumer<Throwable> failureListener, KeptPictures kept) {
-        this.document = document;
+        state = EditorState.of(document);
         this.changeListener = changeListener;
         this.progressListener = progressListener;
         this.files = files;
@@ -99,7 +90,7 @@ public final class Workbench implements AutoCloseable {
     }
 
     public OpenDocument document() {
-        return document;
+        return state.document();
     }
 
     /** Returns the folder of unsaved edits. */
@@ -109,12 +100,12 @@ public final class Workbench implements AutoCloseable {
 
     /** Returns the image and the progress of the next one. */
     public RenderState renderState() {
-        return renderState;
+        return state.render();
     }
 
     /** Returns the last rendered image; its film may have been overwritten. */
     public Optional<Frame> frame() {
-        return Optional.ofNullable(renderState.frame());
+        return state.frame();
     }
 
     /** Returns the cache of the image: see {@link RenderLoop#cache}. Callable on any thread. */
@@ -122,39 +113,35 @@ public final class Workbench implements AutoCloseable {
         return loop.cache();
     }
 
+    /** Replaces the state, with the present content of its document, and tells the window. */
+    private void show(EditorState next) {
+        state = next.showing(next.document());
+        changeListener.run();
+    }
+
     private void renderStateChanged() {
-        Frame before = renderState.frame();
-        boolean wasRendering = sceneInProgress.isPresent();
-        boolean wasVerifying = isVerifying;
-        refresh();
-        boolean isSame = renderState.frame() == before && sceneInProgress.isPresent() == wasRendering && isVerifying == wasVerifying;
-        (isSame ? progressListener : changeListener).run();
+        EditorState before = state;
+        state = refreshed();
+        (state.withRender(before.render()).equals(before) && state.render().frame() == before.render().frame() ? progressListener
+                : changeListener).run();
     }
 
     /** Reads the loop's activity before its reported results, so that a job that just finished is in the results. */
-    private void refresh() {
+    private EditorState refreshed() {
         boolean isBusy = loop.isBusy();
-        isVerifying = loop.isVerifying();
-        sceneInProgress = isBusy ? sceneInProgress : Optional.empty();
-        RenderState newState = feed.state();
-        Frame newFrame = newState.frame();
-        if (newFrame != null && newFrame != renderState.frame()) {
-            Optional<Scene> shownScene = frame().map(Frame::scene).filter(_ -> !isFrameStep);
-            previousScene = shownScene.filter(s -> !VisibleState.isSame(s, newFrame.scene())).or(() -> previousScene);
-            isFrameStep = newFrame.step() == Frame.Step.DIRECT_LIGHT;
-        }
-        renderState = newState;
+        boolean isVerifying = loop.isVerifying();
+        return state.withVerifying(isVerifying).withSceneInProgress(isBusy ? state.sceneInProgress() : Optional.empty())
+                .withImage(feed.state());
     }
 
     /** Returns the last edit; empty if there is none, or if it changed the view or the image size. */
     public Optional<LastEdit> lastEdit() {
-        return LastEdit.of(document.scene(), frame().map(Frame::scene), previousScene);
+        return LastEdit.of(document().scene(), state.renderedScene(), state.previousScene());
     }
 
-    /** Returns the state that determines which commands are enabled. */
+    /** Returns the state that the window shows. */
     public EditorState editorState() {
-        return EditorState.of(document, frame()).withSceneInProgress(sceneInProgress).withVerifying(isVerifying)
-                .withCopiedLight(copiedLight);
+        return state.showing(state.document());
     }
 
     /** Opens another document and renders it. Unsaved edits of the current one are lost. */
@@ -162,13 +149,10 @@ public final class Workbench implements AutoCloseable {
         openCount++;
         feed.open(openCount);
         loop.open(other.scene(), openCount);
-        sceneInProgress = Optional.of(other.scene());
         autosave.discard();
-        document = other;
-        renderState = RenderState.NONE;
-        previousScene = Optional.empty();
-        autosave.documentChanged(document);
-        changeListener.run();
+        autosave.documentChanged(other);
+        show(state.withDocument(other).withSceneInProgress(Optional.of(other.scene())).withRender(RenderState.NONE)
+                .withPreviousScene(Optional.empty()));
     }
 
     /**
@@ -178,10 +162,10 @@ public final class Workbench implements AutoCloseable {
      * @param onLooks called when the looks of a scene without a file are recovered, too
      */
     public void recover(RecoveryFolder.RecoverableScene recoverable, OpenDocument recovered, Runnable onLooks) {
-        if (recovered.file().equals(document.file()) && recovered.scene().hasSameView(document.scene())) {
+        if (recovered.file().equals(document().file()) && recovered.scene().hasSameView(document().scene())) {
             autosave.discard();
-            document = recovered;
-            autosave.documentChanged(document);
+            autosave.documentChanged(recovered);
+            state = state.withDocument(recovered);
             go();
         } else {
             open(recovered);
@@ -191,12 +175,12 @@ public final class Workbench implements AutoCloseable {
 
     /** Returns the folder for the looks of the open document if it has no file of its own; empty if it has one. */
     public Optional<Path> untitledLooks() {
-        return document.isUntitled() ? Optional.of(recovery.looksFolder(document.file())) : Optional.empty();
+        return document().isUntitled() ? Optional.of(recovery.looksFolder(document().file())) : Optional.empty();
     }
 
     /** Keeps the looks of a document without a file recoverable, and asks to save it before it is closed. */
     public void looksChanged() {
-        document.setUnsavedLooks();
+        document().setUnsavedLooks();
         contentChanged();
     }
 
@@ -207,16 +191,16 @@ public final class Workbench implements AutoCloseable {
 
     /** Applies an edit as part of a gesture: see {@link EditHistory#edit(Scene, Object)}. */
     public Optional<String> edit(EditOutcome change, @Nullable Object gesture) {
-        return edit(change, gesture, isLive);
+        return edit(change, gesture, state.live());
     }
 
     /** Applies an edit as above, and renders it also if live mode is off, unless there is no picture yet. */
     public Optional<String> editAndRender(EditOutcome change, @Nullable Object gesture) {
-        return edit(change, gesture, isLive || frame().isPresent());
+        return edit(change, gesture, state.live() || frame().isPresent());
     }
 
     private Optional<String> edit(EditOutcome change, @Nullable Object gesture, boolean renders) {
-        Optional<String> refusal = document.apply(change, gesture);
+        Optional<String> refusal = document().apply(change, gesture);
         if (refusal.isEmpty()) {
             afterEdit(renders);
         }
@@ -225,9 +209,9 @@ public final class Workbench implements AutoCloseable {
 
     /** Applies an edit as a separate step and changes the selection, in one notification. */
     public Optional<String> editAndSelect(EditOutcome change, Selection selection) {
-        Optional<String> refusal = document.apply(change, null);
+        Optional<String> refusal = document().apply(change, null);
         if (refusal.isEmpty()) {
-            document.select(selection);
+            document().select(selection);
             afterEdit();
         }
         return refusal;
@@ -235,86 +219,82 @@ public final class Workbench implements AutoCloseable {
 
     /** Edits the scene with its shot: see {@link OpenDocument#applyToShot}. */
     public Optional<String> editShot(Supplier<AnimatedScene> edit, @Nullable Object gesture) {
-        Scene before = document.scene();
-        Optional<String> refusal = document.applyToShot(edit, gesture);
+        Scene before = document().scene();
+        Optional<String> refusal = document().applyToShot(edit, gesture);
         if (refusal.isEmpty()) {
-            boolean isSameScene = document.scene().equals(before);
-            autosave.documentChanged(document);
-            if (!isSameScene) {
-                renderIf(isLive);
-            }
-            changeListener.run();
+            boolean isSameScene = document().scene().equals(before);
+            autosave.documentChanged(document());
+            show(rendering(!isSameScene && state.live()));
         }
         return refusal;
     }
 
     /** Shows a frame of the shot, in the image too; returns the reason if it cannot be shown. */
     public Optional<String> showFrame(int frame) {
-        document.showFrame(frame);
+        document().showFrame(frame);
         go();
-        return document.frameProblem();
+        return document().frameProblem();
     }
 
     public void undo() {
-        document.history().undo();
+        document().history().undo();
         afterEdit();
     }
 
     public void redo() {
-        document.history().redo();
+        document().history().redo();
         afterEdit();
     }
 
     /** Undoes or redoes until that many document steps are done: see {@link EditHistory#goTo}. */
     public void goTo(int position) {
-        document.history().goTo(position);
+        document().history().goTo(position);
         afterEdit();
     }
 
     /** Undoes or redoes steps of the selected light; returns the reason if refused: see {@link EditHistory#goToLightStep}. */
     public Optional<String> goToLightStep(int position) {
-        return editSelectedLight(id -> document.history().goToLightStep(id, position));
+        return editSelectedLight(id -> document().history().goToLightStep(id, position));
     }
 
     /** Undoes the last edit of the selected light; returns the reason if refused. */
     public Optional<String> undoLight() {
-        return editSelectedLight(document.history()::undoLight);
+        return editSelectedLight(document().history()::undoLight);
     }
 
     /** Redoes the edit undone last of the selected light; returns the reason if refused. */
     public Optional<String> redoLight() {
-        return editSelectedLight(document.history()::redoLight);
+        return editSelectedLight(document().history()::redoLight);
     }
 
     private Optional<String> editSelectedLight(LongFunction<EditOutcome> step) {
-        document.resolveSelection();
-        long id = document.selectedLight().map(l -> document.history().id(l.name())).orElse(-1L);
+        document().resolveSelection();
+        long id = document().selectedLight().map(l -> document().history().id(l.name())).orElse(-1L);
         Optional<String> refusal = step.apply(id).refusal();
         afterEdit();
         return refusal;
     }
 
     public void select(Selection selection) {
-        document.select(selection);
-        changeListener.run();
+        document().select(selection);
+        show(state);
     }
 
     /** Selects the light with that name; nothing if it does not exist. */
     public void selectLight(String name) {
-        select(Selection.light(document.history(), name));
+        select(Selection.light(document().history(), name));
     }
 
     /** Copies the selected light's settings for {@link #pasteSettings}. */
     public void copySettings() {
-        copiedLight = document.selectedLight();
-        changeListener.run();
+        show(state.withCopiedLight(document().selectedLight()));
     }
 
     /** Applies the copied settings to the selected light; returns the reason if refused. */
     public Optional<String> pasteSettings() {
-        Optional<Light> selected = document.selectedLight();
-        return selected.isEmpty() || copiedLight.isEmpty() ? Command.PASTE_SETTINGS.disabledReason(editorState())
-                : edit(LightEdits.pasteSettings(document.scene(), selected.get().name(), copiedLight.get()));
+        Optional<Light> selected = document().selectedLight();
+        return selected.isEmpty() || state.copiedLight().isEmpty() ? Command.PASTE_SETTINGS.disabledReason(editorState())
+                : edit(LightEdits.pasteSettings(document().scene(), selected.get().name(), state.copiedLight().get()));
     }
 
     /**
@@ -323,7 +303,7 @@ public final class Workbench implements AutoCloseable {
      * @param completion receives the failure; empty on success
      */
     public void saveAs(Path file, Set<OverwriteConfirmation> allowed, Consumer<Optional<Throwable>> completion) {
-        OpenDocument savedDocument = document;
+        OpenDocument savedDocument = document();
         pendingSaves.add(() -> write(savedDocument, file, allowed, completion));
         if (pendingSaves.size() == 1) {
             pendingSaves.element().run();
@@ -342,7 +322,7 @@ public final class Workbench implements AutoCloseable {
             return newSaved;
         }, newSaved -> {
             savedDocument.onSaved(newSaved);
-            if (savedDocument == document) {
+            if (savedDocument == document()) {
                 loop.keepPicture();
             }
             contentChanged();
@@ -368,13 +348,13 @@ public final class Workbench implements AutoCloseable {
 
     /** Sets the observed state of the document's file on disk. */
     public void setDiskStatus(DiskStatus status) {
-        document.setDiskStatus(status);
-        changeListener.run();
+        document().setDiskStatus(status);
+        show(state);
     }
 
     /** Keeps the open scene although its file was changed: see {@link OpenDocument#ignoreDiskChange}. */
     public void ignoreDiskChange() {
-        document.ignoreDiskChange();
+        document().ignoreDiskChange();
         contentChanged();
     }
 
@@ -384,9 +364,9 @@ public final class Workbench implements AutoCloseable {
      * @param completion receives the failure; empty on success. Not called if another document was opened meanwhile
      */
     public void reload(Consumer<Optional<Throwable>> completion) {
-        OpenDocument reloadedDocument = document;
+        OpenDocument reloadedDocument = document();
         files.runInOrder(reloadedDocument.readSaved(), newSaved -> {
-            if (reloadedDocument == document) {
+            if (reloadedDocument == document()) {
                 reloadedDocument.onReloaded(newSaved);
                 contentChanged();
                 go();
@@ -396,27 +376,24 @@ public final class Workbench implements AutoCloseable {
     }
 
     private void contentChanged() {
-        autosave.documentChanged(document);
-        changeListener.run();
+        autosave.documentChanged(document());
+        show(state);
     }
 
     /** Renders the document's scene. */
     public void go() {
-        sceneInProgress = Optional.of(document.scene());
-        loop.render(document.scene());
-        changeListener.run();
+        show(rendered());
     }
 
     public void updateReflections() {
-        sceneInProgress = Optional.of(sceneInProgress.orElseGet(() -> frame().map(Frame::scene).orElse(document.scene())));
         loop.updateReflections();
-        changeListener.run();
+        show(state.withSceneInProgress(Optional.of(
+                state.sceneInProgress().or(state::renderedScene).orElseGet(() -> document().scene()))));
     }
 
     public void verify() {
-        isVerifying = frame().isPresent();
         loop.verify();
-        changeListener.run();
+        show(state.withVerifying(frame().isPresent()));
     }
 
     /** Cancels running and pending renders. */
@@ -424,16 +401,14 @@ public final class Workbench implements AutoCloseable {
         if (loop.cancel()) {
             feed.waitingRenderCanceled();
         }
-        refresh();
-        changeListener.run();
+        show(refreshed());
     }
 
     /** Changes the options and keeps the cache. */
     public void changeOptions(RenderOptions options) {
         renderOptions = options;
-        sceneInProgress = Optional.of(document.scene());
-        loop.changeOptions(options, document.scene());
-        changeListener.run();
+        loop.changeOptions(options, document().scene());
+        show(state.withSceneInProgress(Optional.of(document().scene())));
     }
 
     /** Changes the display mode: see {@link RenderLoop#setDisplayMode}. */
@@ -448,27 +423,28 @@ public final class Workbench implements AutoCloseable {
 
     /** Switches live mode; switching it on renders pending edits. */
     public void setLive(boolean v) {
-        isLive = v;
-        renderIf(isLive);
-        changeListener.run();
+        state = state.withLive(v);
+        show(rendering(v));
     }
 
     private void afterEdit() {
-        afterEdit(isLive);
+        afterEdit(state.live());
     }
 
     private void afterEdit(boolean renders) {
-        document.clampFrame();
-        autosave.documentChanged(document);
-        renderIf(renders);
-        changeListener.run();
+        document().clampFrame();
+        autosave.documentChanged(document());
+        show(rendering(renders));
     }
 
-    private void renderIf(boolean renders) {
-        if (renders && Command.GO.isEnabled(editorState())) {
-            sceneInProgress = Optional.of(document.scene());
-            loop.render(document.scene());
-        }
+    /** Returns the state after the document's scene is rendered, if that is wanted and the image does not show it. */
+    private EditorState rendering(boolean isWanted) {
+        return isWanted && Command.GO.isEnabled(editorState()) ? rendered() : state;
+    }
+
+    private EditorState rendered() {
+        loop.render(document().scene());
+        return state.withSceneInProgress(Optional.of(document().scene()));
     }
 
     /** Stops all threads. Unsaved edits are lost: ask before. */

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;
-import java.util.Optional;
 import java.util.Set;
 import lightning.editor.Command;
 import lightning.editor.EditorState;
@@ -25,7 +24,7 @@ class UntitledDocumentTest {
     private Path folder;
 
     private static EditorState state(OpenDocument document) {
-        return EditorState.of(document, Optional.empty());
+        return EditorState.of(document);
     }
 
     /** Arbor has cutouts, stage gobos, product meshes, window an environment. */

@@ -20,6 +20,7 @@ import lightning.document.Selection;
 import lightning.document.TestSaves;
 import lightning.document.loop.DisplayMode;
 import lightning.document.loop.Frame;
+import lightning.document.loop.RenderState;
 import lightning.render.RenderOptions;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.paper.ReflectionMode;
@@ -71,7 +72,7 @@ class CommandTest {
     }
 
     private EditorState editorState() {
-        return EditorState.of(document, frame);
+        return EditorState.of(document).withImage(frame.map(RenderState.NONE::withFrame).orElse(RenderState.NONE));
     }
 
     private void setIntensity(double intensity) {
