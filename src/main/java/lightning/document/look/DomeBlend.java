@@ -6,11 +6,13 @@ import java.util.Optional;
 import java.util.function.BinaryOperator;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.UnaryOperator;
+import lightning.scene.Contribution;
 import lightning.scene.Dome;
 import lightning.scene.SceneElement;
 
 /**
- * Interpolation between the domes of two lightings. Domes with the same name and image are interpolated; all others fade out or in.
+ * Interpolation between the domes of two lightings. Domes with the same name and image are interpolated; all others fade out or in, side by
+ * side.
  *
  * @param from       solos at the start
  * @param to         solos at the end
@@ -39,8 +41,34 @@ record DomeBlend(SoloState from, SoloState to, double t, boolean keepsSolos) {
         }
         to.lighting().world().named().stream().filter(dome -> from.lighting().world().dome(dome.name()).isEmpty())
                 .forEach(dome -> added.add(faded(to, dome, t).withName(name(dome, freeName))));
+        Dome own = to.lighting().world().own();
+        if (hasTwoImages()) {
+            added.add(faded(to, own, t).withName(freeName.apply("environment")));
+        }
         domes.addAll(added);
         return domes;
+    }
+
+    /** Returns whether the worlds have different images of their own, which are both shown in between. */
+    private boolean hasTwoImages() {
+        Dome first = from.lighting().world().own();
+        Dome last = to.lighting().world().own();
+        return first.image().isPresent() && last.image().isPresent() && !first.sky().on() && !last.sky().on()
+                && !first.image().equals(last.image());
+    }
+
+    /**
+     * Returns the world's own environment at the position, if it is another one at the end. A sky or none at either end follows the image of
+     * the other or leads to it.
+     */
+    Dome otherOwn() {
+        if (hasTwoImages()) {
+            return faded(from, from.lighting().world().own(), 1 - t);
+        }
+        SoloState nearer = t < 0.5 ? from : to;
+        Dome shown = nearer.lighting().world().own();
+        return shown.withIntensity(shown.intensity() * Math.abs(1 - 2 * t)).withGain(gain(nearer, shown))
+                .withSolo(keepsSolos && from.solos().contains(Contribution.ENVIRONMENT));
     }
 
     /** Returns the name of a dome, another one if a light at either end has it. */
@@ -54,7 +82,7 @@ record DomeBlend(SoloState from, SoloState to, double t, boolean keepsSolos) {
     }
 
     /** Returns the light gain at an end; 0 if a solo mutes the dome and does not stay. */
-    double gain(SoloState end, Dome dome) {
+    private double gain(SoloState end, Dome dome) {
         return !keepsSolos && dome.isPresent() && end.isMuted(new SceneElement.OfDome(dome.name())) ? 0 : dome.gain();
     }
 

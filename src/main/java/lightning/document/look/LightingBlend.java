@@ -253,9 +253,6 @@ public final class LightingBlend {
         if (hasSameEnvironment) {
             return world.withOwn(_ -> blend.interpolated(from.world().own(), to.world().own(), (_, _) -> numbers, this::lerp));
         }
-        SoloState nearer = t < 0.5 ? fromSolos : toSolos;
-        Dome shown = nearer.lighting().world().own();
-        return world.withOwn(_ -> shown.withIntensity(shown.intensity() * Math.abs(1 - 2 * t)).withGain(blend.gain(nearer, shown))
-                .withSolo(keepsSolos && fromSolos.solos().contains(Contribution.ENVIRONMENT)));
+        return world.withOwn(_ -> blend.otherOwn());
     }
 }

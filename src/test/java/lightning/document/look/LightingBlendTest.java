@@ -267,16 +267,35 @@ class LightingBlendTest {
         assertThat(weight(toKey, "key")).isEqualTo(0.25);
     }
 
+    /** As environments with names do: the light of both is linear in the position. */
+    @Test
+    void otherImages_areBothShownInBetween() {
+        Scene scene = blendScene(withEnvironment(false, 1), withEnvironment(false, 7), 0.25);
+        assertThat(scene.world().environments()).extracting(dome -> dome.image().orElseThrow().file()).containsExactly("sky1.0.hdr",
+                "sky7.0.hdr");
+        assertThat(scene.world().environments()).extracting(Dome::intensity).containsExactly(1.5, 0.5);
+        assertThat(scene.world().named()).extracting(Dome::name).containsExactly("environment2");
+        assertThat(blendScene(withEnvironment(false, 1), withEnvironment(false, 7), 1).world().named()).isEmpty();
+    }
+
+    @Test
+    void noEnvironment_leadsToTheImageOfTheOtherEnd() {
+        Lighting none = Lighting.of(scene(new Lighting(World.DEFAULT, LightRig.EMPTY)));
+        assertThat(blendScene(none, withEnvironment(false, 7), 0.25).world().hasEnvironment()).isFalse();
+        Scene scene = blendScene(none, withEnvironment(false, 7), 0.75);
+        assertThat(scene.world().own().intensity()).isEqualTo(1);
+        assertThat(scene.world().named()).isEmpty();
+    }
+
     @Test
     void otherEnvironments_stayMutedAsAtTheirEnd() {
         Lighting solo = withEnvironment(false, 1, KEY.withSolo(true), FILL);
         Lighting none = withEnvironment(false, 7, KEY, FILL);
-        assertThat(environmentLight(blendScene(solo, none, 0.25))).isZero();
-        assertThat(blendScene(solo, none, 0.25).world().own().intensity()).isEqualTo(1);
-        assertThat(weight(blendScene(solo, none, 0.25), "fill")).isEqualTo(0.25);
-        assertThat(environmentLight(blendScene(solo, none, 0.75))).isEqualTo(1);
-        // At the middle both have intensity 0, where a solo of the environment has no effect.
-        assertThat(weight(blendScene(withEnvironment(true, 1, KEY), withEnvironment(true, 7, KEY), 0.5), "key")).isZero();
+        Scene scene = blendScene(solo, none, 0.25);
+        assertThat(environmentLight(scene)).isZero();
+        assertThat(scene.world().own().intensity()).isEqualTo(1.5);
+        assertThat(scene.world().named()).extracting(Dome::lightIntensity).containsExactly(0.5);
+        assertThat(weight(scene, "fill")).isEqualTo(0.25);
     }
 
     @Test
