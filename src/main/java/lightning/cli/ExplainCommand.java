@@ -32,7 +32,7 @@ import lightning.render.trace.NormalSteps;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
-import lightning.scene.light.Contribution;
+import lightning.scene.light.Influence;
 import lightning.scene.material.Material;
 import lightning.scene.node.Shape;
 import org.jspecify.annotations.Nullable;
@@ -288,9 +288,9 @@ final class ExplainCommand implements Callable<Integer> {
 
     /** Describes the gains of a light that differ from 1; empty if there are none. */
     private static String describeGains(LightReport light) {
-        Contribution contribution = light.light().contribution();
-        return (contribution.diffuse() == 1 ? "" : Console.text(", diffuse gain %.6g", contribution.diffuse()))
-                + (contribution.specular() == 1 ? "" : Console.text(", specular gain %.6g", contribution.specular()))
+        Influence influence = light.light().influence();
+        return (influence.diffuse() == 1 ? "" : Console.text(", diffuse gain %.6g", influence.diffuse()))
+                + (influence.specular() == 1 ? "" : Console.text(", specular gain %.6g", influence.specular()))
                 + (light.gain() == 1 ? "" : Console.text(", gain on this object %.6g", light.gain()));
     }
 

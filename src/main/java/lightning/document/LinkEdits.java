@@ -7,7 +7,7 @@ import java.util.Set;
 import lightning.base.text.Messages;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
-import lightning.scene.light.Contribution;
+import lightning.scene.light.Influence;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.node.NodeGroup;
@@ -41,9 +41,9 @@ public final class LinkEdits {
      */
     public static EditOutcome setGain(Scene scene, String light, String node, double gain, boolean keep) {
         return LightEdits.edit(scene, light, l -> {
-            ShapeGains others = l.contribution().gains().without(node);
+            ShapeGains others = l.influence().gains().without(node);
             boolean isRedundant = !keep && LinkTable.gain(others, LinkTable.path(scene.stage(), node)) == gain;
-            Light gained = withGains(l, isRedundant ? others : l.contribution().gains().with(node, gain));
+            Light gained = withGains(l, isRedundant ? others : l.influence().gains().with(node, gain));
             return isLinked(l, scene.stage(), node) ? gained
                     : gained.withIlluminates(linked(l.illuminates(), scene.stage(), node, true));
         }).named(Messages.tr("Gain of {0} on {1}", light, node));
@@ -59,13 +59,13 @@ public final class LinkEdits {
     public static EditOutcome resetGain(Scene scene, String light, String node) {
         return LightEdits.edit(scene, light, l -> {
             Set<String> inside = scene.stage().node(node).map(n -> addNames(n, new HashSet<>())).orElse(Set.of());
-            return withGains(l, l.contribution().gains().retain(name -> !inside.contains(name)));
+            return withGains(l, l.influence().gains().retain(name -> !inside.contains(name)));
         }).named(Messages.tr("Reset gain of {0} on {1}", light, node));
     }
 
     private static Light withGains(Light light, ShapeGains gains) {
-        Contribution contribution = light.contribution();
-        return light.withContribution(contribution.withGains(gains));
+        Influence influence = light.influence();
+        return light.withInfluence(influence.withGains(gains));
     }
 
     private static Set<String> addNames(SceneNode node, Set<String> names) {

@@ -106,7 +106,7 @@ public record LinkTable(List<Light> lights, List<Row> rows, boolean isCut) {
 
     /** Returns the link between a light and the object of a row. */
     public static Link link(Light light, Row row) {
-        ShapeGains gains = light.contribution().gains();
+        ShapeGains gains = light.influence().gains();
         Set<String> gained = gains.isNone() ? Set.of() : new HashSet<>(gains.names());
         return new Link(state(light.illuminates(), row), gain(gains, row.path()), gained.contains(row.name()),
                 row.node() instanceof NodeGroup group && !gained.isEmpty() && containsAny(group, gained));

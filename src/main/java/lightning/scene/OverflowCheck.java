@@ -8,7 +8,7 @@ import java.util.stream.Stream;
 import lightning.base.text.Quote;
 import lightning.base.text.RefusalException;
 import lightning.scene.asset.Environment;
-import lightning.scene.light.Contribution;
+import lightning.scene.light.Influence;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightRig;
 import lightning.scene.material.Material;
@@ -55,7 +55,7 @@ public record OverflowCheck(Light light, Material material, double limit, double
     /** Returns a light's largest weight times falloff, with or without each effect whose absence can make it brighter. */
     private static double maxWeight(Light light, LightRig rig) {
         return Stream.of(light, light.withLightGroup(""))
-                .flatMap(l -> Stream.of(l, l.withContribution(Contribution.DEFAULT)))
+                .flatMap(l -> Stream.of(l, l.withInfluence(Influence.DEFAULT)))
                 .mapToDouble(l -> rig.effectiveLight(l).maxWeight() * rig.withSurface(l).maxFactor()).max().orElse(0);
     }
 

@@ -107,7 +107,7 @@ class LinkEditsTest {
         EditOutcome outcome = LinkEdits.setGain(scene(ShapeLinks.except("left")), "key", "left", 0.3, false);
         assertThat(((EditOutcome.Applied) outcome).label()).isEqualTo("Gain of key on left");
         Light edited = outcome.sceneOr(null).lights().getFirst();
-        assertThat(edited.contribution().gains()).isEqualTo(ShapeGains.of("left", 0.3));
+        assertThat(edited.influence().gains()).isEqualTo(ShapeGains.of("left", 0.3));
         assertThat(edited.illuminates()).isEqualTo(ShapeLinks.ALL);
         Scene both = LinkEdits.setGain(outcome.sceneOr(null), "key", "head", 0.5, false).sceneOr(null);
         assertThat(gains(LinkEdits.resetGain(both, "key", "left"))).isEqualTo(ShapeGains.of("head", 0.5));
@@ -131,7 +131,7 @@ class LinkEditsTest {
     }
 
     private static ShapeGains gains(EditOutcome outcome) {
-        return outcome.sceneOr(null).lights().getFirst().contribution().gains();
+        return outcome.sceneOr(null).lights().getFirst().influence().gains();
     }
 
     @Test

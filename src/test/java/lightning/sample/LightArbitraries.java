@@ -11,11 +11,11 @@ import lightning.scene.asset.LightTexture;
 import lightning.scene.asset.Texture;
 import lightning.scene.light.AreaShape;
 import lightning.scene.light.Beam;
-import lightning.scene.light.Contribution;
 import lightning.scene.light.Emission;
 import lightning.scene.light.FaceVisibility;
 import lightning.scene.light.Falloff;
 import lightning.scene.light.FilterShape;
+import lightning.scene.light.Influence;
 import lightning.scene.light.IntensityUnit;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightFilter;
@@ -54,7 +54,7 @@ final class LightArbitraries {
                 .flatMap(light -> profiles().map(light::withProfile)).flatMap(light -> beams().map(light::withBeam))
                 .flatMap(light -> Combinators.combine(emissions(), falloffs()).as((e, f) -> light.withEmission(e).withFalloff(f)))
                 .flatMap(light -> rarelyTrue().map(light::withIlluminates)).flatMap(light -> rarelyTrue().map(light::withShadowedBy))
-                .flatMap(light -> contributions().map(light::withContribution))
+                .flatMap(light -> contributions().map(light::withInfluence))
                 .flatMap(light -> flags().map(light::withFlag)).flatMap(light -> filters().map(light::withFilter))
                 .flatMap(light -> Combinators.combine(places(), aimPositions()).as((at, aim) -> new LightTemplate(light, at, aim)));
     }
@@ -218,11 +218,11 @@ final class LightArbitraries {
     }
 
     /** Returns contributions, most of them without gains and with shadows. */
-    static Arbitrary<Contribution> contributions() {
+    static Arbitrary<Influence> contributions() {
         Arbitrary<Double> factor = Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(1.0)), Tuple.of(1, gain()));
         Arbitrary<ShapeGains> onShapes = Arbitraries.frequencyOf(Tuple.of(5, Arbitraries.of(ShapeGains.NONE)), Tuple.of(2, gains()));
         return Combinators.combine(Arbitraries.frequency(Tuple.of(9, true), Tuple.of(1, false)), factor, factor, factor, onShapes)
-                .as(Contribution::new);
+                .as(Influence::new);
     }
 
     private static Arbitrary<ShapeLinks> rarelyTrue() {

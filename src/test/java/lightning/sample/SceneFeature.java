@@ -119,7 +119,7 @@ public enum SceneFeature {
     LIGHT_LINKS(scene -> key(add(scene, light("linked", LightType.POINT).withPosition(new Vec3(-3, 3, 1))
             .withIlluminates(ShapeLinks.except("floor"))), key -> key.withShadowedBy(ShapeLinks.except("ball")))),
     GAINS(scene -> lights(scene, light -> light
-            .withContribution(light.contribution().withDiffuse(0.8).withSpecular(1.3).withFog(0.6).withGains(ShapeGains.of("ball", 0.5))))),
+            .withInfluence(light.influence().withDiffuse(0.8).withSpecular(1.3).withFog(0.6).withGains(ShapeGains.of("ball", 0.5))))),
     INVERSE_SQUARE(scene -> lights(scene, light -> light.withFalloff(Falloff.INVERSE_SQUARE).withIntensity(6 * light.intensity()))),
     UNITS(scene -> lights(scene.withWorld(World.METERS.with(scene.world(), 0.5)), light -> light
             .withEmission(new Emission(4, light.type().hasPosition() ? IntensityUnit.LUMEN : IntensityUnit.LUX, 4000)))),

@@ -24,9 +24,9 @@ import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.light.AreaShape;
 import lightning.scene.light.Beam;
 import lightning.scene.light.Cone;
-import lightning.scene.light.Contribution;
 import lightning.scene.light.DistanceFalloff;
 import lightning.scene.light.Emission;
+import lightning.scene.light.Influence;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightFilter;
@@ -84,8 +84,8 @@ class AttributePropertiesTest {
                     entry("LightFilter.position", "filter position"), entry("LightFilter.rotation", "filter rotation"),
                     entry("LightFilter.size", "filter size"), entry("LightFilter.softness", "filter softness"),
                     entry("LightFilter.density", "filter density"), entry("LightFilter.inverted", "filter invert"),
-                    entry("Contribution.diffuse", "diffuse gain"), entry("Contribution.specular", "specular gain"),
-                    entry("Contribution.fog", "fog gain"), entry("Contribution.gains", "gains on objects"));
+                    entry("Influence.diffuse", "diffuse gain"), entry("Influence.specular", "specular gain"),
+                    entry("Influence.fog", "fog gain"), entry("Influence.gains", "gains on objects"));
 
     @Provide
     Arbitrary<Changed<Light>> lights() {
@@ -154,7 +154,7 @@ class AttributePropertiesTest {
                 || component.getType() == SurfaceMaps.class
                 || component.getType() == LayerMaps.class
                 || component.getType() == Transmission.class
-                || component.getType() == Contribution.class
+                || component.getType() == Influence.class
                 || component.getType() == LightFlag.class
                 || component.getType() == LightFilter.class
                         ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(keyword(component));

@@ -123,7 +123,7 @@ public final class LightingBlend {
         return a.type() == b.type() && a.falloff() == b.falloff() && a.emission().unit() == b.emission().unit() && a.gobo().equals(b.gobo())
                 && a.profile().equals(b.profile()) && a.texture().equals(b.texture())
                 && a.illuminates().equals(b.illuminates()) && a.shadowCasters().equals(b.shadowCasters())
-                && a.contribution().gains().names().equals(b.contribution().gains().names())
+                && a.influence().gains().names().equals(b.influence().gains().names())
                 && (!hasSameGroups || a.lightGroup().equals(b.lightGroup()));
     }
 
@@ -168,7 +168,7 @@ public final class LightingBlend {
                 .withArea(light.area().withUp(slerp(first.area().up(), last.area().up())))
                 .withIntensity(first.on() || last.on() ? intensity : lerp(first.intensity(), last.intensity()))
                 .withColor(color(first.color(), fromIntensity, last.color(), toIntensity))
-                .withContribution(light.contribution().withGains(gains(first.contribution().gains(), last.contribution().gains())))
+                .withInfluence(light.influence().withGains(gains(first.influence().gains(), last.influence().gains())))
                 .withOn(first.on() || last.on());
     }
 

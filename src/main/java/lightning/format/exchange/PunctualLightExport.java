@@ -47,9 +47,9 @@ final class PunctualLightExport {
         notes.add("textures of lights", light.faceImage().isPresent() ? 1 : 0);
         notes.add("profiles", LightAttribute.PROFILE.appliesTo(type) && light.profile().isPresent() && inner.isEmpty() ? 1 : 0);
         notes.add("light linking, exported as illuminating everything", light.isLinked() ? 1 : 0);
-        notes.add("lights without shadows", light.contribution().castsShadows() ? 0 : 1);
+        notes.add("lights without shadows", light.influence().castsShadows() ? 0 : 1);
         notes.add("diffuse and specular gains of lights",
-                light.contribution().diffuse() != 1 || light.contribution().specular() != 1 ? 1 : 0);
+                light.influence().diffuse() != 1 || light.influence().specular() != 1 ? 1 : 0);
         GltfLight.Type gltfType = switch (type) {
             case DIRECTIONAL -> GltfLight.Type.DIRECTIONAL;
             case POINT -> GltfLight.Type.POINT;

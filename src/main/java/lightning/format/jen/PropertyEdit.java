@@ -250,7 +250,7 @@ public final class PropertyEdit {
         if (edited instanceof Light light) {
             checkNames(scene, light.illuminates().names());
             checkNames(scene, light.shadowedBy().names());
-            checkNames(scene, light.contribution().gains().names());
+            checkNames(scene, light.influence().gains().names());
         }
         return element.with(scene, edited instanceof World world ? (T) world.withNamed(scene.world().named())
                 // Changing the material model keeps the color.

@@ -48,10 +48,10 @@ record PovLightWriter(BoundingSphere bounds, List<String> warnings) {
             // only.
             warnings.add("light " + light.name() + ": its light links are left out, it illuminates all objects and all cast shadows");
         }
-        if (light.contribution().diffuse() != 1 || light.contribution().specular() != 1) {
+        if (light.influence().diffuse() != 1 || light.influence().specular() != 1) {
             warnings.add("light " + light.name() + ": its diffuse and specular gains are left out");
         }
-        if (!light.contribution().castsShadows()) {
+        if (!light.influence().castsShadows()) {
             // POV-Ray's shadowless lights have neither a cone nor highlights.
             warnings.add("light " + light.name() + ": it casts shadows here");
         }

@@ -54,7 +54,7 @@ public final class MemoryEstimate {
         int texelBytes = TexelColumns.ofAny(scene.stage().rendered().materials()).bytesPerRow();
         long row = ColumnGroup.HIT.bytesPerRow() + texelBytes
                 + (sampling.isSupersampled() ? ColumnGroup.PATTERN.bytesPerRow() : 0)
-                + (scene.lights().stream().allMatch(l -> l.illuminates().isAll() && l.contribution().gains().isNone()) ? 0
+                + (scene.lights().stream().allMatch(l -> l.illuminates().isAll() && l.influence().gains().isNone()) ? 0
                         : ColumnGroup.OWNER.bytesPerRow())
                 + (clear ? ColumnGroup.TRANSPARENT.bytesPerRow() : 0) + lights
                 + (GatherSettings.of(scene).isPresent() ? RowWeights.MAX_BYTES_PER_ROW : 0);

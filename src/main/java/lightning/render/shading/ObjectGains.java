@@ -24,7 +24,7 @@ public final class ObjectGains {
 
     /** Returns the gains of a light; null if it has none. */
     public static @Nullable ObjectGains of(Light light, Stage stage) {
-        ShapeGains gains = light.contribution().gains();
+        ShapeGains gains = light.influence().gains();
         if (gains.isNone()) {
             return null;
         }

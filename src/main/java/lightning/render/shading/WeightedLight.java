@@ -57,9 +57,9 @@ public record WeightedLight(Light light, LightWeight diffuse, LightWeight specul
     static WeightedLight ofUnit(Light light, Light unit, Scene scene) {
         boolean isOwn = light == unit;
         LightWeight plain = isOwn ? LightWeight.ONE : LightWeight.of(unit.weight());
-        boolean isGained = isOwn && light.contribution().isGained();
-        return new WeightedLight(light, isGained ? gain(light, light.contribution().diffuse()) : plain,
-                isGained ? gain(light, light.contribution().specular()) : plain, isGained ? gain(light, light.contribution().fog()) : plain,
+        boolean isGained = isOwn && light.influence().isGained();
+        return new WeightedLight(light, isGained ? gain(light, light.influence().diffuse()) : plain,
+                isGained ? gain(light, light.influence().specular()) : plain, isGained ? gain(light, light.influence().fog()) : plain,
                 ObjectGains.of(light, scene.stage()), LightSource.of(light, scene));
     }
 
@@ -70,8 +70,8 @@ public record WeightedLight(Light light, LightWeight diffuse, LightWeight specul
     private static WeightedLight of(Light light, Scene scene, Stage gained) {
         LightWeight diffuse = LightWeight.of(light.diffuseWeight());
         return new WeightedLight(light, diffuse,
-                light.contribution().isGained() ? LightWeight.of(light.specularWeight()) : diffuse,
-                light.contribution().isGained() ? LightWeight.of(light.fogWeight()) : diffuse, ObjectGains.of(light, gained),
+                light.influence().isGained() ? LightWeight.of(light.specularWeight()) : diffuse,
+                light.influence().isGained() ? LightWeight.of(light.fogWeight()) : diffuse, ObjectGains.of(light, gained),
                 LightSource.of(light, scene));
     }
 

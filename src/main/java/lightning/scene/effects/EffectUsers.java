@@ -44,11 +44,11 @@ record EffectUsers(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
 
     /** Returns the names of lights with a gain other than 1 that applies to a shape which they illuminate. */
     Stream<String> gainedLights() {
-        return lights(light -> light.contribution().diffuse() != 1 || light.contribution().specular() != 1 || gainsShape(light));
+        return lights(light -> light.influence().diffuse() != 1 || light.influence().specular() != 1 || gainsShape(light));
     }
 
     private boolean gainsShape(Light light) {
-        ShapeGains gains = light.contribution().gains();
+        ShapeGains gains = light.influence().gains();
         if (gains.isNone()) {
             return false;
         }

@@ -13,9 +13,9 @@ import lightning.scene.AntialiasMode;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.light.Beam;
-import lightning.scene.light.Contribution;
 import lightning.scene.light.FaceVisibility;
 import lightning.scene.light.Falloff;
+import lightning.scene.light.Influence;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightFilter;
@@ -112,12 +112,12 @@ public final class RenderEffect {
     public static final RenderEffect SHADOW_LINKS =
             register("shadow-links", "shadow linking", uses -> uses.lights(l -> !l.shadowCasters().isAll()),
                     scene -> EffectRemoval.mapLights(scene,
-                            l -> l.withShadowedBy(ShapeLinks.ALL).withContribution(l.contribution().withCastsShadows(true))),
+                            l -> l.withShadowedBy(ShapeLinks.ALL).withInfluence(l.influence().withCastsShadows(true))),
                     UnaryOperator.identity(), false);
     public static final RenderEffect LIGHT_GAINS =
             register("light-gains", "light gains", EffectUsers::gainedLights,
-                    scene -> EffectRemoval.mapLights(scene, l -> l.withContribution(
-                            Contribution.DEFAULT.withCastsShadows(l.contribution().castsShadows()))),
+                    scene -> EffectRemoval.mapLights(scene, l -> l.withInfluence(
+                            Influence.DEFAULT.withCastsShadows(l.influence().castsShadows()))),
                     UnaryOperator.identity(), false);
     public static final RenderEffect LIGHT_GROUPS = register("banks", "light groups", EffectUsers::lightGroups,
             scene -> scene.withRig(LightRig.of(scene.lights().stream().map(l -> l.withLightGroup("")).toList())),

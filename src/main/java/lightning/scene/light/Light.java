@@ -33,14 +33,14 @@ import org.jspecify.annotations.Nullable;
  * @param switches    whether it shines, and its light group
  * @param illuminates shapes that it illuminates
  * @param shadowedBy  shapes that cast shadows in its light, if it casts shadows
- * @param contribution its shadows and gains
+ * @param influence its shadows and gains
  * @param flag         card that takes its light
  * @param filter       region in which it is dimmer
  */
 @RecordBuilder
 public record Light(String name, LightType type, Rgb color, double intensity, Emission emission, Vec3 position, Vec3 direction,
         DistanceFalloff distanceFalloff, Cone cone, AreaShape area, Optional<LightTexture> texture, Switches switches,
-        ShapeLinks illuminates, ShapeLinks shadowedBy, Contribution contribution, LightFlag flag, LightFilter filter)
+        ShapeLinks illuminates, ShapeLinks shadowedBy, Influence influence, LightFlag flag, LightFilter filter)
         implements LightBuilder.With {
 
     /** @throws IllegalArgumentException if a value is out of range; the message says which. Its records check theirs. */
@@ -56,7 +56,7 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
     public static Light of(String name, LightType type) {
         return new Light(name, type, LightAttribute.COLOR.initial(), LightAttribute.INTENSITY.initial(), Emission.DEFAULT,
                 LightAttribute.POSITION.initial(), LightAttribute.DIRECTION.initial(), DistanceFalloff.DEFAULT, Cone.DEFAULT,
-                AreaShape.DEFAULT, Optional.empty(), Switches.DEFAULT, ShapeLinks.ALL, ShapeLinks.ALL, Contribution.DEFAULT, LightFlag.NONE,
+                AreaShape.DEFAULT, Optional.empty(), Switches.DEFAULT, ShapeLinks.ALL, ShapeLinks.ALL, Influence.DEFAULT, LightFlag.NONE,
                 LightFilter.NONE);
     }
 
@@ -78,22 +78,22 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
 
     /** Returns the factor of all its diffuse contributions: color times intensity and gain, limited as the intensity. */
     public Rgb diffuseWeight() {
-        return color.times(limitedIntensity(contribution.diffuse()));
+        return color.times(limitedIntensity(influence.diffuse()));
     }
 
     /** Returns the factor of all its specular contributions. */
     public Rgb specularWeight() {
-        return color.times(limitedIntensity(contribution.specular()));
+        return color.times(limitedIntensity(influence.specular()));
     }
 
     /** Returns the factor of the light that fog scatters. */
     public Rgb fogWeight() {
-        return color.times(limitedIntensity(contribution.fog()));
+        return color.times(limitedIntensity(influence.fog()));
     }
 
     /** Returns the largest factor of a contribution to any shape. */
     public double maxWeight() {
-        return color.max() * limitedIntensity(contribution.maxGain() * contribution.gains().max());
+        return color.max() * limitedIntensity(influence.maxGain() * influence.gains().max());
     }
 
     /** Returns the factor of all its contributions, of which {@link #relativeGain} is another: color times intensity, limited. */
@@ -112,19 +112,19 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
         return Math.min(intensity * wideningFactor() * gain, maxIntensity());
     }
 
-    /** Returns the gain of one of its {@link Contribution#gains}, limited so that no contribution is larger than one without a gain may be. */
+    /** Returns the gain of one of its {@link Influence#gains}, limited so that no contribution is larger than one without a gain may be. */
     public double limitedGain(double gain) {
-        return Math.min(gain, maxIntensity() / Math.max(1, intensity * wideningFactor() * contribution.maxGain()));
+        return Math.min(gain, maxIntensity() / Math.max(1, intensity * wideningFactor() * influence.maxGain()));
     }
 
     /** Returns the shapes that cast shadows in its light. */
     public ShapeLinks shadowCasters() {
-        return contribution.castsShadows() ? shadowedBy : ShapeLinks.NONE;
+        return influence.castsShadows() ? shadowedBy : ShapeLinks.NONE;
     }
 
     /** Returns this light with the shadows of another. */
     public Light withShadowsOf(Light other) {
-        return withShadowedBy(other.shadowedBy).withContribution(contribution.withCastsShadows(other.contribution.castsShadows()));
+        return withShadowedBy(other.shadowedBy).withInfluence(influence.withCastsShadows(other.influence.castsShadows()));
     }
 
     /** Returns the terms of its falloff with distance. */
@@ -192,7 +192,7 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
 
     /** Returns whether it has a link or a gain to single shapes: illuminates some of them, is shadowed by some, or has a gain on some. */
     public boolean isLinked() {
-        return !illuminates.isAll() || !shadowedBy.isAll() || !contribution.gains().isNone();
+        return !illuminates.isAll() || !shadowedBy.isAll() || !influence.gains().isNone();
     }
 
     /** Returns whether it has the name of any shape: it is linked, or the surface of one. */
@@ -214,10 +214,10 @@ public record Light(String name, LightType type, Rgb color, double intensity, Em
     private Light mapLinks(UnaryOperator<ShapeLinks> links, UnaryOperator<ShapeGains> gains, UnaryOperator<String> name) {
         ShapeLinks illuminated = links.apply(illuminates);
         ShapeLinks shadowing = links.apply(shadowedBy);
-        ShapeGains gained = gains.apply(contribution.gains());
+        ShapeGains gained = gains.apply(influence.gains());
         String shape = area.shape().isEmpty() ? "" : name.apply(area.shape());
-        return illuminated == illuminates && shadowing == shadowedBy && gained == contribution.gains() && shape.equals(area.shape()) ? this
-                : withIlluminates(illuminated).withShadowedBy(shadowing).withContribution(contribution.withGains(gained))
+        return illuminated == illuminates && shadowing == shadowedBy && gained == influence.gains() && shape.equals(area.shape()) ? this
+                : withIlluminates(illuminated).withShadowedBy(shadowing).withInfluence(influence.withGains(gained))
                         .withArea(area.withShape(shape));
     }
 

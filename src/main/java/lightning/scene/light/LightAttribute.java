@@ -46,7 +46,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
         ATTENUATION(Messages.key("attenuation")),
         FILTERS(Messages.key("Flag and Filter")),
         PLACE(Messages.key("Position and Direction")),
-        CONTRIBUTION(Messages.key("Contribution")),
+        CONTRIBUTION(Messages.key("Influence")),
         LINKS(Messages.key("Light Linking"));
 
         private final String title;
@@ -182,25 +182,25 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             forAllTypes(LightTerm.SHADOW_LINKS));
     public static final LightAttribute<Boolean> CASTS_SHADOWS =
             new LightAttribute<>("casts_shadows", "casts shadows", "casts shadows", ChoiceKind.YES_OR_NO,
-                    Contribution.DEFAULT.castsShadows(), "", l -> l.contribution().castsShadows(),
-                    (l, v) -> l.withContribution(l.contribution().withCastsShadows(v)), Section.CONTRIBUTION,
+                    Influence.DEFAULT.castsShadows(), "", l -> l.influence().castsShadows(),
+                    (l, v) -> l.withInfluence(l.influence().withCastsShadows(v)), Section.CONTRIBUTION,
                     forAllTypes(LightTerm.SHADOW_LINKS));
     public static final LightAttribute<Double> DIFFUSE =
-            of("diffuse", "diffuse gain", Contribution.GAINS, Contribution.DEFAULT.diffuse(),
-                    "multiplies diffuse light", l -> l.contribution().diffuse(),
-                    (l, v) -> l.withContribution(l.contribution().withDiffuse(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
+            of("diffuse", "diffuse gain", Influence.GAINS, Influence.DEFAULT.diffuse(),
+                    "multiplies diffuse light", l -> l.influence().diffuse(),
+                    (l, v) -> l.withInfluence(l.influence().withDiffuse(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<Double> SPECULAR =
-            of("specular", "specular gain", Contribution.GAINS, Contribution.DEFAULT.specular(),
-                    "multiplies highlights", l -> l.contribution().specular(),
-                    (l, v) -> l.withContribution(l.contribution().withSpecular(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
+            of("specular", "specular gain", Influence.GAINS, Influence.DEFAULT.specular(),
+                    "multiplies highlights", l -> l.influence().specular(),
+                    (l, v) -> l.withInfluence(l.influence().withSpecular(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<Double> FOG =
-            of("fog", "fog gain", Contribution.GAINS, Contribution.DEFAULT.fog(),
-                    "multiplies light in fog", l -> l.contribution().fog(),
-                    (l, v) -> l.withContribution(l.contribution().withFog(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
+            of("fog", "fog gain", Influence.GAINS, Influence.DEFAULT.fog(),
+                    "multiplies light in fog", l -> l.influence().fog(),
+                    (l, v) -> l.withInfluence(l.influence().withFog(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<ShapeGains> GAINS = of("gains", "gains on objects",
             new ValueKind.GainsKind(Messages.key("Factors of this light on single objects and groups")),
-            ShapeGains.NONE, "shapes and groups, each with a factor", l -> l.contribution().gains(),
-            (l, v) -> l.withContribution(l.contribution().withGains(v)), Section.LINKS, forAllTypes(LightTerm.WEIGHT));
+            ShapeGains.NONE, "shapes and groups, each with a factor", l -> l.influence().gains(),
+            (l, v) -> l.withInfluence(l.influence().withGains(v)), Section.LINKS, forAllTypes(LightTerm.WEIGHT));
 
     public static final LightAttribute<Boolean> FLAG = flag("flag", "flag", ChoiceKind.YES_OR_NO, "", LightFlag::on, LightFlag::withOn);
     public static final LightAttribute<Vec3> FLAG_POSITION = flag("flag_at", "flag position", NumericKind.position(), "scene units",

@@ -160,7 +160,7 @@ class SightPlacementTest {
     @Test
     void lightWithoutShadows_mayBeAnywhere() {
         var at = hit("floor", new Vec3(3, 0, 3), Vec3.Y);
-        Light shadowless = lamp().withContribution(lamp().contribution().withCastsShadows(false));
+        Light shadowless = lamp().withInfluence(lamp().influence().withCastsShadows(false));
         assertThat(place(shadowless, new Goal.Diffuse(), 5, at).light().position()).isEqualTo(new Vec3(3, 5, 3));
     }
 

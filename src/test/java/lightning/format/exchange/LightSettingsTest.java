@@ -25,8 +25,8 @@ import lightning.scene.asset.Gobo;
 import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.LightTexture;
 import lightning.scene.asset.Texture;
-import lightning.scene.light.Contribution;
 import lightning.scene.light.Falloff;
+import lightning.scene.light.Influence;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightGroup;
@@ -60,7 +60,7 @@ class LightSettingsTest {
             .withColor(new Rgb(2, 1, 0.3)).withIntensity(0.7).withAttenuation(new Attenuation(0.1, 0.2, 0.3)).withAngle(120).withDropoff(3)
             .withDoors(new BarnDoors(10, 20, 30, 40)).withFeather(5).withIlluminates(ShapeLinks.only("floor"))
             .withShadowedBy(ShapeLinks.except("floor"))
-            .withContribution(new Contribution(false, 0.5, 2, 3, ShapeGains.of("floor", 0.25)));
+            .withInfluence(new Influence(false, 0.5, 2, 3, ShapeGains.of("floor", 0.25)));
     private TryFolder files;
     private Path gltf;
     private Scene scene;

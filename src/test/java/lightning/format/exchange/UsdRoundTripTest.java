@@ -119,11 +119,11 @@ class UsdRoundTripTest {
         Light bulb = scene.light("bulb").orElseThrow();
         assertThat(bulb.falloff()).isEqualTo(Falloff.INVERSE_SQUARE);
         assertThat(bulb.emission().temperature()).isEqualTo(2700);
-        assertThat(bulb.contribution().diffuse()).isEqualTo(0.5);
-        assertThat(bulb.contribution().specular()).isZero();
+        assertThat(bulb.influence().diffuse()).isEqualTo(0.5);
+        assertThat(bulb.influence().specular()).isZero();
         // The world is at (1, 2, 3) with z up, the bulb 10 above.
         assertThat(bulb.position()).isEqualTo(new Vec3(1, 13, -2));
-        assertThat(scene.light("point").orElseThrow().contribution().castsShadows()).isFalse();
+        assertThat(scene.light("point").orElseThrow().influence().castsShadows()).isFalse();
         Light spot = scene.light("spot").orElseThrow();
         assertThat(spot.type()).isEqualTo(LightType.SPOT);
         assertThat(spot.angle()).isEqualTo(25);

@@ -197,7 +197,7 @@ class UsdSparseExportTest {
                 /World/ball.collection:lightLink:includeRoot
                 /World/ball.collection:lightLink:includes
                 """);
-        assertThat(opinions("ball", l -> l.withContribution(l.contribution().withCastsShadows(false)))).isEqualTo(
+        assertThat(opinions("ball", l -> l.withInfluence(l.influence().withCastsShadows(false)))).isEqualTo(
                 "/World/ball apiSchemas\n/World/ball.inputs:shadow:enable\n");
         assertThat(opinions("ball", l -> l.withOn(false))).isEqualTo("/World/ball.visibility\n");
     }

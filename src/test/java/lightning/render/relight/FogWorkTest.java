@@ -83,7 +83,7 @@ class FogWorkTest {
         try (StudioRenderer studio = studio(type)) {
             for (UpdateResult update : new UpdateResult[] {studio.edit(light -> light.withIntensity(3)),
                 studio.edit(light -> light.withColor(new Rgb(1, 0.2, 0.1))),
-                studio.edit(light -> light.withContribution(light.contribution().withFog(0.3))),
+                studio.edit(light -> light.withInfluence(light.influence().withFog(0.3))),
                 studio.edit(light -> light.withOn(false)), studio.edit(light -> light.withOn(true))}) {
                 assertThat(update.rowsTouched()).isZero();
                 assertNoRay(studio, update);

@@ -15,7 +15,7 @@ import lightning.render.relight.plan.LightUpdate;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
-import lightning.scene.light.Contribution;
+import lightning.scene.light.Influence;
 import lightning.scene.light.LightType;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
@@ -30,8 +30,8 @@ class LightGainWorkTest {
     private static final LightUpdate SHADOWS =
             new LightUpdate.Partial(lightning.render.shading.layer.ConeChange.NONE, false, false, true);
 
-    private static UpdateResult contribute(StudioRenderer studio, Contribution contribution) {
-        return studio.edit(l -> l.withContribution(contribution));
+    private static UpdateResult contribute(StudioRenderer studio, Influence contribution) {
+        return studio.edit(l -> l.withInfluence(contribution));
     }
 
     private static void assertComposedOnly(StudioRenderer studio, UpdateResult update) {
@@ -53,10 +53,10 @@ class LightGainWorkTest {
     @EnumSource(LightType.class)
     void diffuseAndSpecularGain_onlyCompose(LightType type) {
         try (StudioRenderer studio = current(StudioScene.of(type))) {
-            assertComposedOnly(studio, contribute(studio, Contribution.DEFAULT.withDiffuse(0.3)));
-            assertComposedOnly(studio, contribute(studio, Contribution.DEFAULT.withSpecular(2.5)));
-            assertComposedOnly(studio, contribute(studio, Contribution.DEFAULT.withDiffuse(0)));
-            assertComposedOnly(studio, contribute(studio, Contribution.DEFAULT));
+            assertComposedOnly(studio, contribute(studio, Influence.DEFAULT.withDiffuse(0.3)));
+            assertComposedOnly(studio, contribute(studio, Influence.DEFAULT.withSpecular(2.5)));
+            assertComposedOnly(studio, contribute(studio, Influence.DEFAULT.withDiffuse(0)));
+            assertComposedOnly(studio, contribute(studio, Influence.DEFAULT));
         }
     }
 
@@ -64,14 +64,14 @@ class LightGainWorkTest {
     @EnumSource(LightType.class)
     void gainOnObject_findsOwnersOnceAndThenOnlyComposes(LightType type) {
         try (StudioRenderer studio = current(StudioScene.of(type))) {
-            UpdateResult first = contribute(studio, Contribution.DEFAULT.withGains(ShapeGains.of("ball", 0.5)));
+            UpdateResult first = contribute(studio, Influence.DEFAULT.withGains(ShapeGains.of("ball", 0.5)));
             assertThat(StudioRenderer.layers(first)).containsExactly(new LightUpdate.Reweight());
             assertThat(first.rays().shadow()).isZero();
             assertThat(first.rays().eye()).isPositive();
             assertExact(studio);
-            assertComposedOnly(studio, contribute(studio, Contribution.DEFAULT.withGains(ShapeGains.of("ball", 0.3))));
-            assertComposedOnly(studio, contribute(studio, Contribution.DEFAULT.withGains(ShapeGains.of("ball", 0).with("floor", 2))));
-            assertComposedOnly(studio, contribute(studio, Contribution.DEFAULT.withGains(ShapeGains.of("floor", 1))));
+            assertComposedOnly(studio, contribute(studio, Influence.DEFAULT.withGains(ShapeGains.of("ball", 0.3))));
+            assertComposedOnly(studio, contribute(studio, Influence.DEFAULT.withGains(ShapeGains.of("ball", 0).with("floor", 2))));
+            assertComposedOnly(studio, contribute(studio, Influence.DEFAULT.withGains(ShapeGains.of("floor", 1))));
         }
     }
 
@@ -81,7 +81,7 @@ class LightGainWorkTest {
     void gainOnObject_isInMirrors(ReflectionMode mode) {
         try (var studio = new StudioRenderer(mode, MirrorStorage.FULL_ROWS, StudioScene.of(LightType.POINT))) {
             Scene before = studio.scene();
-            contribute(studio, Contribution.DEFAULT.withGains(ShapeGains.of("floor", 0.25)));
+            contribute(studio, Influence.DEFAULT.withGains(ShapeGains.of("floor", 0.25)));
             Scene mirrored = mode == ReflectionMode.STALE ? before : studio.scene();
             assertThat(studio.renderer().film().hasSameBits(new ReferenceTracer(studio.scene(), mirrored).trace())).isTrue();
         }
@@ -91,7 +91,7 @@ class LightGainWorkTest {
     @EnumSource(LightType.class)
     void lightWithoutShadows_castsNoShadowRays(LightType type) {
         Scene scene = StudioScene.of(type);
-        scene = scene.withLight(scene.lights().getFirst().withContribution(Contribution.DEFAULT.withCastsShadows(false)));
+        scene = scene.withLight(scene.lights().getFirst().withInfluence(Influence.DEFAULT.withCastsShadows(false)));
         try (Renderer renderer = new Renderer(new lightning.render.RenderOptions(
                 lightning.render.relight.paper.Accuracy.EXACT, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1))) {
             UpdateResult first = renderer.render(scene, lightning.base.work.Progress.NONE);
@@ -104,11 +104,11 @@ class LightGainWorkTest {
     @EnumSource(LightType.class)
     void removedShadows_castNoShadowRays(LightType type) {
         try (StudioRenderer studio = current(StudioScene.of(type))) {
-            UpdateResult off = contribute(studio, Contribution.DEFAULT.withCastsShadows(false));
+            UpdateResult off = contribute(studio, Influence.DEFAULT.withCastsShadows(false));
             assertThat(StudioRenderer.layers(off)).containsExactly(SHADOWS);
             assertThat(off.rays().shadow()).isZero();
             assertExact(studio);
-            assertThat(contribute(studio, Contribution.DEFAULT).rays().shadow()).isPositive();
+            assertThat(contribute(studio, Influence.DEFAULT).rays().shadow()).isPositive();
             assertExact(studio);
         }
     }
@@ -121,7 +121,7 @@ class LightGainWorkTest {
         NodeGroup empty = new NodeGroup("a", Placement.IDENTITY, List.of(), true);
         NodeGroup full = new NodeGroup("b", Placement.IDENTITY, List.of(ball), true);
         try (StudioRenderer studio = current(start.replaceNode("ball", List.of(empty, full)))) {
-            contribute(studio, Contribution.DEFAULT.withGains(ShapeGains.of("a", 0.5)));
+            contribute(studio, Influence.DEFAULT.withGains(ShapeGains.of("a", 0.5)));
             assertExact(studio);
             Scene moved = studio.scene().replaceNode("b", List.of(full.withChildren(List.of())));
             UpdateResult update = studio.render(moved.replaceNode("a", List.of(empty.withChildren(List.of(ball)))));
@@ -143,7 +143,7 @@ class LightGainWorkTest {
 
     private static List<Float> picture(Scene scene, ShapeGains gains) {
         try (StudioRenderer studio = current(scene.withLight(
-                scene.lights().getFirst().withContribution(Contribution.DEFAULT.withGains(gains))))) {
+                scene.lights().getFirst().withInfluence(Influence.DEFAULT.withGains(gains))))) {
             var film = studio.renderer().film();
             return java.util.stream.IntStream.range(0, film.width() * film.height())
                     .mapToObj(i -> film.red(i % film.width(), i / film.width())).toList();

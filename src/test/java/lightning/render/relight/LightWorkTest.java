@@ -20,7 +20,7 @@ import lightning.scene.Scene;
 import lightning.scene.asset.Gobo;
 import lightning.scene.asset.IesProfile;
 import lightning.scene.asset.Texture;
-import lightning.scene.light.Contribution;
+import lightning.scene.light.Influence;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
@@ -367,7 +367,7 @@ class LightWorkTest {
     @Test
     void lightWithoutWeight_castsNoRay_whateverItsGain() {
         try (StudioRenderer studio = StudioRenderer.of(LightType.POINT)) {
-            studio.edit(l -> l.withIntensity(5e-46).withContribution(Contribution.DEFAULT.withDiffuse(2)));
+            studio.edit(l -> l.withIntensity(5e-46).withInfluence(Influence.DEFAULT.withDiffuse(2)));
             assertThat(studio.edit(l -> l.withPosition(ELSEWHERE)).rays().shadow()).isZero();
         }
     }

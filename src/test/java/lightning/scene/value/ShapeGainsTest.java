@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
-import lightning.scene.light.Contribution;
+import lightning.scene.light.Influence;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.node.Shape;
@@ -45,21 +45,21 @@ class ShapeGainsTest {
     void gains_followRenamedAndRemovedObjects() {
         Scene studio = StudioScene.of(LightType.POINT);
         Light key = studio.lights().getFirst();
-        Scene gained = studio.withLight(key.withContribution(Contribution.DEFAULT.withGains(gains)));
+        Scene gained = studio.withLight(key.withInfluence(Influence.DEFAULT.withGains(gains)));
         Shape ball = (Shape) gained.stage().node("ball").orElseThrow();
         assertThat(gains(gained.withNode("ball", ball.withName("sphere"))).names()).containsExactly("sphere", "floor");
         assertThat(gains(gained.replaceNode("ball", List.of())).names()).containsExactly("floor");
     }
 
     private static ShapeGains gains(Scene scene) {
-        return scene.lights().getFirst().contribution().gains();
+        return scene.lights().getFirst().influence().gains();
     }
 
     /** The largest products of intensity and gains stay within the limits that keep sums of lights finite. */
     @Test
     void weights_areLimited() {
         Light bright = Light.of("sun", LightType.POINT).withIntensity(1e30)
-                .withContribution(new Contribution(true, 100, 0.5, 1, ShapeGains.of("ball", 100)));
+                .withInfluence(new Influence(true, 100, 0.5, 1, ShapeGains.of("ball", 100)));
         assertThat(bright.diffuseWeight().max()).isEqualTo(1e30);
         assertThat(bright.specularWeight().max()).isEqualTo(0.5e30);
         assertThat(bright.diffuseWeight().max() * bright.limitedGain(100)).isLessThanOrEqualTo(1e30);

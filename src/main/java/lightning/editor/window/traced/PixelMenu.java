@@ -98,15 +98,15 @@ final class PixelMenu {
 
     /** Returns an item for each light, the strongest first; those that do not light the pixel are in a submenu. */
     private List<MenuItem> lights(PixelReport report) {
-        List<PixelReport.Contribution> sorted = report.contributions().stream()
-                .sorted(Comparator.comparingDouble(PixelReport.Contribution::brightness).reversed()).toList();
+        List<PixelReport.LightShare> sorted = report.contributions().stream()
+                .sorted(Comparator.comparingDouble(PixelReport.LightShare::brightness).reversed()).toList();
         int litCount = (int) sorted.stream().limit(MAX_LIT).filter(c -> c.brightness() > 0).count();
         List<MenuItem> list = new ArrayList<>(sorted.subList(0, litCount).stream().map(this::light).toList());
         report.otherLines().forEach(line -> list.add(CommandMenuItems.placeholder(Command.SELECT_LIGHT, line)));
         if (list.isEmpty()) {
             list.add(CommandMenuItems.placeholder(Command.SELECT_LIGHT, Messages.tr("No light reaches this point")));
         }
-        List<PixelReport.Contribution> others = sorted.subList(litCount, sorted.size());
+        List<PixelReport.LightShare> others = sorted.subList(litCount, sorted.size());
         if (!others.isEmpty()) {
             Menu submenu = new Menu(Messages.tr("Other Lights"));
             others.stream().limit(MAX_OTHERS).map(this::light).forEach(submenu.getItems()::add);
@@ -119,7 +119,7 @@ final class PixelMenu {
         return list;
     }
 
-    private MenuItem light(PixelReport.Contribution contribution) {
+    private MenuItem light(PixelReport.LightShare contribution) {
         String name = contribution.light().name();
         MenuItem item = items.value(Command.SELECT_LIGHT, name + "  " + contribution.text(), () -> editor.selection().selectLight(name));
         item.setGraphic(new FontIcon(LightTypes.icon(contribution.light().type())));

@@ -54,7 +54,7 @@ record PixelReport(int x, int y, String shape, String face, @Nullable Vec3 point
     /** Returns the light that contributes most to this pixel, or whose face it shows; empty if there is none. */
     Optional<String> strongest() {
         return !face.isEmpty() ? Optional.of(face)
-                : contributions().stream().filter(c -> c.brightness() > 0).max(Comparator.comparingDouble(Contribution::brightness))
+                : contributions().stream().filter(c -> c.brightness() > 0).max(Comparator.comparingDouble(LightShare::brightness))
                         .map(c -> c.light().name());
     }
 
@@ -86,18 +86,18 @@ record PixelReport(int x, int y, String shape, String face, @Nullable Vec3 point
     }
 
     /**
-     * Contribution of a light to this pixel.
+     * LightShare of a light to this pixel.
      *
      * @param light the light
      * @param brightness its luminance here; 0 if it does not reach the point
      * @param text share of the light here, or why there is none: {@code 64 %}, {@code shadowed}
      */
-    record Contribution(Light light, double brightness, String text) {}
+    record LightShare(Light light, double brightness, String text) {}
 
     /** Returns the contribution of each light, in the scene's order. */
-    List<Contribution> contributions() {
+    List<LightShare> contributions() {
         double total = totalBrightness();
-        return lights.stream().map(light -> new Contribution(light.light(), brightness(light), switch (light.state()) {
+        return lights.stream().map(light -> new LightShare(light.light(), brightness(light), switch (light.state()) {
             case DARK -> Messages.tr("dark");
             case AWAY -> Messages.tr("backfacing");
             case OUTSIDE -> Messages.tr("outside the cone");

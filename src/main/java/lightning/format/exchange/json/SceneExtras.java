@@ -124,7 +124,7 @@ public final class SceneExtras {
             Light light = AttributeJson.read(in, blank, LightAttribute.ALL, assembler::hasOrCopiesFile, _ -> noteUnusable(assembler));
             assembler.lights.add(light.withIlluminates(renamed(light.illuminates(), nodeNames))
                     .withShadowedBy(renamed(light.shadowedBy(), nodeNames))
-                    .withContribution(light.contribution().withGains(renamed(light.contribution().gains(), nodeNames)))
+                    .withInfluence(light.influence().withGains(renamed(light.influence().gains(), nodeNames)))
                     .withLightGroup(groups.contains(light.lightGroup()) ? light.lightGroup() : ""));
             assembler.restoredLights.add(light.name());
         } catch (RefusalException e) {

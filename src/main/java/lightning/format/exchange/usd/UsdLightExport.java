@@ -212,7 +212,7 @@ public final class UsdLightExport {
         notes.add("gobos", LightAttribute.GOBO.appliesTo(type) && light.gobo().isPresent() ? 1 : 0);
         notes.add("beam spreads of area lights", type.isSurface() && light.beam().spread() < Beam.OPEN_ANGLE ? 1 : 0);
         notes.add("textures of disc lights", type == LightType.DISC && light.faceImage().isPresent() ? 1 : 0);
-        notes.add("gains on single objects", light.contribution().gains().isNone() ? 0 : 1);
+        notes.add("gains on single objects", light.influence().gains().isNone() ? 0 : 1);
         notes.add("lights without inverse-square falloff, exact only at distance 1",
                 type.hasPosition() && light.falloff() == Falloff.CUSTOM
                         && !(light.attenuation().constant() == 0 && light.attenuation().linear() == 0) ? 1 : 0);

@@ -23,9 +23,9 @@ import lightning.scene.asset.LightTexture;
 import lightning.scene.asset.Texture;
 import lightning.scene.light.AreaShape;
 import lightning.scene.light.Beam;
-import lightning.scene.light.Contribution;
 import lightning.scene.light.Emission;
 import lightning.scene.light.Falloff;
+import lightning.scene.light.Influence;
 import lightning.scene.light.IntensityUnit;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
@@ -225,7 +225,7 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
                 .withIntensity(SceneAssembler.clamp(shortened(intensity), SceneLimits.MAX_INTENSITY))
                 .withEmission(light.emission().withExposure(stops).withTemperature(UsdNumbers.tidy(allowed)))
                 .withOn(!in.get("hidden").bool(false))
-                .withContribution(Contribution.DEFAULT.withCastsShadows(in.get("shadows").bool(true))
+                .withInfluence(Influence.DEFAULT.withCastsShadows(in.get("shadows").bool(true))
                         .withDiffuse(SceneAssembler.clamp(UsdNumbers.tidy(in.get("diffuse").number(1)), SceneLimits.MAX_GAIN))
                         .withSpecular(SceneAssembler.clamp(UsdNumbers.tidy(in.get("specular").number(1)), SceneLimits.MAX_GAIN)));
     }

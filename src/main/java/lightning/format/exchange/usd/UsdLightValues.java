@@ -76,9 +76,9 @@ public record UsdLightValues(String type, Light light, double meters, boolean ha
         result.put(NORMALIZE, hasLuminance ? "0" : "1");
         result.put("bool inputs:enableColorTemperature", isTinted ? "1" : "0");
         result.put("float inputs:colorTemperature", UsdLayer.number(light.emission().temperature()));
-        result.put("float inputs:diffuse", UsdLayer.number(light.contribution().diffuse()));
-        result.put("float inputs:specular", UsdLayer.number(light.contribution().specular()));
-        result.put("bool inputs:shadow:enable", light.contribution().castsShadows() ? "1" : "0");
+        result.put("float inputs:diffuse", UsdLayer.number(light.influence().diffuse()));
+        result.put("float inputs:specular", UsdLayer.number(light.influence().specular()));
+        result.put("bool inputs:shadow:enable", light.influence().castsShadows() ? "1" : "0");
         result.put(VISIBILITY, isOn ? VISIBLE : INVISIBLE);
         if (!type.equals(MESH)) {
             addSize(result);

@@ -180,7 +180,7 @@ public final class RatioKernel {
 
     /** Returns whether contributions have factors with roundings that the error bound of ratios does not include. */
     private static boolean needsTerms(WeightedLight light) {
-        return light.light().contribution().isGained() || light.light().sampleImage().isPresent();
+        return light.light().influence().isGained() || light.light().sampleImage().isPresent();
     }
 
     /**

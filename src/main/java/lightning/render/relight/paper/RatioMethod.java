@@ -39,7 +39,7 @@ public record RatioMethod() implements UpdateMethod {
         if (min instanceof LightUpdate.Keep) {
             return min;
         }
-        boolean usable = before.light().contribution().isGained() || target.light().contribution().isGained()
+        boolean usable = before.light().influence().isGained() || target.light().influence().isGained()
                 || IntensityRatio
                         .between(WeightedLight.ofSwitchedOn(before.light(), scene), WeightedLight.ofSwitchedOn(target.light(), scene))
                         .isUsable();

@@ -102,9 +102,9 @@ public record FilmUpdate(int[] origin, BitSet changed, BitSet reweighted, boolea
     }
 
     private static boolean changesGains(Light a, Light b) {
-        return a.relativeGain(a.contribution().diffuse()) != b.relativeGain(b.contribution().diffuse())
-                || a.relativeGain(a.contribution().specular()) != b.relativeGain(b.contribution().specular())
-                || a.relativeGain(a.contribution().fog()) != b.relativeGain(b.contribution().fog());
+        return a.relativeGain(a.influence().diffuse()) != b.relativeGain(b.influence().diffuse())
+                || a.relativeGain(a.influence().specular()) != b.relativeGain(b.influence().specular())
+                || a.relativeGain(a.influence().fog()) != b.relativeGain(b.influence().fog());
     }
 
     private static boolean changesImage(@Nullable Dome a, Dome b) {

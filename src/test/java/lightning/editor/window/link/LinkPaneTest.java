@@ -55,7 +55,7 @@ class LinkPaneTest extends EditorFixture {
     }
 
     private ShapeGains gains(String light) {
-        return light(light).contribution().gains();
+        return light(light).influence().gains();
     }
 
     private String undoLabel() {

@@ -25,7 +25,7 @@ import lightning.scene.asset.Gobo;
 import lightning.scene.asset.Texture;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
-import lightning.scene.light.Contribution;
+import lightning.scene.light.Influence;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.node.NodeGroup;
@@ -287,7 +287,7 @@ class DispatcherTest {
     @ParameterizedTest
     @EnumSource(Accuracy.class)
     void regroupedShape_invalidatesGainsAtAccuracyRatio(Accuracy accuracy) {
-        Light gained = A.withContribution(Contribution.DEFAULT.withGains(ShapeGains.of("first", 0.5)));
+        Light gained = A.withInfluence(Influence.DEFAULT.withGains(ShapeGains.of("first", 0.5)));
         try (Renderer renderer = renderedWith(accuracy, ReflectionMode.STALE, grouped(false, gained, B))) {
             assertThat(updates(top(renderer, grouped(true, gained, B)))).containsExactly(accuracy == Accuracy.RATIO ? MOVED : KEEP, KEEP);
             assertThat(updates(top(renderer, withMovedBallInGroup(gained)))).containsExactly(KEEP, KEEP);

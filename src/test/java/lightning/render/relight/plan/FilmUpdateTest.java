@@ -21,7 +21,7 @@ import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
-import lightning.scene.light.Contribution;
+import lightning.scene.light.Influence;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightType;
 import lightning.scene.value.DomeRotation;
@@ -165,9 +165,9 @@ class FilmUpdateTest {
 
     @Test
     void gains_changeOnlyTheFilmOfTheirLight() {
-        for (Contribution gained : List.of(Contribution.DEFAULT.withGains(ShapeGains.of("ball", 0.4)),
-                Contribution.DEFAULT.withDiffuse(0.5), Contribution.DEFAULT.withSpecular(2), Contribution.DEFAULT.withFog(0.5))) {
-            Scene with = withFill(light -> light.withContribution(gained));
+        for (Influence gained : List.of(Influence.DEFAULT.withGains(ShapeGains.of("ball", 0.4)),
+                Influence.DEFAULT.withDiffuse(0.5), Influence.DEFAULT.withSpecular(2), Influence.DEFAULT.withFog(0.5))) {
+            Scene with = withFill(light -> light.withInfluence(gained));
             assertChanges(update(SCENE, with), FILL);
             assertChanges(update(with, SCENE), FILL);
         }

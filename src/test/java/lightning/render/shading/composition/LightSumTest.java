@@ -19,7 +19,7 @@ import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 import lightning.scene.World;
-import lightning.scene.light.Contribution;
+import lightning.scene.light.Influence;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightRig;
 import lightning.scene.light.LightType;
@@ -76,14 +76,14 @@ class LightSumTest {
     private WeightedLight light() {
         double intensity = random.nextInt(4) == 0 ? 0 : random.nextDouble();
         Light light = Light.of("l", LightType.POINT).withIntensity(intensity)
-                .withColor(new Rgb(random.nextDouble(), random.nextDouble(), random.nextInt(2))).withContribution(contribution());
+                .withColor(new Rgb(random.nextDouble(), random.nextDouble(), random.nextInt(2))).withInfluence(contribution());
         Camera atOrigin = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);
         return WeightedLight.of(light, new Scene(PictureSettings.DEFAULT, atOrigin, World.DEFAULT, STAGE, LightRig.of(List.of(light))));
     }
 
-    private Contribution contribution() {
-        return random.nextBoolean() ? Contribution.DEFAULT
-                : new Contribution(true, random.nextInt(3), random.nextInt(3), 1,
+    private Influence contribution() {
+        return random.nextBoolean() ? Influence.DEFAULT
+                : new Influence(true, random.nextInt(3), random.nextInt(3), 1,
                         random.nextBoolean() ? ShapeGains.NONE : ShapeGains.of("a", random.nextInt(2) * random.nextDouble()));
     }
 

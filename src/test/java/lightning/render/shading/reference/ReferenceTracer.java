@@ -445,7 +445,7 @@ public final class ReferenceTracer {
         for (int l = 0; l < lights.length; l++) {
             LightSource source = lights[l].source();
             terms[l] = source.isArea() ? meanTerms(source, hit, pattern, refines) : terms(source, hit, targets[l], HighlightFactor.NONE);
-            if (!source.light().contribution().gains().isNone()) {
+            if (!source.light().influence().gains().isNone()) {
                 float gain = gains.computeIfAbsent(source.light(), _ -> new HashMap<>())
                         .computeIfAbsent(geometry.shape(hit.primitive()).name(), name -> gain(source.light(), name));
                 for (int c = DIFFUSE_FACTOR; c < TERMS; c++) {
@@ -460,7 +460,7 @@ public final class ReferenceTracer {
     private float gain(Light light, String shape) {
         List<String> names = new ArrayList<>(scene.stage().enclosingGroups(shape).stream().map(NodeGroup::name).toList());
         names.add(shape);
-        return names.reversed().stream().flatMap(name -> light.contribution().gains().get(name).stream()).findFirst()
+        return names.reversed().stream().flatMap(name -> light.influence().gains().get(name).stream()).findFirst()
                 .map(gain -> (float) light.limitedGain(gain)).orElse(1f);
     }
 

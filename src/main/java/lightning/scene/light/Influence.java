@@ -15,15 +15,15 @@ import lightning.scene.value.ShapeGains;
  * @param gains        factors of all its contributions on single shapes and groups
  */
 @RecordBuilder
-public record Contribution(boolean castsShadows, double diffuse, double specular, double fog, ShapeGains gains)
-        implements ContributionBuilder.With {
+public record Influence(boolean castsShadows, double diffuse, double specular, double fog, ShapeGains gains)
+        implements InfluenceBuilder.With {
     static final NumericKind<Double> GAINS = NumericKind.number(0, SceneLimits.MAX_GAIN, 0.1);
 
     /** Shadows of all shapes, and all factors 1. */
-    public static final Contribution DEFAULT = new Contribution(true, 1, 1, 1, ShapeGains.NONE);
+    public static final Influence DEFAULT = new Influence(true, 1, 1, 1, ShapeGains.NONE);
 
     /** @throws IllegalArgumentException if a gain is out of range; the message says which */
-    public Contribution {
+    public Influence {
         GAINS.check("diffuse", diffuse);
         GAINS.check("specular", specular);
         GAINS.check("fog", fog);
