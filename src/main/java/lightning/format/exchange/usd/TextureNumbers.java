@@ -1,8 +1,9 @@
 package lightning.format.exchange.usd;
 
 import java.io.IOException;
+import lightning.base.file.UnusableFileException;
 import lightning.format.gltf.JsonValue;
-import lightning.format.jen.asset.UnusableFileException;
+import lightning.format.image.ImageSource;
 import lightning.format.mesh.MeshException;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureChannel;
@@ -41,8 +42,8 @@ record TextureNumbers(int channel, double scale, double bias, boolean isCurved) 
      *
      * @throws UnusableFileException as {@link UsdImages#read}
      */
-    boolean isOpacityOf(UsdTiles.Tile tile) throws IOException, UnusableFileException {
-        if (scale != 1 || bias != 0 || isCurved || UsdImages.hasAlpha(tile.place()) != isAlpha()) {
+    boolean isOpacityOf(UsdTiles.Tile tile) throws IOException {
+        if (scale != 1 || bias != 0 || isCurved || UsdImages.read(tile.place(), ImageSource::hasAlpha) != isAlpha()) {
             return false;
         }
         return isAlpha() || isGray(UsdImages.read(tile.place(), TextureUsage.DATA));
@@ -79,9 +80,9 @@ record TextureNumbers(int channel, double scale, double bias, boolean isCurved) 
      *
      * @throws UnusableFileException as {@link UsdImages#read}
      */
-    Texture read(UsdTiles.Tile tile) throws IOException, UnusableFileException {
+    Texture read(UsdTiles.Tile tile) throws IOException {
         // An image without alpha is opaque.
-        boolean isOpaque = channel == ALPHA && !UsdImages.hasAlpha(tile.place());
+        boolean isOpaque = channel == ALPHA && !UsdImages.read(tile.place(), ImageSource::hasAlpha);
         Texture image = UsdImages.read(tile.place(), usage());
         float[] rgb = new float[3 * image.width() * image.height()];
         for (int i = 0; i < rgb.length; i++) {
