@@ -1,5 +1,6 @@
 package lightning.format.image;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -79,6 +80,13 @@ public final class ImageFile {
         ImageFormat.EXR.requireBitDepth(file, bits);
         AtomicFile.of(file).writeRandomAccess(
                 to -> Exr.write(to, film, bits == Short.SIZE ? ExrType.HALF : ExrType.FLOAT, attributes, primaries));
+    }
+
+    /** Returns a film as the content of a Radiance HDR file. */
+    public static byte[] toHdr(Film film) throws IOException {
+        var out = new ByteArrayOutputStream();
+        RadianceHdr.write(out, film);
+        return out.toByteArray();
     }
 
     /** Value that is read from an opened image. */

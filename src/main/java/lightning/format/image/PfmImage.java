@@ -1,12 +1,12 @@
 package lightning.format.image;
 
 import java.io.BufferedInputStream;
-import java.io.DataInputStream;
-import java.io.EOFException;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import lightning.base.text.Quote;
@@ -16,33 +16,30 @@ import lightning.scene.asset.TextureUsage;
 final class PfmImage extends ImageSource {
     /** Maximum token length: a side has at most 5 digits, a scale about 25 characters. */
     private static final int MAX_TOKEN_LENGTH = 32;
+    private static final int MAX_HEADER_BYTES = 4 * (MAX_TOKEN_LENGTH + 1);
     private static final int PIXEL_BYTES = 3 * Float.BYTES;
 
     private final Path file;
-    private final DataInputStream in;
+    private final byte[] start;
     private final int width;
     private final int height;
     private final ByteOrder order;
+    /** Bytes of the header. */
+    private int next;
 
     /** Reads the header of a file. */
     PfmImage(Path file) throws IOException {
         this.file = file;
-        in = new DataInputStream(new BufferedInputStream(Files.newInputStream(file), 1 << 16));
-        try {
-            String magic = readToken(in);
-            if (!magic.equals("PF")) {
-                throw new IOException("is not a color PFM image: expected PF at the start, found " + Quote.of(magic));
-            }
-            width = parseSide(readToken(in));
-            height = parseSide(readToken(in));
-            order = parseByteOrder(readToken(in));
-        } catch (EOFException e) {
-            in.close();
-            throw truncated();
-        } catch (IOException e) {
-            in.close();
-            throw e;
+        try (InputStream in = Files.newInputStream(file)) {
+            start = in.readNBytes(MAX_HEADER_BYTES);
         }
+        String magic = readToken();
+        if (!magic.equals("PF")) {
+            throw new IOException("is not a color PFM image: expected PF at the start, found " + Quote.of(magic));
+        }
+        width = parseSide(readToken());
+        height = parseSide(readToken());
+        order = parseByteOrder(readToken());
     }
 
     private static IOException truncated() {
@@ -66,40 +63,45 @@ final class PfmImage extends ImageSource {
 
     @Override
     void check() throws IOException {
-        if (Files.size(file) < PIXEL_BYTES * pixelCount()) {
+        if (Files.size(file) - next < PIXEL_BYTES * pixelCount()) {
             throw truncated();
         }
     }
 
-    /** Returns the pixels, which can be delivered once. */
     @Override
     Pixels pixels(TextureUsage usage) {
         return sink -> {
-            ByteBuffer row = ByteBuffer.allocate(PIXEL_BYTES * width).order(order);
-            FloatBuffer floats = row.asFloatBuffer();
-            float[] rgb = new float[3];
-            for (int y = height - 1; y >= 0; y--) {
-                if (in.readNBytes(row.array(), 0, row.capacity()) < row.capacity()) {
-                    throw truncated();
-                }
-                for (int x = 0; x < width; x++) {
-                    floats.get(3 * x, rgb);
-                    sink.accept(x, y, rgb);
+            try (var in = new BufferedInputStream(Files.newInputStream(file), 1 << 16)) {
+                in.skipNBytes(next);
+                ByteBuffer row = ByteBuffer.allocate(PIXEL_BYTES * width).order(order);
+                FloatBuffer floats = row.asFloatBuffer();
+                float[] rgb = new float[3];
+                for (int y = height - 1; y >= 0; y--) {
+                    if (in.readNBytes(row.array(), 0, row.capacity()) < row.capacity()) {
+                        throw truncated();
+                    }
+                    for (int x = 0; x < width; x++) {
+                        floats.get(3 * x, rgb);
+                        sink.accept(x, y, rgb);
+                    }
                 }
             }
         };
     }
 
     /** Reads a token and the one white space after it. */
-    private static String readToken(DataInputStream in) throws IOException {
-        var token = new StringBuilder();
-        for (int c = in.readUnsignedByte(); !Character.isWhitespace(c); c = in.readUnsignedByte()) {
-            token.append(c > ' ' && c < 127 ? (char) c : '?');
-            if (token.length() > MAX_TOKEN_LENGTH) {
-                throw new IOException("is not a PFM image: its header has no tokens");
-            }
+    private String readToken() throws IOException {
+        int from = next;
+        while (next < start.length && !Character.isWhitespace(start[next])) {
+            next++;
         }
-        return token.toString();
+        if (next - from > MAX_TOKEN_LENGTH) {
+            throw new IOException("is not a PFM image: its header has no tokens");
+        }
+        if (next == start.length) {
+            throw truncated();
+        }
+        return new String(start, from, next++ - from, StandardCharsets.ISO_8859_1);
     }
 
     private static int parseSide(String token) throws IOException {
@@ -120,10 +122,5 @@ final class PfmImage extends ImageSource {
             // Fall through to the exception below.
         }
         throw new IOException("has a damaged PFM header: expected a scale such as -1.0, found " + Quote.of(token));
-    }
-
-    @Override
-    public void close() throws IOException {
-        in.close();
     }
 }

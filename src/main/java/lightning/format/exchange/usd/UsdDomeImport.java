@@ -127,8 +127,13 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
         return written("dome.hdr", new EnvironmentMap(PLAIN_WIDTH, PLAIN_WIDTH / 2, rgb));
     }
 
+    /** Returns a Radiance HDR file with the pixels of a map; not its sun. */
+    static byte[] hdr(EnvironmentMap map) throws IOException {
+        return ImageFile.toHdr(Film.ofScanlines(map.width(), map.height(), map.values()));
+    }
+
     private Environment written(String name, EnvironmentMap map) throws IOException {
-        return new Environment(assembler.addFile(name, RadianceBytes.of(map)), map);
+        return new Environment(assembler.addFile(name, hdr(map)), map);
     }
 
     /**

@@ -26,7 +26,7 @@ public enum FileKind {
         }
     },
     /** Photometric profile of a light. */
-    PROFILE("profile", "an IES file", Messages.key("IES profiles"), IesReader.MAX_BYTES, List.of("ies")) {
+    PROFILE("profile", "an IES file", Messages.key("IES profiles"), List.of("ies")) {
         @Override
         void read(String name, Path file) throws IOException, MeshException {
             IesReader.read(file);
@@ -43,20 +43,18 @@ public enum FileKind {
     private final String noun;
     private final String description;
     private final String title;
-    private final long maxBytes;
     private final List<String> extensions;
     private final Pattern pattern;
 
     FileKind(ImageLimits limits) {
         this(limits.noun(), limits.description(), limits.formats().stream().map(ImageFormat::name).collect(Collectors.joining(", ")),
-                limits.maxBytes(), limits.extensions());
+                limits.extensions());
     }
 
-    FileKind(String noun, String description, String title, long maxBytes, List<String> extensions) {
+    FileKind(String noun, String description, String title, List<String> extensions) {
         this.noun = noun;
         this.description = description;
         this.title = title;
-        this.maxBytes = maxBytes;
         this.extensions = extensions;
         pattern = Pattern.compile(".+\\.(" + String.join("|", extensions) + ")", Pattern.CASE_INSENSITIVE);
     }
@@ -125,9 +123,8 @@ public enum FileKind {
         if (!isNamed(name)) {
             throw new RefusalException(article + noun + " must be " + description + ", was " + Quote.of(name));
         }
-        if (!Files.isRegularFile(file) || Files.size(file) > maxBytes) {
-            throw new RefusalException(
-                    article + noun + " must be a file of at most " + maxBytes + " bytes, was " + Quote.of(name));
+        if (!Files.isRegularFile(file)) {
+            throw new RefusalException(article + noun + " must be a file, was " + Quote.of(name));
         }
         try {
             read(name, file);
