@@ -9,6 +9,7 @@ import java.nio.FloatBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
 import lightning.scene.asset.TextureUsage;
 
@@ -30,7 +31,7 @@ final class PfmImage extends ImageSource {
     /** Reads the header of a file. */
     PfmImage(Path file) throws IOException {
         this.file = file;
-        try (InputStream in = Files.newInputStream(file)) {
+        try (InputStream in = RegularFile.open(file, "a PFM image")) {
             start = in.readNBytes(MAX_HEADER_BYTES);
         }
         String magic = readToken();
@@ -71,7 +72,7 @@ final class PfmImage extends ImageSource {
     @Override
     Pixels pixels(TextureUsage usage) {
         return sink -> {
-            try (var in = new BufferedInputStream(Files.newInputStream(file), 1 << 16)) {
+            try (var in = new BufferedInputStream(RegularFile.open(file, "a PFM image"), 1 << 16)) {
                 in.skipNBytes(next);
                 ByteBuffer row = ByteBuffer.allocate(PIXEL_BYTES * width).order(order);
                 FloatBuffer floats = row.asFloatBuffer();
