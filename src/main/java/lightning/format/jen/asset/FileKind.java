@@ -67,6 +67,11 @@ public enum FileKind {
         return Messages.tr(title);
     }
 
+    /** Returns a noun phrase for such a file, in English. */
+    public String description() {
+        return description;
+    }
+
     /** Returns the file extensions, without the dot. */
     public List<String> endings() {
         return extensions;
