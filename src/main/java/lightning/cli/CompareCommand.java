@@ -9,8 +9,8 @@ import lightning.cli.output.PictureOutput;
 import lightning.cli.report.CompareReport;
 import lightning.format.image.ImageFile;
 import lightning.format.image.ImageFormat;
+import lightning.format.image.ImageSource;
 import lightning.format.jen.InputFiles;
-import lightning.format.reference.ReferenceFile;
 import lightning.render.image.Difference;
 import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
@@ -57,8 +57,8 @@ final class CompareCommand implements Callable<Integer> {
             ImageFormat.of(output);
             PictureOutput.checkFile(output, InputFiles.of(first, second));
         }
-        Film a = ReferenceFile.readFilm(first);
-        Film b = ReferenceFile.readFilm(second);
+        Film a = ImageFile.read(first);
+        Film b = ImageFile.read(second);
         if (a.width() != b.width() || a.height() != b.height()) {
             throw new BadInputException(Console.text("images to compare must have the same size: %s has %d x %d pixels, %s has %d x %d",
                     first, a.width(), a.height(), second, b.width(), b.height()));
@@ -68,7 +68,8 @@ final class CompareCommand implements Callable<Integer> {
             ImageFile.write(output, DifferenceImage.of(a, b), ViewTransform.DEFAULT);
         }
         double flip = Flip.mean(a, b);
-        boolean floats = ReferenceFile.hasFullFloats(first) && ReferenceFile.hasFullFloats(second);
+        boolean floats =
+                ImageFile.readPicture(first, ImageSource::hasFullFloats) && ImageFile.readPicture(second, ImageSource::hasFullFloats);
         print(difference, 3L * a.width() * a.height(), flip, floats);
         console.report().setResult(report(a, difference, flip, floats));
         return difference.isNone() ? ExitCode.OK : ExitCode.CHECK_FAILED;

@@ -11,7 +11,7 @@ import lightning.format.exchange.assembly.TextureMeans;
 import lightning.format.exchange.assembly.TransmissionImport;
 import lightning.format.gltf.GltfMaterial;
 import lightning.format.gltf.GltfScene;
-import lightning.format.jen.asset.TextureDecoder;
+import lightning.format.jen.asset.TextureFile;
 import lightning.format.mesh.MeshException;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureUsage;
@@ -166,7 +166,7 @@ final class GltfMaterialImport {
     private Material withCutout(Material material, GltfMaterial m) throws IOException, MeshException {
         Optional<TextureMap> opacity =
                 m.cutoff() > 0 && m.baseImage().isPresent()
-                        && textures.bytes(m.baseImage().index()).filter(TextureDecoder::hasAlpha).isPresent()
+                        && textures.bytes(m.baseImage().index()).filter(TextureFile::hasAlpha).isPresent()
                                 ? textures.map(m.baseImage(), TextureUsage.OPACITY) : Optional.empty();
         if (opacity.isEmpty()) {
             assembler.notes.add("materials invisible by their alpha cutoff, imported as visible", m.cutoff() > m.alphaFactor() ? 1 : 0);

@@ -5,14 +5,14 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
+import lightning.base.file.UnusableFileException;
 import lightning.base.math.Affine2;
 import lightning.format.exchange.assembly.PlacedTexture;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.assembly.TextureAtlas;
 import lightning.format.gltf.GltfImage;
 import lightning.format.gltf.GltfScene;
-import lightning.format.jen.asset.TextureDecoder;
-import lightning.format.jen.asset.UnusableFileException;
+import lightning.format.jen.asset.TextureFile;
 import lightning.format.mesh.MeshException;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
@@ -40,15 +40,15 @@ final class GltfTextures {
      * @param change changes each value
      */
     Optional<TextureMap> alpha(GltfImage image, String name, DoubleUnaryOperator change) throws IOException, MeshException {
-        Optional<byte[]> source = image.isPresent() ? bytes(image.index()).filter(TextureDecoder::hasAlpha) : Optional.empty();
+        Optional<byte[]> source = image.isPresent() ? bytes(image.index()).filter(TextureFile::hasAlpha) : Optional.empty();
         if (source.isEmpty()) {
             return Optional.empty();
         }
         try {
-            Texture alpha = TextureDecoder.decodeReduced("alpha", source.get(), TextureUsage.OPACITY);
-            float[] values = new float[3 * alpha.width() * alpha.height()];
+            Texture alpha = TextureFile.decode("alpha", source.get(), TextureUsage.OPACITY);
+            float[] values = alpha.values();
             for (int i = 0; i < values.length; i++) {
-                values[i] = (float) change.applyAsDouble(alpha.channel(i / 3 % alpha.width(), i / 3 / alpha.width(), 0));
+                values[i] = (float) change.applyAsDouble(values[i]);
             }
             var png = new TextureAtlas(1, 1, alpha.width(), alpha.height(), TextureUsage.DATA, true);
             png.draw(new Texture(alpha.width(), alpha.height(), values), 0, 0);

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import lightning.base.file.UnusableFileException;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.work.Progress;
@@ -20,8 +21,7 @@ import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.assembly.TextureMeans;
 import lightning.format.exchange.assembly.TransmissionImport;
 import lightning.format.gltf.MeshFileWriter;
-import lightning.format.jen.asset.TextureDecoder;
-import lightning.format.jen.asset.UnusableFileException;
+import lightning.format.jen.asset.TextureFile;
 import lightning.format.mesh.ByteSource;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.NamedMesh;
@@ -234,7 +234,7 @@ final class ObjImport {
 
     private static boolean isNormalMap(byte[] image) {
         try {
-            Texture texture = TextureDecoder.decodeReduced("bump", image, TextureUsage.DATA);
+            Texture texture = TextureFile.decode("bump", image, TextureUsage.DATA);
             return TextureMeans.mean(texture, 2) > 0.6 && Math.abs(TextureMeans.mean(texture, 0) - 0.5) < 0.15
                     && Math.abs(TextureMeans.mean(texture, 1) - 0.5) < 0.15;
         } catch (UnusableFileException e) {

@@ -21,7 +21,7 @@ public final class ExrColorReader {
      * Returns the channels of the colors: R, G and B; else those of the first layer with these; else luminance or the only channel, three
      * times.
      */
-    private static List<String> channels(ExrHeader header) {
+    public static List<String> channels(ExrHeader header) {
         List<String> names = header.channels().stream().map(ExrChannel::name).toList();
         if (names.containsAll(COLORS)) {
             return COLORS;

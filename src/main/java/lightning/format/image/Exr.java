@@ -2,24 +2,21 @@ package lightning.format.image;
 
 import java.io.IOException;
 import java.nio.channels.SeekableByteChannel;
-import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import lightning.format.exr.ExrAttribute;
 import lightning.format.exr.ExrChannel;
 import lightning.format.exr.ExrChunk;
-import lightning.format.exr.ExrColorReader;
 import lightning.format.exr.ExrHeader;
 import lightning.format.exr.ExrPrimaries;
-import lightning.format.exr.ExrReader;
 import lightning.format.exr.ExrType;
 import lightning.format.exr.ExrWriter;
 import lightning.render.image.Film;
 
 /** OpenEXR format: the linear film as channels R, G and B. */
 final class Exr {
-    private static final List<String> COLORS = List.of("R", "G", "B");
+    static final List<String> COLORS = List.of("R", "G", "B");
 
     private Exr() {}
 
@@ -58,33 +55,5 @@ final class Exr {
             writer.writeChunk(c, chunk.compress());
         }
         writer.finish();
-    }
-
-    /**
-     * Reads channels R, G and B, converted to the working space.
-     *
-     * @throws IOException if a channel is missing, or the file is unsupported, damaged or too large; the message does not
-     *     contain its name
-     */
-    static Film read(Path file) throws IOException {
-        try (ExrReader reader = new ExrReader(file)) {
-            ImageLimits.check(reader.header().width(), reader.header().height());
-            Film film = Film.black(reader.header().width(), reader.header().height());
-            ExrColorReader.read(reader, (x, y, rgb) -> {
-                int tile = film.tileOf(x, y);
-                int pixel = Film.pixelInTile(x, y);
-                film.red(tile)[pixel] = rgb[0];
-                film.green(tile)[pixel] = rgb[1];
-                film.blue(tile)[pixel] = rgb[2];
-            });
-            return film;
-        }
-    }
-
-    /** Returns whether the color channels have more bits than a half. */
-    static boolean hasFullFloats(Path file) throws IOException {
-        try (ExrReader reader = new ExrReader(file)) {
-            return reader.header().channels().stream().anyMatch(c -> COLORS.contains(c.name()) && c.type() != ExrType.HALF);
-        }
     }
 }

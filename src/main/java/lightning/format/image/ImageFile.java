@@ -1,11 +1,13 @@
 package lightning.format.image;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import lightning.base.file.AtomicFile;
-import lightning.base.text.Quote;
+import lightning.base.file.UnusableFileException;
+import lightning.base.text.PrintableText;
 import lightning.base.work.WorkerPool;
 import lightning.format.exr.ExrAttribute;
 import lightning.format.exr.ExrPrimaries;
@@ -13,8 +15,12 @@ import lightning.format.exr.ExrType;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
-/** Writes and reads image files in the format of their extension: {@link ImageFormat}. */
+/** Writes and reads image files ({@link ImageFormat}). All images that other files or the user name are opened here. */
 public final class ImageFile {
+    /** Pictures to compare with, to match and to show; a film takes 12 bytes for each pixel. */
+    public static final ImageLimits PICTURES = new ImageLimits("",
+            List.of(ImageFormat.PNG, ImageFormat.JPEG, ImageFormat.PFM, ImageFormat.EXR, ImageFormat.HDR), Long.MAX_VALUE, 1 << 14,
+            1 << 26);
 
     private ImageFile() {}
 
@@ -76,24 +82,89 @@ public final class ImageFile {
                 to -> Exr.write(to, film, bits == Short.SIZE ? ExrType.HALF : ExrType.FLOAT, attributes, primaries));
     }
 
+    /** Returns a film as the content of a Radiance HDR file. */
+    public static byte[] toHdr(Film film) throws IOException {
+        var out = new ByteArrayOutputStream();
+        RadianceHdr.write(out, film);
+        return out.toByteArray();
+    }
+
+    /** Value that is read from an opened image. */
+    @FunctionalInterface
+    public interface Reading<T> {
+        /** Returns the value. */
+        T from(ImageSource image) throws IOException;
+    }
+
+    /** Opening of an image. */
+    private interface Opening {
+        ImageSource open() throws IOException;
+    }
+
     /**
-     * Reads an image as a film: the exact floats of PFM or OpenEXR, the linear values 0…1 of the sRGB codes of PNG (which
-     * {@link ViewTransform#DEFAULT} converts back to the same codes). Transparency is ignored. Radiance HDR and XPM are not
-     * supported.
+     * Opens an image file and reads a value from it. It has the format that the extension of its name says, or one that Java's decoders
+     * recognize.
+     *
+     * @param name name of the file in messages
+     * @param limits what is accepted
+     * @throws UnusableFileException if it is missing, unreadable, damaged, too large, or has none of the formats
+     */
+    public static <T> T read(String name, Path file, ImageLimits limits, Reading<T> reading) throws UnusableFileException {
+        return read(name, () -> limits.open(name, file), limits, reading);
+    }
+
+    /**
+     * Opens an image that Java's decoders recognize, and reads a value from it.
+     *
+     * @param name name of the image in messages
+     * @param limits what is accepted
+     * @throws UnusableFileException if it is damaged, too large, or has none of the formats
+     */
+    public static <T> T read(String name, byte[] file, ImageLimits limits, Reading<T> reading) throws UnusableFileException {
+        return read(name, () -> new CodedImage(file, limits.formats()), limits, reading);
+    }
+
+    private static <T> T read(String name, Opening opening, ImageLimits limits, Reading<T> reading) throws UnusableFileException {
+        try (ImageSource image = opening.open()) {
+            limits.check(image.width(), image.height());
+            image.check();
+            return reading.from(image);
+        } catch (UnusableFileException e) {
+            throw e;
+        } catch (IOException e) {
+            throw new UnusableFileException(limits.subject(name) + PrintableText.escape(String.valueOf(e.getMessage())));
+        }
+    }
+
+    /**
+     * Converts an image to PNG, with fewer pixels if it has more than {@code maxPixels}.
+     *
+     * @param name name of the image in messages
+     * @throws UnusableFileException as {@link #read(String, byte[], ImageLimits, Reading)}
+     */
+    public static byte[] toPng(String name, byte[] file, ImageLimits limits, long maxPixels) throws UnusableFileException {
+        return read(name, file, limits, image -> ((CodedImage) image).png(image.step(maxPixels)));
+    }
+
+    /**
+     * Reads an image as linear light: the floats of PFM, OpenEXR or HDR, the values 0…1 of the sRGB codes of PNG or JPEG (which
+     * {@link ViewTransform#DEFAULT} converts back to the same codes). Transparency is ignored.
+     *
+     * @throws IOException as {@link #readPicture}
+     */
+    public static Film read(Path file) throws IOException {
+        return readPicture(file, ImageSource::film);
+    }
+
+    /**
+     * Reads a value from a picture: PNG, JPEG, PFM, OpenEXR or Radiance HDR.
      *
      * @throws IOException if the extension is unknown, the file is missing, unreadable, damaged, wider or higher than 16384
      *     pixels or of more than 2²⁶ pixels (checked before decoding); the message is a sentence for the user that begins
      *     with the file's name
      */
-    public static Film read(Path file) throws IOException {
-        ImageFormat format = ImageFormat.of(file);
-        if (!Files.isRegularFile(file)) {
-            throw new IOException(Quote.path(file) + ": " + (Files.exists(file) ? "is not a regular file" : "no such file"));
-        }
-        try {
-            return format.read(file);
-        } catch (IOException e) {
-            throw new IOException(Quote.path(file) + ": " + e.getMessage(), e);
-        }
+    public static <T> T readPicture(Path file, Reading<T> reading) throws IOException {
+        ImageFormat.of(file, PICTURES.formats());
+        return read(file.toString(), file, PICTURES, reading);
     }
 }

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import lightning.base.file.AtomicFile;
 import lightning.base.text.Quote;
@@ -17,18 +18,16 @@ import lightning.format.exr.ExrType;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
-/** File format of written images, chosen by the file's extension. */
+/**
+ * File format of images. Written files have the format of their extension. Those without bit depths are read only; so is what Java's decoders
+ * recognize, whatever its extension.
+ */
 public enum ImageFormat {
     /** Display-referred sRGB. */
-    PNG("PNG", true, 8, 16) {
+    PNG("PNG", true, List.of("png"), 8, 16) {
         @Override
         void write(Path file, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException {
             AtomicFile.write(file, out -> Png.write(out, film, view, bits, workers));
-        }
-
-        @Override
-        Film read(Path file) throws IOException {
-            return Png.read(file);
         }
 
         @Override
@@ -36,16 +35,13 @@ public enum ImageFormat {
             return Png.bytesToWrite(width);
         }
     },
+    /** Display-referred sRGB, with loss. */
+    JPEG("JPEG", true, List.of("jpg", "jpeg")),
     /** Display-referred sRGB as C source text. Write-only. */
-    XPM("XPM, as in 1998", true, 8) {
+    XPM("XPM, as in 1998", true, List.of("xpm"), 8) {
         @Override
         void write(Path file, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException {
             AtomicFile.write(file, out -> Xpm.write(out, film.width(), film.height(), view.toPixels(film)));
-        }
-
-        @Override
-        Film read(Path file) throws IOException {
-            throw new IOException("is an XPM image, which can be written but not read");
         }
 
         /**
@@ -58,33 +54,23 @@ public enum ImageFormat {
         }
     },
     /** Linear film, all bits. */
-    PFM("PFM, linear floats", false, 32) {
+    PFM("PFM, linear floats", false, List.of("pfm"), 32) {
         @Override
         void write(Path file, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException {
             AtomicFile.write(file, out -> Pfm.write(out, film));
         }
 
         @Override
-        Film read(Path file) throws IOException {
-            return Pfm.read(file);
-        }
-
-        @Override
-        public boolean hasFullFloats(Path file) {
-            return true;
+        ImageSource open(Path file, ImageLimits limits) throws IOException {
+            return new PfmImage(file);
         }
     },
     /** Linear film as halves or floats, optionally with layers. */
-    EXR("OpenEXR", false, 16, 32) {
+    EXR("OpenEXR", false, List.of("exr"), 16, 32) {
         @Override
         void write(Path file, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException {
             AtomicFile.of(file).writeRandomAccess(to -> Exr.write(to, film, bits == Short.SIZE ? ExrType.HALF : ExrType.FLOAT,
                     ExrMetadata.common(), ExrPrimaries.REC_709));
-        }
-
-        @Override
-        Film read(Path file) throws IOException {
-            return Exr.read(file);
         }
 
         /** Returns the bytes of a chunk, its shuffled bytes, and its compressed and written form. */
@@ -94,30 +80,37 @@ public enum ImageFormat {
         }
 
         @Override
-        public boolean hasFullFloats(Path file) throws IOException {
-            return Exr.hasFullFloats(file);
+        ImageSource open(Path file, ImageLimits limits) throws IOException {
+            return new ExrImage(file);
         }
     },
-    /** Linear film with 8-bit mantissas and a shared exponent. Environments are read by another class. */
-    HDR("Radiance HDR", false, 8) {
+    /** Linear film with 8-bit mantissas and a shared exponent. */
+    HDR("Radiance HDR", false, List.of("hdr"), 8) {
         @Override
         void write(Path file, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException {
             AtomicFile.write(file, out -> RadianceHdr.write(out, film));
         }
 
         @Override
-        Film read(Path file) throws IOException {
-            throw new IOException("is a Radiance HDR image, which cannot be read here");
+        ImageSource open(Path file, ImageLimits limits) throws IOException {
+            return new RadianceImage(limits.readBytes(file));
         }
-    };
+    },
+    WEBP("WebP", true, List.of("webp")),
+    TGA("Targa", true, List.of("tga")),
+    BMP("BMP", true, List.of("bmp")),
+    GIF("GIF", true, List.of("gif")),
+    TIFF("TIFF", true, List.of("tiff", "tif"));
 
     private final String title;
     private final boolean isDisplayReferred;
+    private final List<String> extensions;
     private final List<Integer> bitDepths;
 
-    ImageFormat(String title, boolean isDisplayReferred, Integer... bitDepths) {
+    ImageFormat(String title, boolean isDisplayReferred, List<String> extensions, Integer... bitDepths) {
         this.title = title;
         this.isDisplayReferred = isDisplayReferred;
+        this.extensions = extensions;
         this.bitDepths = List.of(bitDepths);
     }
 
@@ -126,43 +119,68 @@ public enum ImageFormat {
      *
      * @param bits one of {@link #bitDepths}
      */
-    abstract void write(Path file, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException;
+    void write(Path file, Film film, ViewTransform view, int bits, WorkerPool workers) throws IOException {
+        throw new IllegalStateException(this + " is read only");
+    }
 
-    abstract Film read(Path file) throws IOException;
+    /**
+     * Opens a file to read it; of the formats of {@code limits} that Java's decoders know, its content decides.
+     *
+     * @throws IOException if it has another format, or is damaged; the message does not contain its name
+     */
+    ImageSource open(Path file, ImageLimits limits) throws IOException {
+        return new CodedImage(limits.readBytes(file), limits.formats());
+    }
 
     /** Returns the memory in bytes that writing takes in addition to the film: one row for formats written row by row. */
     public long bytesToWrite(int width, int height) {
         return 3L * Float.BYTES * width;
     }
 
-    /**
-     * Returns whether a file of this format stores all bits of a float; reads the header if the format has several number
-     * types.
-     */
-    public boolean hasFullFloats(Path file) throws IOException {
-        return false;
+    /** Returns the formats that can be written. */
+    public static List<ImageFormat> written() {
+        return Arrays.stream(values()).filter(format -> !format.bitDepths.isEmpty()).toList();
     }
 
     /**
-     * Returns the format for a file's extension.
+     * Returns the format to write for a file's extension.
      *
      * @throws IOException if the extension is unknown; the message is a sentence for the user
      */
     public static ImageFormat of(Path file) throws IOException {
-        return find(file).orElseThrow(() -> new IOException(Quote.path(file) + ": an image's name must end in " + extensionList()));
+        return of(file, written());
     }
 
-    /** Returns the format for a file's extension; empty if it is unknown. */
+    /**
+     * Returns the format of some for a file's extension.
+     *
+     * @throws IOException if none has it; the message is a sentence for the user
+     */
+    static ImageFormat of(Path file, List<ImageFormat> formats) throws IOException {
+        return find(file, formats).orElseThrow(() -> new IOException(
+                Quote.path(file) + ": an image's name must end in " + alternatives(formats, ImageFormat::extension)));
+    }
+
+    /** Returns the format to write for a file's extension; empty if it is unknown. */
     public static Optional<ImageFormat> find(Path file) {
-        Path name = file.getFileName();
-        String lower = name == null ? "" : name.toString().toLowerCase(Locale.ROOT);
-        return Arrays.stream(values()).filter(format -> lower.endsWith(format.extension())).findFirst();
+        return find(file, written());
     }
 
-    private static String extensionList() {
-        String extensions = Arrays.stream(values()).map(ImageFormat::extension).collect(Collectors.joining(", "));
-        int last = extensions.lastIndexOf(", ");
-        return extensions.substring(0, last) + " or " + extensions.substring(last + 2);
+    private static Optional<ImageFormat> find(Path file, List<ImageFormat> formats) {
+        return formats.stream().filter(format -> format.isNamed(file.toString())).findFirst();
+    }
+
+    /** Returns whether a file of this name has the extension of the format. */
+    boolean isNamed(String name) {
+        String lower = name.toLowerCase(Locale.ROOT);
+        return extensions.stream().anyMatch(extension -> lower.endsWith("." + extension));
+    }
+
+    /** Returns a list such as {@code .png, .exr or .hdr}. */
+    static String alternatives(List<ImageFormat> formats, Function<ImageFormat, String> text) {
+        String all = formats.stream().map(text).collect(Collectors.joining(", "));
+        int last = all.lastIndexOf(", ");
+        return last < 0 ? all : all.substring(0, last) + " or " + all.substring(last + 2);
     }
 
     /** Returns the display name, language-independent. */
@@ -170,9 +188,14 @@ public enum ImageFormat {
         return title;
     }
 
-    /** Returns the file extension, with its dot. */
+    /** Returns the file extension of a written file, with its dot. */
     public String extension() {
-        return "." + name().toLowerCase(Locale.ROOT);
+        return "." + extensions.getFirst();
+    }
+
+    /** Returns the file extensions, without dots. */
+    List<String> extensions() {
+        return extensions;
     }
 
     /** Returns whether a file stores clamped display values instead of the linear film. */

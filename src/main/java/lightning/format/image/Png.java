@@ -4,15 +4,9 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.zip.CRC32;
-import javax.imageio.ImageIO;
-import javax.imageio.ImageReader;
-import javax.imageio.stream.MemoryCacheImageInputStream;
-import lightning.base.file.RegularFile;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
-import lightning.render.image.DisplayPixels;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
@@ -88,24 +82,5 @@ final class Png {
     /** Returns the maximum memory in bytes for writing: codes, filtered lines and the compressed bands of a batch. */
     static long bytesToWrite(int width) {
         return BANDS_PER_BATCH * 4L * 6 * Film.TILE_SIZE * width;
-    }
-
-    /**
-     * Reads display pixels as a film of their linear values. Transparency is ignored.
-     *
-     * @throws IOException if the file is not a PNG, damaged or too large; the message does not contain its name
-     */
-    static Film read(Path file) throws IOException {
-        ImageReader reader = ImageIO.getImageReadersByFormatName("png").next();
-        try (var stream = new MemoryCacheImageInputStream(RegularFile.open(file, "a PNG image"))) {
-            reader.setInput(stream, true, true);
-            ImageLimits.check(reader.getWidth(0), reader.getHeight(0));
-            return DisplayPixels.toFilm(reader.read(0));
-        } catch (RuntimeException e) {
-            // The reader throws unchecked exceptions for some damaged files.
-            throw new IOException("is not a valid PNG image", e);
-        } finally {
-            reader.dispose();
-        }
     }
 }

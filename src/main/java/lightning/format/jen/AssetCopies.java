@@ -11,12 +11,12 @@ import java.util.Map;
 import java.util.SortedMap;
 import lightning.base.file.AtomicFile;
 import lightning.base.file.RegularFile;
+import lightning.base.file.UnusableFileException;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.base.text.RefusalException;
 import lightning.format.jen.asset.AssetSearchPath;
 import lightning.format.jen.asset.MeshFolder;
-import lightning.format.jen.asset.UnusableFileException;
 import lightning.scene.Scene;
 
 /** Copies the files that a scene references to where a copy of the scene finds them. */

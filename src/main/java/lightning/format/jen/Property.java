@@ -9,6 +9,7 @@ import java.util.function.Predicate;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
 import lightning.base.text.RefusalException;
+import lightning.format.jen.asset.FileKind;
 import lightning.format.jen.asset.FileName;
 import lightning.format.jen.asset.NameSuggestion;
 import lightning.format.jen.asset.TextureFolder;
@@ -76,7 +77,7 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
             case ValueKind.AssetKind<?> _ -> List.of(fileProperty(a, a.unit(), t -> ((Optional<?>) a.get(t))
                     .<Value>map(held -> new Value.Quoted(((FileAsset) held).file())).orElse(new Value.Absent())));
             case ValueKind.TextureKind k -> Stream.concat(
-                    Stream.of(fileProperty(a, "a PNG, JPEG, Radiance HDR or OpenEXR file", t -> texture(a, t)
+                    Stream.of(fileProperty(a, FileKind.TEXTURE.description(), t -> texture(a, t)
                             .<Value>map(map -> new Value.Quoted(map.file())).orElse(new Value.Absent()))),
                     k.placement(a).stream().flatMap(p -> of(p).stream().map(placed -> placed.presentIf(t -> texture(a, t).isPresent()))))
                     .toList();

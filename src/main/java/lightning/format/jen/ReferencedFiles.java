@@ -21,7 +21,6 @@ import lightning.format.jen.asset.AssetSearchPath;
 import lightning.format.jen.asset.FileName;
 import lightning.format.jen.asset.MeshFolder;
 import lightning.format.jen.asset.TextureFolder;
-import lightning.format.jen.asset.UnusableFileException;
 import lightning.format.mesh.MeshException;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
@@ -63,10 +62,10 @@ public final class ReferencedFiles {
     static SortedMap<String, SortedMap<String, Path>> bySubfolder(Scene scene, Path folder) throws IOException {
         var referenced = new ReferencedFiles(folder);
         for (String name : texturesAndProfiles(scene).distinct().toList()) {
-            referenced.put(referenced.images, name, find(referenced.textures, name));
+            referenced.put(referenced.images, name, referenced.textures.find(name));
         }
         for (String name : meshes(scene.nodes()).filter(mesh -> !mesh.isMissing()).map(Solid.TriangleMesh::file).distinct().toList()) {
-            Path file = find(referenced.meshes, name);
+            Path file = referenced.meshes.find(name);
             referenced.put(referenced.meshFiles, name, file);
             for (Map.Entry<String, Path> further : furtherFiles(name, file).entrySet()) {
                 referenced.put(referenced.meshFiles, further.getKey(), further.getValue());
@@ -117,7 +116,7 @@ public final class ReferencedFiles {
     private static Optional<Path> findExisting(AssetSearchPath folders, String name) {
         try {
             return Optional.of(folders.find(name));
-        } catch (IOException | UnusableFileException | RefusalException e) {
+        } catch (IOException | RefusalException e) {
             return Optional.empty();
         }
     }
@@ -157,11 +156,4 @@ public final class ReferencedFiles {
         files.put(name, path);
     }
 
-    private static Path find(AssetSearchPath folders, String name) throws IOException {
-        try {
-            return folders.find(name);
-        } catch (UnusableFileException e) {
-            throw new IOException(e.getMessage(), e);
-        }
-    }
 }

@@ -160,16 +160,22 @@ public final class PovScene {
      */
     public void write(Path file) throws IOException {
         for (var image : images.entrySet()) {
-            ImageFile.write(file.resolveSibling(image.getKey()), film(image.getValue()), ViewTransform.DEFAULT);
+            Texture texture = image.getValue();
+            write(file.resolveSibling(image.getKey()), texture.width(), texture.height(), texture.values());
         }
         for (var image : bumpMaps.entrySet()) {
             // Bump slopes are differences of neighbors, which 8 bits would quantize visibly.
             ImageFile.write(file.resolveSibling(image.getKey()), gray(image.getValue()), new ViewTransform(0, DisplayCurve.LINEAR), 16);
         }
         for (var environment : environments.entrySet()) {
-            ImageFile.write(file.resolveSibling(environment.getKey()), film(environment.getValue()), ViewTransform.DEFAULT);
+            EnvironmentMap map = environment.getValue();
+            write(file.resolveSibling(environment.getKey()), map.width(), map.height(), map.values());
         }
         AtomicFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+    }
+
+    private static void write(Path file, int width, int height, float[] rgb) throws IOException {
+        ImageFile.write(file, Film.ofScanlines(width, height, rgb), ViewTransform.DEFAULT);
     }
 
     /** Returns the luminance as gray, because POV-Ray weights channels differently. */
@@ -179,24 +185,6 @@ public final class PovScene {
             int x = i / 3 % texture.width();
             int y = i / 3 / texture.width();
             rgb[i] = (float) texture.luminance(x, y, x, y, 0, 0);
-        }
-        return Film.ofScanlines(texture.width(), texture.height(), rgb);
-    }
-
-    private static Film film(EnvironmentMap map) {
-        float[] rgb = new float[3 * map.width() * map.height()];
-        for (int i = 0; i < rgb.length; i++) {
-            int pixel = i / 3;
-            rgb[i] = map.channel(pixel % map.width(), pixel / map.width(), i % 3);
-        }
-        return Film.ofScanlines(map.width(), map.height(), rgb);
-    }
-
-    private static Film film(Texture texture) {
-        float[] rgb = new float[3 * texture.width() * texture.height()];
-        for (int i = 0; i < rgb.length; i++) {
-            int pixel = i / 3;
-            rgb[i] = texture.channel(pixel % texture.width(), pixel / texture.width(), i % 3);
         }
         return Film.ofScanlines(texture.width(), texture.height(), rgb);
     }

@@ -91,6 +91,11 @@ public final class EnvironmentMap implements ContentDigest.Content {
         return rgb[3 * (y * width + x) + channel];
     }
 
+    /** Returns the linear values, {@code float[3 * width * height]}, row by row from the top; a copy. */
+    public float[] values() {
+        return rgb.clone();
+    }
+
     /** Returns the luminance of a pixel, as {@link Rgb#luminance}. */
     public double luminance(int x, int y) {
         return new Rgb(channel(x, y, 0), channel(x, y, 1), channel(x, y, 2)).luminance();

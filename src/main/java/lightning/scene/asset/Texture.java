@@ -74,11 +74,20 @@ public final class Texture implements ContentDigest.Content {
 
     /** Returns a texture whose values are at most {@code limit}. */
     public Texture limited(float limit) {
-        float[] limited = new float[3 * width * height];
+        float[] limited = values();
         for (int i = 0; i < limited.length; i++) {
-            limited[i] = Math.min(value(i), limit);
+            limited[i] = Math.min(limited[i], limit);
         }
         return new Texture(width, height, limited);
+    }
+
+    /** Returns the linear values, {@code float[3 * width * height]}, row by row from the top; a copy. */
+    public float[] values() {
+        float[] copy = new float[3 * width * height];
+        for (int i = 0; i < copy.length; i++) {
+            copy[i] = value(i);
+        }
+        return copy;
     }
 
     /** Returns one channel (0 red, 1 green, 2 blue) of the pixel in column {@code x}, row {@code y}. */

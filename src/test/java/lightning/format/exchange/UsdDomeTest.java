@@ -32,6 +32,8 @@ import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Several dome lights of a stage, and physical skies, there and back through usd-core. */
 class UsdDomeTest {
@@ -196,6 +198,19 @@ class UsdDomeTest {
         assertThat(export(edit(imported(), "dome:studio.gain=2", "dome:red.on=no", "dome:studio.solo=yes")).notes())
                 .containsOnly(Map.entry("light gain of domes", 1), Map.entry("domes that are off, written with an intensity of 0", 1),
                         Map.entry("environments that a solo mutes, written as lit", 1));
+    }
+
+    /** Images of codes and of linear values both have the sky in their first row. */
+    @ParameterizedTest
+    @ValueSource(strings = {"day.png", "day.pfm"})
+    void firstRowOfAnImage_isUp(String name) throws Exception {
+        float[] rgb = new float[3 * 8 * 4];
+        Arrays.fill(rgb, 0, 3 * 8, 1);
+        ImageFile.write(folder.resolve(name), Film.ofScanlines(8, 4, rgb), ViewTransform.DEFAULT);
+        Files.writeString(folder.resolve("stage.usda"), STAGE.replace("day.hdr", name));
+        EnvironmentMap map = imported().scene().world().environment().orElseThrow().map();
+        assertThat(map.channel(0, 0, 0)).isEqualTo(1);
+        assertThat(map.channel(0, 3, 0)).isZero();
     }
 
     @Test

@@ -14,11 +14,12 @@ import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.exchange.assembly.LightUnits;
-import lightning.format.jen.asset.TextureDecoder;
+import lightning.format.jen.asset.TextureFile;
 import lightning.sample.PythonPrograms;
 import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TexturePlacement;
+import lightning.scene.asset.TextureUsage;
 import lightning.scene.material.Coat;
 import lightning.scene.material.LayerMaps;
 import lightning.scene.material.Material;
@@ -256,7 +257,7 @@ class UsdMaterialXTest {
     private double number(Optional<TextureMap> map, TextureChannel channel) throws Exception {
         imported.write();
         byte[] file = Files.readAllBytes(folder.resolve(map.orElseThrow().file()));
-        return TextureDecoder.decodeNumbers("map", file).channel(0, 0, channel.ordinal());
+        return TextureFile.decode("map", file, TextureUsage.DATA).channel(0, 0, channel.ordinal());
     }
 
     @Test

@@ -16,7 +16,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
-import lightning.format.jen.asset.TextureDecoder;
+import lightning.format.jen.asset.TextureFile;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureUsage;
 import lightning.scene.material.Material;
@@ -103,9 +103,9 @@ class TextureLoadingTest {
         var out = new ByteArrayOutputStream();
         ImageIO.write(image, "png", out);
         byte[] transparent = withChunk(out.toByteArray(), "tRNS", new byte[] {0, 0x10, 0, 0x20, 0, 0x30});
-        assertThat(TextureDecoder.hasAlpha(out.toByteArray())).isFalse();
-        assertThat(TextureDecoder.hasAlpha(transparent)).isTrue();
-        Texture opacity = TextureDecoder.decodeReduced("a", transparent, TextureUsage.OPACITY);
+        assertThat(TextureFile.hasAlpha(out.toByteArray())).isFalse();
+        assertThat(TextureFile.hasAlpha(transparent)).isTrue();
+        Texture opacity = TextureFile.decode("a", transparent, TextureUsage.OPACITY);
         assertThat(new float[] {opacity.channel(0, 0, 0), opacity.channel(1, 0, 0)}).containsExactly(0, 1);
     }
 
@@ -224,7 +224,7 @@ class TextureLoadingTest {
 
     @Test
     void hugeSize_isRejectedBeforeReduction() {
-        assertThatThrownBy(() -> TextureDecoder.decodeReduced("a.png", header(30_000, 30_000), TextureUsage.COLOR))
+        assertThatThrownBy(() -> TextureFile.decode("a.png", header(30_000, 30_000), TextureUsage.COLOR))
                 .hasMessageContaining("from 1 to 16384 pixels along each side, has 30000×30000");
     }
 

@@ -16,8 +16,8 @@ import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
-import lightning.format.hdr.HdrReader;
 import lightning.format.jen.JenReader;
+import lightning.format.jen.asset.EnvironmentReader;
 import lightning.sample.SampleMeshes;
 import lightning.sample.SceneArbitraries;
 import lightning.scene.Camera;
@@ -158,7 +158,7 @@ class PovSceneTest {
     void environmentImage_isWrittenNextToTheScene() throws Exception {
         Scene scene = JenReader.read(Path.of("scenes/window.jen")).scene();
         PovScene.of(scene, "x").write(folder.resolve("x.pov"));
-        EnvironmentMap written = HdrReader.read(folder.resolve("x-environment-evening_sky_hdr.hdr"));
+        EnvironmentMap written = EnvironmentReader.read("sky.hdr", folder.resolve("x-environment-evening_sky_hdr.hdr"), 0, _ -> {});
         assertThat(written).isEqualTo(scene.world().environment().orElseThrow().map());
     }
 

@@ -29,7 +29,7 @@ class ReferenceFileTest {
     void writtenImage_isReadAsLinearLight(String name) throws IOException {
         Path file = folder.resolve(name);
         ImageFile.write(file, GRAY, ViewTransform.DEFAULT);
-        Film read = ReferenceFile.readFilm(file);
+        Film read = ImageFile.read(file);
         assertThat(read.red(0, 0)).isCloseTo(0.25f, within(0.004f));
         assertThat(read.blue(1, 0)).isCloseTo(0.5f, within(0.004f));
     }
@@ -43,8 +43,8 @@ class ReferenceFileTest {
         Path file = folder.resolve("a.JPG");
         assertThat(ImageIO.write(image, "jpeg", file.toFile())).isTrue();
         // The sRGB code 188 is 0.5029 in linear light.
-        assertThat(ReferenceFile.readFilm(file).green(3, 3)).isCloseTo(0.503f, within(0.01f));
-        assertThat(ReferenceFile.isDisplayReferred(file)).isTrue();
+        assertThat(ImageFile.read(file).green(3, 3)).isCloseTo(0.503f, within(0.01f));
+        assertThat(ReferenceFile.read(file).isDisplayReferred()).isTrue();
     }
 
     @Test
@@ -52,27 +52,27 @@ class ReferenceFileTest {
         Film film = Film.ofScanlines(2, 1, new float[] {0.25f, 0.25f, 0.25f, 7, 0.5f, 0.5f});
         ImageFile.write(folder.resolve("a.png"), film, ViewTransform.DEFAULT);
         ImageFile.write(folder.resolve("a.exr"), film, ViewTransform.DEFAULT);
-        ReferenceImage codes = ReferenceFile.read(folder.resolve("a.png"));
+        ReferenceImage codes = ReferenceFile.read(folder.resolve("a.png")).image();
         assertThat(codes.weights()).containsExactly(1, 0);
-        assertThat(ReferenceFile.read(folder.resolve("a.exr")).weights()).containsExactly(1, 1);
+        assertThat(ReferenceFile.read(folder.resolve("a.exr")).image().weights()).containsExactly(1, 1);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"missing.png", "missing.jpg", "missing.exr", "missing.hdr", "missing.txt", "missing"})
     void missingFile_isNamed(String name) {
-        assertThatIOException().isThrownBy(() -> ReferenceFile.readFilm(folder.resolve(name))).withMessageContaining(name);
+        assertThatIOException().isThrownBy(() -> ImageFile.read(folder.resolve(name))).withMessageContaining(name);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"damaged.png", "damaged.jpg", "damaged.exr", "damaged.hdr", "damaged.pfm"})
     void damagedFile_isNamed(String name) throws IOException {
         Files.writeString(folder.resolve(name), "not an image");
-        assertThatIOException().isThrownBy(() -> ReferenceFile.readFilm(folder.resolve(name))).withMessageContaining(name);
+        assertThatIOException().isThrownBy(() -> ImageFile.read(folder.resolve(name))).withMessageContaining(name);
     }
 
     @Test
     void unknownEnding_namesAllThatAreRead() {
-        assertThatIOException().isThrownBy(() -> ReferenceFile.readFilm(folder.resolve("a.tiff")))
-                .withMessageContainingAll("a.tiff", ".png, .jpg, .xpm, .pfm, .exr or .hdr");
+        assertThatIOException().isThrownBy(() -> ImageFile.read(folder.resolve("a.tiff")))
+                .withMessageContainingAll("a.tiff", ".png, .jpg, .pfm, .exr or .hdr");
     }
 }

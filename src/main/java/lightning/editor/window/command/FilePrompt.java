@@ -2,7 +2,6 @@ package lightning.editor.window.command;
 
 import java.io.File;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.Optional;
 import java.util.function.Function;
@@ -140,7 +139,7 @@ public interface FilePrompt {
             public Optional<Path> pictureToWrite(Path proposal) {
                 String name = proposal.getFileName().toString();
                 var chooser = chooser(Messages.tr("Save Image"), ParentFolder.of(proposal),
-                        Arrays.stream(ImageFormat.values()).sorted(Comparator.comparing(format -> !name.endsWith(format.extension())))
+                        ImageFormat.written().stream().sorted(Comparator.comparing(format -> !name.endsWith(format.extension())))
                                 .map(format -> filter(format.title(), format.extension())).toArray(FileChooser.ExtensionFilter[]::new));
                 chooser.setInitialFileName(proposal.getFileName().toString());
                 return path(chooser, c -> c.showSaveDialog(owner));

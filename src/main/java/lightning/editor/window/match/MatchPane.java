@@ -48,7 +48,6 @@ import lightning.editor.window.widget.VisibilityListener;
 import lightning.format.jen.asset.FileKind;
 import lightning.format.reference.ReferenceFile;
 import lightning.render.RenderOptions;
-import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.match.BrushDab;
 import lightning.render.match.LightMatch;
@@ -87,20 +86,8 @@ public final class MatchPane extends VBox {
     private final DisabledReason matchReason;
     private final Map<BrushDab.Wish, ToggleButton> brushes = new LinkedHashMap<>();
     private final FlowPane brushRow;
-    private Optional<Reference> reference = Optional.empty();
+    private Optional<ReferenceFile> reference = Optional.empty();
     private boolean isBusy;
-
-    /**
-     * An opened reference.
-     *
-     * @param isDisplayReferred whether the file contains codes of a display
-     */
-    private record Reference(Path file, ReferenceImage image, boolean isDisplayReferred) {
-        /** Returns the light that a picture shall have. */
-        private ReferenceImage light(ViewTransform view, Film picture) {
-            return isDisplayReferred ? image.beforeView(view, picture.width(), picture.height()) : image;
-        }
-    }
 
     /** What the panel found, and the scene that it is for. */
     private record Found(Scene scene, MatchResult result, int invalidPixels) {}
@@ -231,16 +218,16 @@ public final class MatchPane extends VBox {
 
     /** Opens a reference. */
     public void open(Path file) {
-        model.files().runConcurrently(() -> new Reference(file, ReferenceFile.read(file), ReferenceFile.isDisplayReferred(file)),
+        model.files().runConcurrently(() -> ReferenceFile.read(file),
                 opened -> setReference(Optional.of(opened)), failure -> result.setText(ErrorMessage.of(failure)));
     }
 
-    private void setReference(Optional<Reference> newReference) {
+    private void setReference(Optional<ReferenceFile> newReference) {
         reference = newReference;
         region.setSelected(false);
-        view.setReference(newReference.map(r -> new MatchView.Shown(r.image.film(),
-                r.isDisplayReferred ? Optional.of(ViewTransform.DEFAULT) : Optional.empty())));
-        fileName.setText(newReference.map(r -> r.file.getFileName().toString()).orElse(""));
+        view.setReference(newReference.map(r -> new MatchView.Shown(r.image().film(),
+                r.isDisplayReferred() ? Optional.of(ViewTransform.DEFAULT) : Optional.empty())));
+        fileName.setText(newReference.map(r -> r.file().getFileName().toString()).orElse(""));
         boolean isOpen = newReference.isPresent();
         for (Region part : List.of(close, arrangement, region, anyExposure, anyWhite)) {
             part.setVisible(isOpen);
@@ -258,9 +245,9 @@ public final class MatchPane extends VBox {
                 : frame == null || !frame.isFinished() ? Optional.of(Messages.tr("nothing is rendered yet"))
                 : editor.editorStateProperty().get().hasPendingEdits() ? Optional.of(Messages.tr("the picture is not up to date"))
                 : reference.isPresent()
-                        ? reference.filter(r -> !r.image.hasShapeOf(frame.film().width(), frame.film().height()))
+                        ? reference.filter(r -> !r.image().hasShapeOf(frame.film().width(), frame.film().height()))
                                 .map(r -> Messages.tr("the reference has another shape: {0} × {1} pixels, the picture {2} × {3}",
-                                        r.image.film().width(), r.image.film().height(), frame.film().width(), frame.film().height()))
+                                        r.image().film().width(), r.image().film().height(), frame.film().width(), frame.film().height()))
                 : view.dabs().isEmpty() ? Optional.of(Messages.tr("there is no reference and no paint")) : Optional.empty();
         matchReason.set(reason);
     }
@@ -321,14 +308,14 @@ public final class MatchPane extends VBox {
         MatchSettings settings = settings();
         RenderOptions options = model.accuracyModeProperty().get().options();
         List<BrushDab> dabs = view.dabs();
-        Optional<Reference> opened = reference;
+        Optional<ReferenceFile> opened = reference;
         Optional<MatchRegion> counting = view.region();
         ViewTransform shown = model.picture().viewProperty().get();
         isBusy = true;
         updateReason();
         result.setText(Messages.tr("Matching …"));
         query.submit(canceled -> model.workbench().cache().map(cache -> {
-            ReferenceImage target = opened.map(r -> r.light(shown, cache.film())).map(r -> counting.map(
+            ReferenceImage target = opened.map(r -> r.light(shown, cache.film().width(), cache.film().height())).map(r -> counting.map(
                     c -> r.within(c.left(), c.top(), c.right(), c.bottom())).orElse(r))
                     .orElseGet(() -> PaintedReference.of(cache.film(), dabs));
             var known = MatchContributions.of(cache, options,

@@ -3,7 +3,6 @@ package lightning.editor.window.property;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import lightning.document.DomeEdits;
@@ -22,8 +21,7 @@ public final class DomeFiles {
 
     /** Returns whether a file can be an environment, by its name. */
     public static boolean canAdd(File file) {
-        String name = file.getName().toLowerCase(Locale.ROOT);
-        return name.endsWith(".hdr") || name.endsWith(".exr");
+        return FileKind.ENVIRONMENT.isNamed(file.getName());
     }
 
     /** Copies the first environment among files to the scene's folder, and adds it. Returns whether one of them is an environment. */

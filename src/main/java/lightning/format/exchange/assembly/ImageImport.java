@@ -7,14 +7,18 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.LongToDoubleFunction;
 import java.util.function.UnaryOperator;
 import lightning.base.file.RegularFile;
+import lightning.base.file.UnusableFileException;
+import lightning.format.image.ImageFile;
+import lightning.format.image.ImageFormat;
+import lightning.format.image.ImageLimits;
 import lightning.format.jen.asset.JenLimits;
-import lightning.format.jen.asset.TextureDecoder;
-import lightning.format.jen.asset.UnusableFileException;
+import lightning.format.jen.asset.TextureFile;
 import lightning.format.mesh.ConversionNotes;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureUsage;
@@ -24,6 +28,11 @@ import lightning.scene.asset.TextureUsage;
  * too large are reduced. Each is noted.
  */
 public final class ImageImport {
+    /** Images that become PNG files. */
+    static final ImageLimits CONVERTED = new ImageLimits("image",
+            List.of(ImageFormat.WEBP, ImageFormat.TGA, ImageFormat.BMP, ImageFormat.GIF, ImageFormat.TIFF), JenLimits.TEXTURE_BYTES,
+            JenLimits.TEXTURE_SIDE, TextureFile.REDUCIBLE.maxPixels());
+
     private final SceneAssembler assembler;
     private final Path source;
     private final ConversionNotes notes;
@@ -116,19 +125,22 @@ public final class ImageImport {
 
     /** Returns an image that a scene can use, converted to PNG if its format is another one; empty if that is not possible. */
     private Optional<Usable> usable(byte[] bytes) {
-        if (SceneAssembler.isPngOrJpeg(bytes)) {
-            return checked(bytes);
+        byte[] known = bytes;
+        if (!SceneAssembler.isPngOrJpeg(bytes)) {
+            try {
+                known = ImageFile.toPng("image", bytes, CONVERTED, JenLimits.TEXTURE_PIXELS);
+            } catch (UnusableFileException e) {
+                notes.add("textures of unknown formats, or damaged");
+                return Optional.empty();
+            }
         }
-        Optional<byte[]> png = ConvertedImage.png(bytes);
-        notes.add("textures of unknown formats, or damaged", png.isEmpty() ? 1 : 0);
-        return png.flatMap(this::checked);
-    }
-
-    /** Decodes an image to see that a scene can use it; empty if not. */
-    private Optional<Usable> checked(byte[] bytes) {
+        byte[] usable = known;
         try {
-            TextureDecoder.decodeReduced("image", bytes, TextureUsage.DATA);
-            return Optional.of(new Usable(bytes, TextureDecoder.pixels("image", bytes)));
+            // Decoded to see that a scene can use it.
+            return Optional.of(ImageFile.read("image", usable, TextureFile.REDUCIBLE, image -> {
+                TextureFile.reduced(image, TextureUsage.DATA);
+                return new Usable(usable, image.pixelCount());
+            }));
         } catch (UnusableFileException e) {
             notes.add("textures that are damaged, or wider than " + JenLimits.TEXTURE_SIDE + " pixels");
             return Optional.empty();

@@ -335,10 +335,4 @@ public final class SceneAssembler {
     public static boolean isPngOrJpeg(byte[] start) {
         return start.length > 3 && ((start[0] & 0xFF) == 0x89 && start[1] == 'P' || (start[0] & 0xFF) == 0xFF && (start[1] & 0xFF) == 0xD8);
     }
-
-    public static boolean isPngOrJpeg(Path file) throws IOException {
-        try (var in = RegularFile.open(file, "a PNG or JPEG file")) {
-            return isPngOrJpeg(in.readNBytes(4));
-        }
-    }
 }

@@ -1,9 +1,11 @@
 package lightning.format.exchange.assembly;
 
 import java.util.Optional;
-import lightning.format.jen.asset.TextureDecoder;
-import lightning.format.jen.asset.UnusableFileException;
+import lightning.base.file.UnusableFileException;
+import lightning.format.image.ImageFile;
+import lightning.format.jen.asset.TextureFile;
 import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureUsage;
 
 /**
  * Means of a glTF metallic-roughness texture, for transparent materials: they have one roughness and one metalness.
@@ -25,7 +27,7 @@ public record TextureMeans(double roughness, double metalness) {
      */
     public static Optional<TextureMeans> of(byte[] file) {
         try {
-            Texture texture = TextureDecoder.decodeNumbers("surface", file);
+            Texture texture = ImageFile.read("surface", file, TextureFile.WHOLE, image -> image.texture(TextureUsage.DATA, 1));
             return Optional.of(new TextureMeans(mean(texture, GREEN), mean(texture, BLUE)));
         } catch (UnusableFileException e) {
             return Optional.empty();

@@ -12,8 +12,9 @@ import java.util.EnumSet;
 import java.util.Set;
 import javax.imageio.ImageIO;
 import lightning.base.math.SrgbCurve;
-import lightning.format.jen.asset.TextureDecoder;
-import lightning.format.jen.asset.UnusableFileException;
+import lightning.format.image.ImageFile;
+import lightning.format.image.ImageSource;
+import lightning.format.jen.asset.TextureFile;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureUsage;
 import org.jspecify.annotations.Nullable;
@@ -49,19 +50,15 @@ final class UsedImage {
      * @param maxPixels maximum number of pixels
      */
     byte[] reduced(long maxPixels) throws IOException {
-        byte[] file = content.read();
-        try {
-            boolean isColor = !usages.contains(TextureUsage.DATA);
-            Texture colors = TextureDecoder.decodeReduced("image", file, isColor ? TextureUsage.COLOR : TextureUsage.DATA);
-            Texture opacity = TextureDecoder.hasAlpha(file) ? TextureDecoder.decodeReduced("image", file, TextureUsage.OPACITY) : null;
-            return png(colors, opacity, isColor, maxPixels);
-        } catch (UnusableFileException e) {
-            throw new IOException(e.getMessage());
-        }
+        boolean isColor = !usages.contains(TextureUsage.DATA);
+        return ImageFile.read("image", content.read(), TextureFile.REDUCIBLE, image -> {
+            Texture colors = TextureFile.reduced(image, isColor ? TextureUsage.COLOR : TextureUsage.DATA);
+            return png(colors, image.hasAlpha() ? TextureFile.reduced(image, TextureUsage.OPACITY) : null, isColor, maxPixels);
+        });
     }
 
     private static byte[] png(Texture colors, @Nullable Texture opacity, boolean isColor, long maxPixels) throws IOException {
-        int step = TextureDecoder.step(colors.width(), colors.height(), maxPixels);
+        int step = ImageSource.step(colors.width(), colors.height(), maxPixels);
         int width = Math.ceilDiv(colors.width(), step);
         int height = Math.ceilDiv(colors.height(), step);
         int bands = opacity == null ? 3 : 4;

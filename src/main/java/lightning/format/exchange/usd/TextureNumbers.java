@@ -1,8 +1,11 @@
 package lightning.format.exchange.usd;
 
 import java.io.IOException;
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import lightning.base.file.UnusableFileException;
 import lightning.format.gltf.JsonValue;
-import lightning.format.jen.asset.UnusableFileException;
+import lightning.format.image.ImageSource;
 import lightning.format.mesh.MeshException;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureChannel;
@@ -41,22 +44,16 @@ record TextureNumbers(int channel, double scale, double bias, boolean isCurved) 
      *
      * @throws UnusableFileException as {@link UsdImages#read}
      */
-    boolean isOpacityOf(UsdTiles.Tile tile) throws IOException, UnusableFileException {
-        if (scale != 1 || bias != 0 || isCurved || UsdImages.hasAlpha(tile.place()) != isAlpha()) {
+    boolean isOpacityOf(UsdTiles.Tile tile) throws IOException {
+        if (scale != 1 || bias != 0 || isCurved || UsdImages.read(tile.place(), ImageSource::hasAlpha) != isAlpha()) {
             return false;
         }
         return isAlpha() || isGray(UsdImages.read(tile.place(), TextureUsage.DATA));
     }
 
     private static boolean isGray(Texture image) {
-        for (int pixel = 0; pixel < image.width() * image.height(); pixel++) {
-            int x = pixel % image.width();
-            int y = pixel / image.width();
-            if (image.channel(x, y, 0) != image.channel(x, y, 1) || image.channel(x, y, 0) != image.channel(x, y, 2)) {
-                return false;
-            }
-        }
-        return true;
+        float[] rgb = image.values();
+        return IntStream.range(0, rgb.length).allMatch(i -> rgb[i] == rgb[i - i % 3]);
     }
 
     /** Returns the channel of a map whose numbers are a product. */
@@ -79,14 +76,13 @@ record TextureNumbers(int channel, double scale, double bias, boolean isCurved) 
      *
      * @throws UnusableFileException as {@link UsdImages#read}
      */
-    Texture read(UsdTiles.Tile tile) throws IOException, UnusableFileException {
+    Texture read(UsdTiles.Tile tile) throws IOException {
         // An image without alpha is opaque.
-        boolean isOpaque = channel == ALPHA && !UsdImages.hasAlpha(tile.place());
+        boolean isOpaque = channel == ALPHA && !UsdImages.read(tile.place(), ImageSource::hasAlpha);
         Texture image = UsdImages.read(tile.place(), usage());
-        float[] rgb = new float[3 * image.width() * image.height()];
-        for (int i = 0; i < rgb.length; i++) {
-            int pixel = i / 3;
-            rgb[i] = of(isOpaque ? 1 : image.channel(pixel % image.width(), pixel / image.width(), channel % ALPHA));
+        float[] rgb = image.values();
+        for (int i = 0; i < rgb.length; i += 3) {
+            Arrays.fill(rgb, i, i + 3, of(isOpaque ? 1 : rgb[i + channel % ALPHA]));
         }
         return new Texture(image.width(), image.height(), rgb);
     }

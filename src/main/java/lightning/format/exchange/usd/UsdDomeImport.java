@@ -3,24 +3,22 @@ package lightning.format.exchange.usd;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
-import lightning.base.file.RegularFile;
+import lightning.base.file.UnusableFileException;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.gltf.JsonValue;
 import lightning.format.image.ImageFile;
+import lightning.format.image.ImageSource;
 import lightning.format.jen.asset.EnvironmentReader;
-import lightning.format.jen.asset.LinearTextureReader;
-import lightning.format.jen.asset.TextureDecoder;
-import lightning.format.jen.asset.UnusableFileException;
+import lightning.format.jen.asset.FileKind;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
 import lightning.render.image.Film;
 import lightning.scene.Dome;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
-import lightning.scene.asset.Texture;
 import lightning.scene.value.ColorTemperature;
 import lightning.scene.value.DomeRotation;
 import lightning.scene.value.SceneLimits;
@@ -29,7 +27,6 @@ import lightning.scene.value.SceneLimits;
 record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp) {
     /** Largest number of pixels of an environment. */
     private static final int MAX_PIXELS = 8 << 20;
-    private static final int MAX_BYTES = RadianceBytes.MAX_BYTES;
     private static final int PLAIN_WIDTH = 16;
     /** Smaller angles are 0, degrees. */
     private static final double MIN_ANGLE = 1e-4;
@@ -70,19 +67,20 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
 
     private Environment image(Path place, JsonValue texture, Rgb factor) throws IOException, MeshException {
         String name = texture.get("name").text().orElse("dome");
-        if (LinearTextureReader.isLinear(name) && factor.equals(Rgb.WHITE) && assembler.canAdd(place)) {
+        if (FileKind.ENVIRONMENT.isNamed(name) && factor.equals(Rgb.WHITE) && assembler.canAdd(place)) {
             try {
-                EnvironmentMap map = EnvironmentReader.read(place, assembler.world.images().stream().mapToLong(EnvironmentMap::bytes).sum(),
-                        _ -> assembler.notes.add("dome lights with values that are not finite"));
+                EnvironmentMap map =
+                        EnvironmentReader.read(name, place, assembler.world.images().stream().mapToLong(EnvironmentMap::bytes).sum(),
+                                _ -> assembler.notes.add("dome lights with values that are not finite"));
                 return new Environment(assembler.addFile(place, name), map);
-            } catch (IOException | MeshException e) {
+            } catch (UnusableFileException e) {
                 return unreadable(factor);
             }
         }
         Film film;
         try {
-            film = SceneAssembler.isPngOrJpeg(place) ? decoded(place) : ImageFile.read(place);
-        } catch (IOException | UnusableFileException e) {
+            film = ImageFile.read(name, place, ImageFile.PICTURES, ImageSource::film);
+        } catch (UnusableFileException e) {
             return unreadable(factor);
         }
         int size = 1;
@@ -98,19 +96,6 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
     private Environment unreadable(Rgb factor) throws IOException {
         assembler.notes.add("dome lights whose image is missing or unreadable");
         return plain(factor);
-    }
-
-    private static Film decoded(Path place) throws IOException, UnusableFileException {
-        Texture texture = TextureDecoder.decodeColors("dome", RegularFile.readBytes(place, "an image", MAX_BYTES));
-        float[] rgb = new float[3 * texture.width() * texture.height()];
-        for (int y = 0; y < texture.height(); y++) {
-            for (int x = 0; x < texture.width(); x++) {
-                for (int c = 0; c < 3; c++) {
-                    rgb[3 * (y * texture.width() + x) + c] = texture.channel(x, texture.height() - 1 - y, c);
-                }
-            }
-        }
-        return Film.ofScanlines(texture.width(), texture.height(), rgb);
     }
 
     /** Returns the map of an image, times a color; {@code size} × {@code size} pixels become one. */
@@ -142,8 +127,13 @@ record UsdDomeImport(SceneAssembler assembler, Transform upright, boolean hasZUp
         return written("dome.hdr", new EnvironmentMap(PLAIN_WIDTH, PLAIN_WIDTH / 2, rgb));
     }
 
+    /** Returns a Radiance HDR file with the pixels of a map; not its sun. */
+    static byte[] hdr(EnvironmentMap map) throws IOException {
+        return ImageFile.toHdr(Film.ofScanlines(map.width(), map.height(), map.values()));
+    }
+
     private Environment written(String name, EnvironmentMap map) throws IOException {
-        return new Environment(assembler.addFile(name, RadianceBytes.of(map)), map);
+        return new Environment(assembler.addFile(name, hdr(map)), map);
     }
 
     /**

@@ -98,7 +98,7 @@ public final class UsdLightExport {
         new UsdDomeExport(layer, writer, notes, name -> prim(name, Optional.empty(), "DomeLight")).add(scene, skyImage);
         Optional<EnvironmentMap> sky = UsdDomeExport.sky(scene.world());
         if (sky.isPresent()) {
-            files.put(skyImage, RadianceBytes.of(sky.get()));
+            files.put(skyImage, UsdDomeImport.hdr(sky.get()));
         }
         UsdDomeExport.sun(scene).ifPresent(sun -> {
             UsdLayer.Prim prim = prim("sun", Optional.empty(), "DistantLight");

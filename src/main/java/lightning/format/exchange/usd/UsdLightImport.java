@@ -13,8 +13,7 @@ import lightning.base.text.RefusalException;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.gltf.JsonValue;
 import lightning.format.ies.IesReader;
-import lightning.format.jen.asset.LinearTextureReader;
-import lightning.format.jen.asset.UnusableFileException;
+import lightning.format.jen.asset.TextureFile;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.usd.UsdStage;
@@ -118,9 +117,9 @@ record UsdLightImport(SceneAssembler assembler, Transform upright, double meters
         try {
             String name = file.get("name").text().orElse("texture");
             // Read before it is copied: a hostile stage may name any file of this machine.
-            Texture image = LinearTextureReader.read(name, place.get());
+            Texture image = TextureFile.read(name, place.get());
             return Optional.of(new LightTexture(assembler.addFile(place.get(), name), image));
-        } catch (IOException | UnusableFileException e) {
+        } catch (IOException e) {
             return Optional.empty();
         }
     }

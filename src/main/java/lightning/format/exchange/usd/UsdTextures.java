@@ -8,15 +8,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.LongToDoubleFunction;
+import lightning.base.file.UnusableFileException;
 import lightning.base.math.Affine2;
 import lightning.format.exchange.assembly.PlacedTexture;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.exchange.assembly.TextureAtlas;
 import lightning.format.exchange.assembly.TextureMeans;
 import lightning.format.gltf.JsonValue;
+import lightning.format.image.ImageSource;
 import lightning.format.jen.asset.JenLimits;
-import lightning.format.jen.asset.TextureDecoder;
-import lightning.format.jen.asset.UnusableFileException;
 import lightning.format.mesh.MeshException;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
@@ -59,7 +59,7 @@ final class UsdTextures {
     private long size(Path place) throws IOException {
         if (!sizes.containsKey(place)) {
             try {
-                sizes.put(place, UsdImages.pixels(place));
+                sizes.put(place, UsdImages.read(place, ImageSource::pixelCount));
             } catch (UnusableFileException e) {
                 sizes.put(place, 0L);
             }
@@ -96,7 +96,7 @@ final class UsdTextures {
                 : converted(tiles, withSuffix(name, "-opacity"), TextureUsage.DATA, numbers::read, true));
     }
 
-    private static boolean isOwnOpacity(UsdTiles tiles, TextureNumbers numbers) throws IOException, UnusableFileException {
+    private static boolean isOwnOpacity(UsdTiles tiles, TextureNumbers numbers) throws IOException {
         for (UsdTiles.Tile tile : tiles.tiles()) {
             if (!numbers.isOpacityOf(tile)) {
                 return false;
@@ -110,7 +110,7 @@ final class UsdTextures {
         Optional<UsdTiles> tiles = tiles(image);
         try {
             return tiles.isPresent() && numbers.isAlpha() && numbers.of(1) == 1
-                    && !UsdImages.hasAlpha(tiles.get().tiles().getFirst().place());
+                    && !UsdImages.read(tiles.get().tiles().getFirst().place(), ImageSource::hasAlpha);
         } catch (UnusableFileException e) {
             return false;
         }
@@ -123,7 +123,7 @@ final class UsdTextures {
     /** Writer of the image of a texture: returns its name in the scene. */
     @FunctionalInterface
     private interface TileWriter {
-        String write(UsdTiles tiles, String name) throws IOException, UnusableFileException;
+        String write(UsdTiles tiles, String name) throws IOException;
     }
 
     private Optional<TextureMap> map(JsonValue image, String kind, TileWriter writer) throws IOException, MeshException {
@@ -169,7 +169,7 @@ final class UsdTextures {
             return Optional.empty();
         }
         try {
-            UsdImages.pixels(tiles.tiles().getFirst().place());
+            UsdImages.read(tiles.tiles().getFirst().place(), ImageSource::pixelCount);
             return Optional.of(writer.write(tiles, name));
         } catch (UnusableFileException e) {
             assembler.notes.add("textures that are not PNG, JPEG or OpenEXR, or have more than 64 MiB");
@@ -177,7 +177,7 @@ final class UsdTextures {
         }
     }
 
-    private String copied(UsdTiles tiles, String name, TextureUsage usage) throws IOException, UnusableFileException {
+    private String copied(UsdTiles tiles, String name, TextureUsage usage) throws IOException {
         Path first = tiles.tiles().getFirst().place();
         return tiles.isSingle() && !UsdImages.isExr(first) && size(first) <= maxPixels ? assembler.addFile(first, name)
                 : converted(tiles, name, usage, tile -> UsdImages.read(tile.place(), usage), UsdImages.isExr(first));
@@ -186,14 +186,14 @@ final class UsdTextures {
     /** Reader of the image of a tile. */
     @FunctionalInterface
     private interface TileReader {
-        Texture read(UsdTiles.Tile tile) throws IOException, UnusableFileException;
+        Texture read(UsdTiles.Tile tile) throws IOException;
     }
 
     /** Writes tiles as one PNG file and returns its name; one of 16 bits that is too large has 8. */
     private String converted(UsdTiles tiles, String name, TextureUsage usage, TileReader reader, boolean isDeep)
-            throws IOException, UnusableFileException {
+            throws IOException {
         Texture first = reader.read(tiles.tiles().getFirst());
-        int step = TextureDecoder.step(first.width(), first.height(), Math.max(1, maxPixels / ((long) tiles.columns() * tiles.rows())));
+        int step = ImageSource.step(first.width(), first.height(), Math.max(1, maxPixels / ((long) tiles.columns() * tiles.rows())));
         while (Math.max(Math.ceilDiv(first.width(), step) * tiles.columns(),
                 Math.ceilDiv(first.height(), step) * tiles.rows()) > JenLimits.TEXTURE_SIDE) {
             step++;
@@ -206,7 +206,7 @@ final class UsdTextures {
     }
 
     private byte[] atlas(UsdTiles tiles, TextureUsage usage, Texture first, TileReader reader, int step, boolean isDeep)
-            throws IOException, UnusableFileException {
+            throws IOException {
         var atlas = new TextureAtlas(tiles.columns(), tiles.rows(), Math.ceilDiv(first.width(), step), Math.ceilDiv(first.height(), step),
                 usage, isDeep);
         for (UsdTiles.Tile tile : tiles.tiles()) {

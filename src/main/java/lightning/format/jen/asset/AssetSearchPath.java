@@ -12,6 +12,7 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import lightning.base.file.FolderEntry;
+import lightning.base.file.UnusableFileException;
 import lightning.base.text.Quote;
 import lightning.base.text.RefusalException;
 import lightning.format.mesh.MeshException;
@@ -46,7 +47,7 @@ public final class AssetSearchPath {
      * @throws UnusableFileException if it does not exist, or a link leads out of the folders
      * @throws IOException if the folders cannot be read
      */
-    public Path find(String file) throws UnusableFileException, IOException {
+    public Path find(String file) throws IOException {
         FileName.check(noun, file, name);
         List<Path> folders = folders();
         for (Path folder : folders) {
@@ -65,7 +66,7 @@ public final class AssetSearchPath {
                 + String.join(" or ", folders.stream().map(AssetSearchPath::describe).toList()));
     }
 
-    private Path real(String file, Path folder, Path path) throws IOException, UnusableFileException {
+    private Path real(String file, Path folder, Path path) throws IOException {
         Path real = path.toRealPath();
         if (!real.startsWith(folder)) {
             throw new UnusableFileException(noun + " " + Quote.of(file) + " must be inside " + describe(folder)
@@ -76,7 +77,7 @@ public final class AssetSearchPath {
 
     /** Reads the content of a file. */
     interface AssetReader<T> {
-        T read(Path path) throws IOException, UnusableFileException, MeshException;
+        T read(Path path) throws IOException, MeshException;
     }
 
     /**
@@ -88,6 +89,8 @@ public final class AssetSearchPath {
     <T> T read(String file, AssetReader<T> reader) throws UnusableFileException {
         try {
             return reader.read(find(file));
+        } catch (UnusableFileException e) {
+            throw e;
         } catch (IOException | InvalidPathException | SecurityException e) {
             throw new UnusableFileException(noun + " " + Quote.of(file) + " cannot be read: " + e.getMessage());
         } catch (RefusalException | MeshException e) {

@@ -1,13 +1,12 @@
 package lightning.format.jen.asset;
 
-import java.io.IOException;
 import java.lang.ref.SoftReference;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
-import lightning.format.mesh.MeshException;
+import lightning.base.file.UnusableFileException;
 import lightning.scene.asset.EnvironmentMap;
 import org.jspecify.annotations.Nullable;
 
@@ -40,10 +39,10 @@ public final class EnvironmentFolder {
      *     valid image, or the maps would take too much memory
      */
     public EnvironmentMap load(String file, Set<EnvironmentMap> others, Consumer<String> notes) throws UnusableFileException {
-        return searchPath.read(file, path -> load(path, others, notes));
+        return searchPath.read(file, path -> load(file, path, others, notes));
     }
 
-    private EnvironmentMap load(Path file, Set<EnvironmentMap> others, Consumer<String> notes) throws IOException, MeshException {
+    private EnvironmentMap load(String name, Path file, Set<EnvironmentMap> others, Consumer<String> notes) throws UnusableFileException {
         SoftReference<EnvironmentMap> reference = maps.get(file);
         @Nullable
         EnvironmentMap known = reference == null ? null : reference.get();
@@ -52,10 +51,10 @@ public final class EnvironmentFolder {
         }
         long used = others.stream().mapToLong(EnvironmentMap::bytes).sum();
         if (known != null) {
-            EnvironmentReader.checkMemory(file, known.width(), known.height(), known.bytes(), used);
+            EnvironmentReader.checkMemory(name, known.width(), known.height(), known.bytes(), used);
             return known;
         }
-        EnvironmentMap map = EnvironmentReader.read(file, used, notes);
+        EnvironmentMap map = EnvironmentReader.read(name, file, used, notes);
         maps.put(file, new SoftReference<>(map));
         return map;
     }

@@ -1,7 +1,7 @@
 package lightning.format.jen.asset;
 
 import java.util.stream.IntStream;
-import lightning.format.hdr.HdrReader;
+import lightning.format.image.ImageSource;
 import lightning.scene.asset.EnvironmentDetail;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.value.SceneLimits;
@@ -9,6 +9,9 @@ import org.jspecify.annotations.Nullable;
 
 /** Environment map from an image of any size. Of a large image, the light is computed from means of its pixels; all pixels are visible. */
 final class EnvironmentMeans {
+    /** Maximum number of pixels of a map: 8 Mi, 96 MiB. */
+    private static final int MAX_PIXELS = 8 << 20;
+
     private final int width;
     private final int height;
     private final int step;
@@ -32,19 +35,19 @@ final class EnvironmentMeans {
     EnvironmentMeans(int width, int height) {
         this.width = width;
         this.height = height;
-        step = TextureDecoder.step(width, height, HdrReader.MAX_PIXELS);
+        step = ImageSource.step(width, height, MAX_PIXELS);
         columns = Math.ceilDiv(width, step);
         rows = Math.ceilDiv(height, step);
         rgb = new float[3 * columns * rows];
         columnStart = IntStream.range(0, width).map(x -> 3 * (x / step)).toArray();
-        detail = step > 1 ? new EnvironmentDetail(width, height, HdrReader.MAX_PIXELS) : null;
+        detail = step > 1 ? new EnvironmentDetail(width, height, MAX_PIXELS) : null;
     }
 
     /** Returns the memory that reading the map of an image takes, in bytes. */
     static long bytes(int width, int height) {
         long pixels = (long) width * height;
-        return (long) Integer.BYTES * width + 3L * Float.BYTES * Math.min(pixels, HdrReader.MAX_PIXELS)
-                + (pixels > HdrReader.MAX_PIXELS ? EnvironmentDetail.bytes(pixels) : 0);
+        return (long) Integer.BYTES * width + 3L * Float.BYTES * Math.min(pixels, MAX_PIXELS)
+                + (pixels > MAX_PIXELS ? EnvironmentDetail.bytes(pixels) : 0);
     }
 
     /**
@@ -60,7 +63,7 @@ final class EnvironmentMeans {
         int at = first + columnStart[x];
         for (int c = 0; c < 3; c++) {
             infiniteCount += Float.isFinite(from[c]) ? 0 : 1;
-            pixel[c] = LinearTextureReader.limited(from[c]);
+            pixel[c] = ImageSource.limited(from[c]);
             rgb[at + c] += pixel[c];
         }
         if (detail != null) {

@@ -6,60 +6,70 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import lightning.base.file.UnusableFileException;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.base.text.RefusalException;
 import lightning.format.ies.IesReader;
+import lightning.format.image.ImageFormat;
+import lightning.format.image.ImageLimits;
 import lightning.format.mesh.MeshException;
 
 /** Kind of asset file that a scene references next to it or in its texture folders. */
 public enum FileKind {
     /** Image on a material or on the face of a light, or gobo of a light. */
-    TEXTURE("texture", "a PNG, JPEG, Radiance HDR or OpenEXR file", Messages.key("PNG, JPEG, HDR, EXR"), JenLimits.TEXTURE_BYTES, "png",
-            "jpg",
-            "jpeg", "hdr", "exr") {
+    TEXTURE(TextureFile.REDUCIBLE) {
         @Override
-        void read(String name, Path file) throws IOException, UnusableFileException {
-            LinearTextureReader.read(name, file);
+        void read(String name, Path file) throws IOException {
+            TextureFile.read(name, file);
         }
     },
     /** Photometric profile of a light. */
-    PROFILE("profile", "an IES file", Messages.key("IES profiles"), IesReader.MAX_BYTES, "ies") {
+    PROFILE("profile", "an IES file", Messages.key("IES profiles"), List.of("ies")) {
         @Override
         void read(String name, Path file) throws IOException, MeshException {
             IesReader.read(file);
         }
     },
     /** Environment map of a scene. */
-    ENVIRONMENT("environment", "a Radiance HDR or OpenEXR file", Messages.key("HDR, EXR"), EnvironmentReader.MAX_EXR_BYTES, "hdr", "exr") {
+    ENVIRONMENT(EnvironmentReader.LIMITS) {
         @Override
-        void read(String name, Path file) throws IOException, MeshException {
-            EnvironmentReader.read(file, note -> {});
+        void read(String name, Path file) throws IOException {
+            EnvironmentReader.read(name, file, 0, _ -> {});
         }
     };
 
     private final String noun;
     private final String description;
     private final String title;
-    private final long maxBytes;
     private final List<String> extensions;
     private final Pattern pattern;
 
-    FileKind(String noun, String description, String title, long maxBytes, String... extensions) {
+    FileKind(ImageLimits limits) {
+        this(limits.noun(), limits.description(), limits.formats().stream().map(ImageFormat::name).collect(Collectors.joining(", ")),
+                limits.extensions());
+    }
+
+    FileKind(String noun, String description, String title, List<String> extensions) {
         this.noun = noun;
         this.description = description;
         this.title = title;
-        this.maxBytes = maxBytes;
-        this.extensions = List.of(extensions);
+        this.extensions = extensions;
         pattern = Pattern.compile(".+\\.(" + String.join("|", extensions) + ")", Pattern.CASE_INSENSITIVE);
     }
 
     /** Reads a file as a scene would, with the same exceptions. */
-    abstract void read(String name, Path file) throws IOException, UnusableFileException, MeshException;
+    abstract void read(String name, Path file) throws IOException, MeshException;
 
     /** Returns the display name of the file formats. */
     public String title() {
         return Messages.tr(title);
+    }
+
+    /** Returns a noun phrase for such a file, in English. */
+    public String description() {
+        return description;
     }
 
     /** Returns the file extensions, without the dot. */
@@ -98,7 +108,12 @@ public enum FileKind {
 
     /** Returns whether a file has a name of this kind. */
     public boolean isNamed(Path file) {
-        return pattern.matcher(file.getFileName().toString()).matches();
+        return isNamed(file.getFileName().toString());
+    }
+
+    /** Returns whether a name is one of this kind. */
+    public boolean isNamed(String name) {
+        return pattern.matcher(name).matches();
     }
 
     /**
@@ -110,12 +125,11 @@ public enum FileKind {
         String name = file.getFileName().toString();
         FileName.check(noun, name, TextureFolder.NAME);
         String article = noun.startsWith("e") ? "an " : "a ";
-        if (!isNamed(file)) {
+        if (!isNamed(name)) {
             throw new RefusalException(article + noun + " must be " + description + ", was " + Quote.of(name));
         }
-        if (!Files.isRegularFile(file) || Files.size(file) > maxBytes) {
-            throw new RefusalException(
-                    article + noun + " must be a file of at most " + maxBytes + " bytes, was " + Quote.of(name));
+        if (!Files.isRegularFile(file)) {
+            throw new RefusalException(article + noun + " must be a file, was " + Quote.of(name));
         }
         try {
             read(name, file);

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import lightning.base.file.UnusableFileException;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
 import lightning.format.MeshFormat;
@@ -76,7 +77,7 @@ public final class MeshFolder {
         return known != null ? known : searchPath.read(file, path -> load(file, part, path));
     }
 
-    private Mesh load(String file, String part, Path path) throws UnusableFileException, IOException, MeshException {
+    private Mesh load(String file, String part, Path path) throws IOException, MeshException {
         MeshParts parts = cache.get(path);
         if (parts == null) {
             parts = new MeshParts(read(file, path));
@@ -85,7 +86,7 @@ public final class MeshFolder {
         return part.isEmpty() ? parts.merged() : parts.part(part, file);
     }
 
-    private List<NamedMesh> read(String file, Path path) throws UnusableFileException, IOException, MeshException {
+    private List<NamedMesh> read(String file, Path path) throws IOException, MeshException {
         if (cache.size() == JenLimits.MESHES) {
             throw new UnusableFileException("a scene may have at most " + JenLimits.MESHES + " mesh files, found another, "
                     + Quote.of(file));

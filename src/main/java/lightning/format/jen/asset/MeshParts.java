@@ -3,6 +3,7 @@ package lightning.format.jen.asset;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import lightning.base.file.UnusableFileException;
 import lightning.base.text.Quote;
 import lightning.format.mesh.NamedMesh;
 import lightning.scene.node.Mesh;

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Set;
+import lightning.base.file.UnusableFileException;
 import lightning.base.text.Quote;
 import lightning.format.ies.IesReader;
 import lightning.format.mesh.MeshException;
@@ -42,7 +43,7 @@ public final class ProfileFolder {
         return searchPath.read(file, path -> load(file, path));
     }
 
-    private Photometry load(String file, Path path) throws UnusableFileException, IOException, MeshException {
+    private Photometry load(String file, Path path) throws IOException, MeshException {
         Photometry cached = cache.get(path);
         if (cached == null) {
             if (cache.size() == JenLimits.PROFILES) {

@@ -7,7 +7,10 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import lightning.base.file.UnusableFileException;
 import lightning.base.text.Quote;
+import lightning.format.image.ImageFile;
+import lightning.format.image.ImageSource;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureUsage;
 
@@ -40,7 +43,7 @@ public final class TextureFolder {
     }
 
     /**
-     * Loads a texture. A PNG or JPEG of too many pixels loses rows and columns.
+     * Loads a texture. One of too many pixels loses rows and columns.
      *
      * @param samples meaning of the samples
      * @param notes receives a clause if the texture is reduced
@@ -51,7 +54,7 @@ public final class TextureFolder {
         return searchPath.read(file, path -> load(file, samples, path, notes));
     }
 
-    private Texture load(String file, TextureUsage samples, Path path, Consumer<String> notes) throws UnusableFileException, IOException {
+    private Texture load(String file, TextureUsage samples, Path path, Consumer<String> notes) throws IOException {
         var key = new CacheKey(path, samples);
         Texture cached = cache.get(key);
         if (cached != null) {
@@ -61,37 +64,28 @@ public final class TextureFolder {
             throw new UnusableFileException("a scene may have at most " + JenLimits.TEXTURES + " textures, found another, "
                     + Quote.of(file));
         }
-        Texture texture = LinearTextureReader.isLinear(file) ? loadLinear(file, samples, path, notes)
-                : loadCodes(file, samples, path, notes);
+        Texture texture = ImageFile.read(file, path, TextureFile.REDUCIBLE, image -> reduced(file, image, samples, notes));
         cache.put(key, texture);
         return texture;
     }
 
-    private Texture loadLinear(String file, TextureUsage samples, Path path, Consumer<String> notes)
-            throws UnusableFileException, IOException {
-        Texture texture = LinearTextureReader.readLinear(file, path, samples);
-        if (texture.pixels() > budget.limit(texture.pixels())) {
+    private Texture reduced(String file, ImageSource image, TextureUsage samples, Consumer<String> notes) throws IOException {
+        long pixels = image.pixelCount();
+        long limit = budget.limit(pixels);
+        if (limit < 1) {
             throw new UnusableFileException("texture " + Quote.of(file) + " exceeds the limit: all textures together must have at most "
                     + JenLimits.TOTAL_TEXTURE_PIXELS + " pixels");
         }
-        budget.use(texture.pixels(), texture.pixels());
-        if (samples == TextureUsage.EMISSION || texture.max() <= 1) {
-            return texture;
-        }
-        notes.accept("texture " + Quote.of(file) + " has values above 1; limited to 1");
-        return texture.limited(1);
-    }
-
-    private Texture loadCodes(String file, TextureUsage samples, Path path, Consumer<String> notes)
-            throws UnusableFileException, IOException {
-        byte[] content = TextureDecoder.readFile(file, path);
-        long pixels = TextureDecoder.pixels(file, content);
-        Texture texture = TextureDecoder.decodeReduced(file, content, samples, budget.limit(pixels));
+        Texture texture = image.texture(samples, image.step(limit));
         if (texture.pixels() < pixels) {
             notes.accept(
                     "texture " + Quote.of(file) + " has " + pixels + " pixels; reduced to " + texture.width() + "×" + texture.height());
         }
         budget.use(pixels, texture.pixels());
-        return texture;
+        if (image.isDisplayReferred() || samples == TextureUsage.EMISSION || texture.max() <= 1) {
+            return texture;
+        }
+        notes.accept("texture " + Quote.of(file) + " has values above 1; limited to 1");
+        return texture.limited(1);
     }
 }

@@ -14,11 +14,11 @@ import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import lightning.base.text.PrintableText;
-import lightning.format.hdr.HdrReader;
 import lightning.format.ies.IesReader;
 import lightning.format.image.CubeLutReader;
-import lightning.format.jen.asset.TextureDecoder;
-import lightning.format.jen.asset.UnusableFileException;
+import lightning.format.image.ImageFile;
+import lightning.format.image.WebpSizeTest;
+import lightning.format.jen.asset.TextureFile;
 import lightning.format.mesh.MeshException;
 import lightning.sample.ByteFuzzer;
 import lightning.sample.Slow;
@@ -47,7 +47,7 @@ class ReaderFuzzTest {
     private Path folder;
 
     private interface Reader {
-        void read(byte[] content) throws IOException, MeshException, UnusableFileException;
+        void read(byte[] content) throws IOException, MeshException;
     }
 
     private interface FileReader {
@@ -69,8 +69,8 @@ class ReaderFuzzTest {
     @Timeout(300)
     void textures_areReadOrRejected() throws IOException {
         assertReadOrRejected(List.of(image("png"), image("jpeg")), content -> {
-            TextureDecoder.decodeReduced("t", content, TextureUsage.COLOR);
-            TextureDecoder.hasAlpha(content);
+            ImageFile.read("t", content, TextureFile.REDUCIBLE, image -> image.hasAlpha() ? image.texture(TextureUsage.COLOR, 1)
+                    : image.texture(TextureUsage.OPACITY, 2));
         });
     }
 
@@ -82,11 +82,7 @@ class ReaderFuzzTest {
             pool.add(image(format));
         }
         pool.add(WebpSizeTest.oneColor());
-        assertReadOrRejected(pool, content -> {
-            if (ConvertedImage.png(content).isEmpty()) {
-                throw new IOException("is no image");
-            }
-        });
+        assertReadOrRejected(pool, content -> ImageFile.toPng("t", content, ImageImport.CONVERTED, 1 << 20));
     }
 
     @Test
@@ -94,7 +90,7 @@ class ReaderFuzzTest {
     void textFiles_areReadOrRejected() throws IOException {
         assertFilesReadOrRejected("a.cube", CUBE, CubeLutReader::read);
         assertFilesReadOrRejected("a.ies", IES, IesReader::read);
-        assertFilesReadOrRejected("a.hdr", HDR, HdrReader::read);
+        assertFilesReadOrRejected("a.hdr", HDR, ImageFile::read);
     }
 
     private void assertFilesReadOrRejected(String name, String text, FileReader reader) throws IOException {
@@ -108,7 +104,7 @@ class ReaderFuzzTest {
             byte[] content = ByteFuzzer.mutate(pool, ByteFuzzer.random(i), HOSTILE);
             try {
                 reader.read(content);
-            } catch (IOException | MeshException | UnusableFileException e) {
+            } catch (IOException | MeshException e) {
                 assertThat(e.getMessage()).as("try " + i).isNotBlank().matches(PrintableText::isPrintable, "is visible")
                         .hasSizeLessThan(2000);
                 rejected++;

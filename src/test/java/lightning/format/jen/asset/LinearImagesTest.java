@@ -97,6 +97,27 @@ class LinearImagesTest {
         assertThat(document.notes()).singleElement().asString().endsWith("texture 'a.exr' has values above 1; limited to 1");
     }
 
+    /** Heights and normals have no color space: a conversion would bend them. */
+    @Test
+    void numbersInAFileWithAcescgInItsName_areNotConverted() throws Exception {
+        exr("n_acescg.exr", 1, 1, 0.5f, 0.25f, 1);
+        JenDocument document = read("material m { normal_map \"n_acescg.exr\" }");
+        assertThat(values(document.scene().materials().getFirst().bumpMapping().normalMap().orElseThrow().image()))
+                .containsExactly(0.5f, 0.25f, 1f);
+    }
+
+    @Test
+    void textureOfTooManyLinearPixels_isReduced() throws Exception {
+        Files.write(folder.resolve("a.hdr"), wideHdr(2000));
+        JenDocument document = read("material m { texture \"a.hdr\" }");
+        Texture texture = document.scene().materials().getFirst().texture().orElseThrow().image();
+        assertThat(texture.width()).isEqualTo(4500);
+        assertThat(texture.height()).isEqualTo(1000);
+        assertThat(texture.channel(2249, 0, 0)).isEqualTo(1);
+        assertThat(texture.channel(2250, 0, 0)).isZero();
+        assertThat(document.notes().getFirst().toString()).endsWith("has 18000000 pixels; reduced to 4500×1000");
+    }
+
     @Test
     void faceOfALight_isNotLimitedTo1() throws Exception {
         exr("a.exr", 1, 1, 4, 5, 6);
@@ -143,6 +164,6 @@ class LinearImagesTest {
     void environmentOfTooManyPixels_isLeftOut() throws Exception {
         Files.writeString(folder.resolve("sky.hdr"), "#?RADIANCE\n\n-Y 60000 +X 60000\n");
         assertThat(read("world { environment \"sky.hdr\" }").notes()).singleElement().asString()
-                .contains("an image must have from 1 to 134217728 pixels, has 60000×60000").endsWith("; left out");
+                .contains("must have at most 134217728 pixels, has 60000×60000").endsWith("; left out");
     }
 }

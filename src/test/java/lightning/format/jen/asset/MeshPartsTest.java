@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.AbstractList;
 import java.util.List;
 import java.util.stream.IntStream;
+import lightning.base.file.UnusableFileException;
 import lightning.format.mesh.NamedMesh;
 import lightning.scene.node.Mesh;
 import org.junit.jupiter.api.Test;

@@ -1,4 +1,4 @@
-package lightning.format.jen.asset;
+package lightning.format.image;
 
 /**
  * Scans of a JPEG file: passes over the image, each of which adds detail. A file may have thousands of a few bytes each, and decoders

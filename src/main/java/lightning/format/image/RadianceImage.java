@@ -1,81 +1,37 @@
-package lightning.format.hdr;
+package lightning.format.image;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import lightning.base.file.RegularFile;
+import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
-import lightning.format.mesh.MeshException;
-import lightning.scene.asset.EnvironmentMap;
+import lightning.scene.asset.TextureUsage;
 import lightning.scene.value.SceneLimits;
 
 /**
  * Reader for Radiance {@code .hdr} images: RGB with a shared 8-bit exponent (Ward, Real Pixels, Graphics Gems II, 1991),
  * flat or run-length encoded, also in the old way. The picture may be mirrored or turned; the header's exposure is divided out.
  */
-public final class HdrReader {
-    /** Maximum size of an image's file in bytes: 64 MiB. */
-    public static final int MAX_BYTES = 64 << 20;
-    /** Maximum number of pixels of an image that is read as a whole: 8 Mi, 96 MiB when decoded. */
-    public static final int MAX_PIXELS = 8 << 20;
-
+final class RadianceImage extends ImageSource {
     private static final int MAX_HEADER_BYTES = 1 << 16;
-    private static final int MAX_SIDE = 1 << 16;
     private static final Pattern SIZE = Pattern.compile("([-+])([XY]) +([0-9]{1,18}) +([-+])([XY]) +([0-9]{1,18}) *");
     private static final Pattern EXPOSURE = Pattern.compile("EXPOSURE= *([0-9.]{1,20}(?:[eE][+-]?[0-9]{1,3})?) *");
 
-    private final Path file;
     private final byte[] bytes;
     private final Matcher size;
     private int next;
     private int line;
     private double exposure = 1;
 
-    private HdrReader(Path file, byte[] bytes, long maxPixels) throws MeshException {
-        this.file = file;
+    /**
+     * Reads the header of a file.
+     *
+     * @throws IOException if it is not a Radiance image; the message contains the position
+     */
+    RadianceImage(byte[] bytes) throws IOException {
         this.bytes = bytes;
         size = readHeader();
-        long pixels = (long) lines() * lineLength();
-        if (pixels < 1 || pixels > maxPixels) {
-            throw problem("an image must have from 1 to " + maxPixels + " pixels, has " + size.group(6) + "×" + size.group(3));
-        }
-        if (Math.max(lines(), lineLength()) > MAX_SIDE) {
-            throw problem("an image must have at most " + MAX_SIDE + " pixels along each side, has " + size.group(6) + "×" + size.group(3));
-        }
-    }
-
-    /**
-     * Opens an image, and reads it once without keeping it: a damaged file shall not take the memory of the size that it claims.
-     *
-     * @param maxBytes  maximum size of the file in bytes
-     * @param maxPixels maximum number of pixels
-     * @throws MeshException if it is not a Radiance image, too large, or truncated; the message contains the position
-     * @throws IOException if it cannot be read
-     */
-    public static HdrReader open(Path file, int maxBytes, long maxPixels) throws IOException, MeshException {
-        long size = Files.size(file);
-        if (size > maxBytes) {
-            throw new MeshException(file, "", "an environment must have at most " + maxBytes + " bytes, has " + size);
-        }
-        var reader = new HdrReader(file, RegularFile.readBytes(file, "a Radiance HDR file", maxBytes), maxPixels);
-        reader.checkScanlines();
-        return reader;
-    }
-
-    /**
-     * Reads a file; radiances are clamped to {@link SceneLimits#MAX_EMISSION}.
-     *
-     * @throws MeshException if it is not a Radiance image, too large, or truncated; the message contains the position
-     * @throws IOException if it cannot be read
-     */
-    public static EnvironmentMap read(Path file) throws IOException, MeshException {
-        HdrReader reader = open(file, MAX_BYTES, MAX_PIXELS);
-        float[] values = new float[3 * reader.width() * reader.height()];
-        reader.read((x, y, rgb) -> System.arraycopy(rgb, 0, values, 3 * (y * reader.width() + x), 3));
-        return new EnvironmentMap(reader.width(), reader.height(), values);
     }
 
     /** Returns the number of scan lines, which run along the second side. */
@@ -91,18 +47,18 @@ public final class HdrReader {
         return size.group(2).equals("X");
     }
 
-    /** Returns the width of the picture, as shown. */
+    @Override
     public int width() {
         return isTurned() ? lines() : lineLength();
     }
 
-    /** Returns the height of the picture, as shown. */
+    @Override
     public int height() {
         return isTurned() ? lineLength() : lines();
     }
 
-    /** Decodes all scan lines once. */
-    private void checkScanlines() throws MeshException {
+    @Override
+    void check() throws IOException {
         int start = next;
         byte[] pixel = new byte[4 * lineLength()];
         for (int scan = 0; scan < lines(); scan++) {
@@ -120,23 +76,12 @@ public final class HdrReader {
         return scales;
     }
 
-    /** Receives pixels. */
-    @FunctionalInterface
-    public interface PixelConsumer {
-        /**
-         * Receives a pixel.
-         *
-         * @param rgb linear, 0 … {@link SceneLimits#MAX_EMISSION}, {@code float[3]}; reused
-         */
-        void accept(int x, int y, float[] rgb);
+    @Override
+    Pixels pixels(TextureUsage usage) {
+        return this::decode;
     }
 
-    /**
-     * Reads all pixels. May be called again.
-     *
-     * @throws MeshException if the file is truncated or damaged; the message contains the position
-     */
-    public void read(PixelConsumer sink) throws MeshException {
+    private void decode(PixelConsumer sink) throws IOException {
         int length = lineLength();
         byte[] pixel = new byte[4 * length];
         float[] rgb = new float[3];
@@ -166,7 +111,7 @@ public final class HdrReader {
     }
 
     /** Reads the header up to and including the resolution line. */
-    private Matcher readHeader() throws MeshException {
+    private Matcher readHeader() throws IOException {
         String first = readLine();
         if (!first.startsWith("#?")) {
             throw problem("a Radiance HDR image must begin with #?RADIANCE or #?RGBE, was " + Quote.of(first));
@@ -191,15 +136,15 @@ public final class HdrReader {
         return size;
     }
 
-    private double parseExposure(String text) throws MeshException {
-        double v = lightning.base.text.DecimalNumber.parse(text).orElse(0);
+    private double parseExposure(String text) throws IOException {
+        double v = DecimalNumber.parse(text).orElse(0);
         if (!(v >= 1e-30 && v <= 1e30) || !(exposure * v >= 1e-30 && exposure * v <= 1e30)) {
             throw problem("an exposure must be a number from 1e-30 to 1e30, was " + Quote.of(text));
         }
         return v;
     }
 
-    private String readLine() throws MeshException {
+    private String readLine() throws IOException {
         int start = next;
         line++;
         while (next < bytes.length && bytes[next] != '\n') {
@@ -215,7 +160,7 @@ public final class HdrReader {
     }
 
     /** Reads a scan line into four consecutive columns. */
-    private void readScanline(int width, int y, byte[] out) throws MeshException {
+    private void readScanline(int width, int y, byte[] out) throws IOException {
         requireBytes(4, y);
         boolean isRunLength = width >= 8 && width < 1 << 15 && bytes[next] == 2 && bytes[next + 1] == 2 && bytes[next + 2] >= 0;
         if (!isRunLength) {
@@ -246,7 +191,7 @@ public final class HdrReader {
     }
 
     /** Reads single pixels; one of the color 1 1 1 repeats the pixel before, by its exponent times 256 for each such pixel before it. */
-    private void readOldScanline(int width, int y, byte[] out) throws MeshException {
+    private void readOldScanline(int width, int y, byte[] out) throws IOException {
         int shift = 0;
         for (int x = 0; x < width;) {
             requireBytes(4, y);
@@ -265,17 +210,17 @@ public final class HdrReader {
         }
     }
 
-    private void requireBytes(int count, int y) throws MeshException {
+    private void requireBytes(int count, int y) throws IOException {
         if (bytes.length - next < count) {
             throw rowProblem(y, "expected more pixels, found the end of the file");
         }
     }
 
-    private MeshException rowProblem(int y, String message) {
-        return new MeshException(file, "row " + (y + 1), message);
+    private IOException rowProblem(int y, String message) {
+        return new IOException("is damaged at row " + (y + 1) + ": " + message);
     }
 
-    private MeshException problem(String message) {
-        return new MeshException(file, "line " + line, message);
+    private IOException problem(String message) {
+        return new IOException("is invalid at line " + line + ": " + message);
     }
 }

@@ -1,4 +1,4 @@
-package lightning.format.exchange.assembly;
+package lightning.format.image;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

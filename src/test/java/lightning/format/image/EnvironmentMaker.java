@@ -1,4 +1,4 @@
-package lightning.format.hdr;
+package lightning.format.image;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

@@ -1,16 +1,18 @@
-package lightning.format.hdr;
+package lightning.format.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import lightning.format.mesh.MeshException;
+import lightning.base.file.UnusableFileException;
 import lightning.sample.TryFolder;
-import lightning.scene.asset.EnvironmentMap;
+import lightning.scene.asset.Texture;
+import lightning.scene.asset.TextureUsage;
 import lightning.scene.value.SceneLimits;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -21,7 +23,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Valid images byte by byte, and invalid ones. */
-class HdrReaderTest {
+class RadianceImageTest {
     private static final String HEADER = "#?RADIANCE\n# by hand\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n";
     /** Pixels of 1, 2, 4 and black. */
     private static final byte[] TWO_PIXELS = {(byte) 128, 64, 32, (byte) 129, 9, 9, 9, 0};
@@ -36,13 +38,17 @@ class HdrReaderTest {
         return out.toByteArray();
     }
 
-    private EnvironmentMap read(String header, byte[] pixels) throws Exception {
-        return HdrReader.read(Files.write(folder.resolve("x.hdr"), file(header, pixels)));
+    private static Texture read(Path file) throws IOException {
+        return ImageFile.readPicture(file, image -> image.texture(TextureUsage.COLOR, 1));
+    }
+
+    private Texture read(String header, byte[] pixels) throws Exception {
+        return read(Files.write(folder.resolve("x.hdr"), file(header, pixels)));
     }
 
     @Test
     void uncompressedPixels_areDecoded() throws Exception {
-        EnvironmentMap environment = read(HEADER, TWO_PIXELS);
+        Texture environment = read(HEADER, TWO_PIXELS);
         assertThat(new float[] {environment.channel(0, 0, 0), environment.channel(0, 0, 1), environment.channel(0, 0, 2)})
                 .containsExactly(1, 0.5f, 0.25f);
         assertThat(environment.channel(1, 0, 0)).isZero();
@@ -57,7 +63,7 @@ class HdrReaderTest {
     void runs_areExpanded() throws Exception {
         byte[] runs = {2, 2, 0, 9, (byte) (128 + 9), (byte) 128, (byte) (128 + 8), 64, 1, 32, 9, 0, 0, 0, 0, 0, 0, 0, 0, 0,
             (byte) (128 + 9), (byte) 129};
-        EnvironmentMap environment = read(HEADER.replace("+X 2", "+X 9"), runs);
+        Texture environment = read(HEADER.replace("+X 2", "+X 9"), runs);
         assertThat(environment.channel(8, 0, 0)).isEqualTo(1);
         assertThat(environment.channel(7, 0, 1)).isEqualTo(0.5f);
         assertThat(environment.channel(8, 0, 1)).isEqualTo(0.25f);
@@ -74,14 +80,14 @@ class HdrReaderTest {
         "#?RADIANCE | RADIANCE | line 1: a Radiance HDR image must begin with #?RADIANCE or #?RGBE, was 'RADIANCE'",
         "rgbe | xyze | line 3: the format must be 32-bit_rle_rgbe, was '32-bit_rle_xyze'",
         "-Y 1 +X 2 | +X 2 -X 1 | line 5: the size must be written as -Y HEIGHT +X WIDTH, was '+X 2 -X 1'",
-        "-Y 1 +X 2 | -Y 0 +X 2 | line 5: an image must have from 1 to 8388608 pixels, has 2×0",
-        "-Y 1 +X 2 | -Y 99999 +X 99999 | line 5: an image must have from 1 to 8388608 pixels, has 99999×99999",
-        "-Y 1 +X 2 | -Y 2000000000 +X 2000000000 | line 5: an image must have from 1 to 8388608 pixels, has 2000000000×2000000000",
+        "-Y 1 +X 2 | -Y 0 +X 2 | x.hdr: must have from 1 to 16384 pixels along each side, has 2×0",
+        "-Y 1 +X 2 | -Y 99999 +X 99999 | x.hdr: must have from 1 to 16384 pixels along each side, has 99999×99999",
+        "-Y 1 +X 2 | -Y 2000000000 +X 2000000000 | x.hdr: must have from 1 to 16384 pixels along each side, has 2000000000×2000000000",
         "-Y 1 +X 2 | -Y 2048 +X 4096 | row 1: expected more pixels, found the end of the file",
         "# by hand | EXPOSURE=0 | line 2: an exposure must be a number from 1e-30 to 1e30, was '0'",
         "# by hand | EXPOSURE=nan | line 2: an exposure must be a number above 0, was 'nan'"})
     void invalidFile_isReportedWithLocation(String valid, String invalid, String message) {
-        assertThatThrownBy(() -> read(HEADER.replace(valid, invalid), TWO_PIXELS)).isInstanceOf(MeshException.class)
+        assertThatThrownBy(() -> read(HEADER.replace(valid, invalid), TWO_PIXELS)).isInstanceOf(UnusableFileException.class)
                 .hasMessageEndingWith(message);
     }
 
@@ -104,7 +110,7 @@ class HdrReaderTest {
     /** A run of 2, then one of 1 · 256 pixels. */
     @Test
     void oldRuns_areExpanded() throws Exception {
-        EnvironmentMap environment = read(HEADER.replace("+X 2", "+X 260"),
+        Texture environment = read(HEADER.replace("+X 2", "+X 260"),
                 new byte[] {(byte) 128, 64, 32, (byte) 129, 1, 1, 1, 2, 1, 1, 1, 1, 0, (byte) 128, 0, (byte) 129});
         assertThat(environment.channel(258, 0, 0)).isEqualTo(1);
         assertThat(environment.channel(259, 0, 0)).isZero();
@@ -118,7 +124,7 @@ class HdrReaderTest {
     @CsvSource({"-Y 1 +X 2, 2, 0, 0", "-Y 1 -X 2, 2, 1, 0", "+Y 2 +X 1, 1, 0, 1", "+X 2 -Y 1, 2, 0, 0", "-X 2 +Y 1, 2, 1, 0",
         "+X 1 -Y 2, 1, 0, 0", "+X 1 +Y 2, 1, 0, 1"})
     void everyOrientation_isRead(String size, int width, int x, int y) throws Exception {
-        EnvironmentMap environment = read(HEADER.replace("-Y 1 +X 2", size), TWO_PIXELS);
+        Texture environment = read(HEADER.replace("-Y 1 +X 2", size), TWO_PIXELS);
         assertThat(environment.width()).isEqualTo(width);
         assertThat(environment.channel(x, y, 0)).isEqualTo(1);
     }
@@ -138,13 +144,13 @@ class HdrReaderTest {
         byte[] bytes = file(HEADER.replace("+X 2", "+X 9"), runs);
         bytes[index % bytes.length] = (byte) newByte;
         try (TryFolder files = new TryFolder()) {
-            EnvironmentMap environment =
-                    HdrReader.read(Files.write(files.file("damaged.hdr"), Arrays.copyOf(bytes, bytes.length - length)));
+            Texture environment =
+                    read(Files.write(files.file("damaged.hdr"), Arrays.copyOf(bytes, bytes.length - length)));
             for (int i = 0; i < 3 * environment.width() * environment.height(); i++) {
                 assertThat(environment.channel(i / 3 % environment.width(), i / 3 / environment.width(), i % 3)).isBetween(0f,
                         (float) SceneLimits.MAX_EMISSION);
             }
-        } catch (MeshException e) {
+        } catch (UnusableFileException e) {
             assertThat(e.getMessage()).doesNotContain("\n").contains(":");
         }
     }

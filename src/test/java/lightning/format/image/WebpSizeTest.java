@@ -1,12 +1,15 @@
-package lightning.format.exchange.assembly;
+package lightning.format.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIOException;
 
 import java.io.ByteArrayInputStream;
+import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Base64;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import javax.imageio.ImageIO;
 import lightning.base.work.HeapBudget;
@@ -14,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** WebP files that claim more pixels than they have. */
-class WebpSizeTest {
+public class WebpSizeTest {
     /** One color at the lowest quality, 512 × 512 pixels, by libwebp: close to the shortest file of this size. */
     private static final String ONE_COLOR =
             "UklGRjYCAABXRUJQVlA4ICoCAADwOgCdASoAAgACP/3+/3+/uzayIAgD8D+JaW7hd2EffwAAnsA99snIe+2TkPfbJyHwfcwB77ZOQ99snIe+2TplgWS7Xi5"
@@ -26,8 +29,12 @@ class WebpSizeTest {
                     + "tk5D32ych77ZOQ99snIesAA/v819/QjHb/61+EPTGHr8YjHwbW3t4MqwtX/RBSGPBH71zMFk78CAAAAGaFAAAAANcKy4EAAADJCsu1YED"
                     + "CgQArSrgzoEAAAAA==";
 
-    static byte[] oneColor() {
+    public static byte[] oneColor() {
         return Base64.getDecoder().decode(ONE_COLOR);
+    }
+
+    private static byte[] toPng(byte[] file) throws IOException {
+        return ImageFile.toPng("image", file, new ImageLimits("image", List.of(ImageFormat.WEBP), 1 << 20, 1 << 14, 1 << 28), 1 << 24);
     }
 
     private static byte[] lossy(int width, int height, int length) {
@@ -45,7 +52,7 @@ class WebpSizeTest {
 
     @Test
     void shortestFile_isDecoded() throws Exception {
-        byte[] png = ConvertedImage.png(oneColor()).orElseThrow();
+        byte[] png = toPng(oneColor());
         assertThat(ImageIO.read(new ByteArrayInputStream(png)).getWidth()).isEqualTo(512);
     }
 
@@ -58,10 +65,10 @@ class WebpSizeTest {
     @Test
     @Timeout(value = 5, unit = TimeUnit.SECONDS)
     void largestSizeInAFewBytes_isRejectedAtOnce() {
-        assertThat(ConvertedImage.png(lossy(16383, 16383, 300))).isEmpty();
+        assertThatIOException().isThrownBy(() -> toPng(lossy(16383, 16383, 300)));
         byte[] inAnotherFrame = lossy(16, 16, 300);
         System.arraycopy(lossy(16383, 16383, 60), 12, inAnotherFrame, 100, 40);
-        assertThat(ConvertedImage.png(inAnotherFrame)).isEmpty();
+        assertThatIOException().isThrownBy(() -> toPng(inAnotherFrame));
     }
 
     @Test
