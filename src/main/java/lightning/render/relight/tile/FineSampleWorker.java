@@ -54,8 +54,8 @@ final class FineSampleWorker {
         this.tileWorkers = tileWorkers;
         this.edges = edges;
         this.previousEdges = known;
-        firstCells = SampleCells.first(job.sampling());
-        restCells = SampleCells.rest(job.sampling());
+        firstCells = SampleCells.first(job.scene());
+        restCells = SampleCells.rest(job.scene());
         refines = restCells.count() > 0;
         isOnlyAtEdges = job.detectsEdges() && !job.scene().hasDepthOfField();
     }

@@ -99,8 +99,8 @@ public final class ReferenceTracer {
         materials = geometry.materials();
         parts = FilmParts.of(scene);
         lights = parts.lights();
-        firstCells = SampleCells.first(scene.picture().sampling());
-        restCells = SampleCells.rest(scene.picture().sampling());
+        firstCells = SampleCells.first(scene);
+        restCells = SampleCells.rest(scene);
         targets = Arrays.stream(lights).map(WeightedLight::source)
                 .map(source -> source.type().hasPosition() ? BruteForce.shadowRayTarget(geometry, source.position()) : null)
                 .toArray(ShadowRayTarget[]::new);
