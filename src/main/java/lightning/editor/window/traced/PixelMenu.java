@@ -11,6 +11,7 @@ import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
+import lightning.editor.document.FocusEdit;
 import lightning.editor.document.LightAtPoint;
 import lightning.editor.document.LinkEdits;
 import lightning.editor.document.manipulation.LightPlacement.Goal;
@@ -78,6 +79,8 @@ final class PixelMenu {
         all.add(aim(hit.get(), picker, target.canvas()));
         all.add(placements(hit.get(), picker, target.canvas()));
         all.add(newLights(picker, hit.get(), target.canvas()));
+        all.add(items.value(Command.FOCUS, Messages.tr("Focus Here"),
+                () -> editor.editOrReport(scene -> FocusEdit.focus(scene, hit.get().point()))));
         all.add(new SeparatorMenuItem());
         Light selected = editor.selection().light();
         if (selected != null && report.face().isEmpty()) {
