@@ -16,7 +16,7 @@ CAMERA = ((("from", "to", "up"), PLACEMENT), (("fov",), ("data.lens",)), (("shif
 def digests(exported: dict) -> dict[str, str]:
     """Returns what a scene remembers of its camera, and of the transforms of its objects."""
     keyed = _camera_values(exported)
-    values = {f"camera {names[0]}": [keyed.get(name, exported["camera"][name]) for name in names] for names, _ in CAMERA}
+    values = {f"camera {names[0]}": [keyed.get(name, exported["camera"].get(name)) for name in names] for names, _ in CAMERA}
     values |= {f"object {name}": matrices for name, matrices in _matrices(exported).items()}
     return animation.digests(values | {f"visible {obj['name']}": obj["visible"] for obj in exported["objects"]})
 
