@@ -107,10 +107,26 @@ scene.view_settings.look = "AgX - Punchy"
 scene.view_settings.gamma = 1.2
 scene.view_settings.use_curve_mapping = scene.view_settings.use_white_balance = True
 scene.render.film_transparent = scene.render.use_motion_blur = True
-scene.camera.data.dof.use_dof = True
+dof = scene.camera.data.dof
+dof.use_dof, dof.aperture_fstop, dof.focus_distance, dof.aperture_ratio = True, 1.25, 7, 1.5
+dof.aperture_blades, dof.aperture_rotation = 6, math.radians(70)
+scene.camera.data.lens = 50
 text, messages = sent()
 assert "light Window" not in text and "light Short" in text
-for part in ("look AgX - Punchy", "gamma", "curves of the view", "white balance", "transparent film", "motion blur", "depth of field",
+for part in ("look AgX - Punchy", "gamma", "curves of the view", "white balance", "transparent film", "motion blur", "ratio of the camera's aperture",
              "Window: a portal is not sent", "Short: its largest number of bounces (3)"):
     assert len([line for line in messages if part in line]) == 1, (part, messages)
+
+# A lens of 50 mm and f/1.25 is open by 2 cm. The plane of focus through an object is perpendicular to the view.
+assert "aperture 0.02 " in " ".join(text.split()) and "focus 7 " in " ".join(text.split()), text
+assert "blades 6 " in " ".join(text.split()) and "blade_rotation 10" in text, text
+matrix = scene.camera.matrix_world
+target = bpy.data.objects.new("Target", None)
+scene.collection.objects.link(target)
+target.location = matrix.translation - 3 * matrix.col[2].to_3d() + 2 * matrix.col[0].to_3d()
+dof.focus_object = target
+bpy.context.view_layer.update()
+assert "focus 3 " in " ".join(sent()[0].split()), sent()[0]
+dof.use_dof = False
+assert "aperture" not in sent()[0]
 print("the world is equal")

@@ -291,7 +291,7 @@ class LiveView:
         settings = self._model.root["extras"][memory.PROPERTY]
         groups = dict.fromkeys(obj.lightgroup for obj in self._lamps(scene) if obj.lightgroup)
         if scene.camera is not None:
-            settings |= {"distance": shot.target_distance(scene.camera.data), "shift": shot.shift(scene)}
+            settings |= {"distance": shot.target_distance(scene.camera.data), "shift": shot.shift(scene), "lens": shot.lens(scene)}
         settings |= {"world": self._world, "banks": transfer.light_groups(self._groups, groups), "lights": list(after.values())}
         self._replace(kind)
 

@@ -18,7 +18,9 @@ def of_scene(scene) -> list[str]:
         (scene.display_settings.display_device not in ("sRGB", "None"), f"the picture is for an sRGB display, not for {scene.display_settings.display_device}"),
         (scene.render.film_transparent, "the transparent film is not sent: the background is visible"),
         (scene.render.use_motion_blur, "motion blur is not sent"),
-        (camera is not None and camera.type != "ORTHO" and camera.dof.use_dof, "the depth of field of the camera is not sent"),
+        (camera is not None and camera.type == "PANO" and camera.dof.use_dof, "the depth of field of the panorama is not sent"),
+        (camera is not None and camera.type == "PERSP" and camera.dof.use_dof and camera.dof.aperture_ratio != 1,
+         "the ratio of the camera's aperture is not sent: the opening is as high as it is wide"),
     )
     messages = [text for is_there, text in settings if is_there]
     for obj in scene.objects:

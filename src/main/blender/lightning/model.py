@@ -124,7 +124,7 @@ class Model:
 def _lens(scene) -> tuple:
     data = scene.camera.data
     return (data.type, data.angle, data.sensor_fit, data.sensor_width, data.sensor_height, data.ortho_scale, data.shift_x, data.shift_y,
-            data.dof.focus_distance, scene.render.pixel_aspect_x, scene.render.pixel_aspect_y)
+            data.dof.focus_distance, scene.render.pixel_aspect_x, scene.render.pixel_aspect_y, *shot.lens(scene).values())
 
 
 def _field_of_view(scene) -> float:

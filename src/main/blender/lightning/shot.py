@@ -71,7 +71,8 @@ def camera(scene) -> dict:
         half = math.tan((data.angle_y if data.sensor_fit == "VERTICAL" else data.angle) / 2)
         view["fov"] = 2 * math.degrees(math.atan(half if fits_height(scene) else half * height / width))
     view["shift"] = shift(scene)
-    return view
+    opening = lens(scene)
+    return view | {key: opening[key] for key in ("aperture", "focus")}
 
 
 def fits_height(scene) -> bool:
@@ -87,6 +88,32 @@ def shift(scene) -> list[float]:
     width, height = size(scene)
     side = height if fits_height(scene) else width
     return [axes.number(data.shift_x) * side / width, axes.number(data.shift_y) * side / height]
+
+
+def lens(scene) -> dict:
+    """Returns the opening and the focus of the active camera as Lightning's properties; a pinhole's aperture is 0."""
+    data = scene.camera.data
+    dof = data.dof
+    is_open = dof.use_dof and data.type == "PERSP"
+    # Cycles draws the first blade across the x axis; Lightning draws its first corner on top.
+    blades = dof.aperture_blades if dof.aperture_blades >= 3 else 0
+    rotation = math.degrees(dof.aperture_rotation) + 180 / blades - 90 if blades else 0
+    return {"aperture": aperture(data, dof.aperture_fstop) if is_open else 0, "focus": focus_distance(scene.camera) if is_open else 0,
+            "blades": blades if is_open else 0, "blade_rotation": axes.number(rotation) if is_open else 0}
+
+
+def aperture(data, f_number: float) -> float:
+    """Returns the radius of a lens of an f-number, as Cycles: the focal length is in millimeters, whatever the unit of the scene."""
+    return axes.number(1e-3 * data.lens / (2 * max(f_number, 1e-5)))
+
+
+def focus_distance(obj) -> float:
+    """Returns the distance of a camera's plane of focus along its view direction."""
+    dof = obj.data.dof
+    if dof.focus_object is None:
+        return axes.number(dof.focus_distance)
+    view = obj.matrix_world.col[2].to_3d().normalized()
+    return axes.number(abs(view.dot(obj.matrix_world.translation - dof.focus_object.matrix_world.translation)))
 
 
 def target_distance(data) -> float:

@@ -129,6 +129,7 @@ def _settings(scene, target: Path, snapshot: Snapshot, messages: list[str]) -> d
         settings["camera"] = scene.camera.name
         settings["distance"] = shot.target_distance(scene.camera.data)
         settings["shift"] = shot.shift(scene)
+        settings["lens"] = shot.lens(scene)
     for obj in dict.fromkeys([*sent, *(obj for obj, _, _ in snapshot.lights)]):
         write_files(obj, target.parent, messages)
     return settings

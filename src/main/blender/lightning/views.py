@@ -9,13 +9,14 @@ from . import animation, axes, shot
 
 PLACEMENT = ("location", "rotation_euler", "rotation_quaternion", "rotation_axis_angle")
 # Attributes of the camera that change the same properties in Blender, and these properties.
-CAMERA = ((("from", "to", "up"), PLACEMENT), (("fov",), ("data.lens",)), (("shift",), ("data.shift_x", "data.shift_y")))
+CAMERA = ((("from", "to", "up"), PLACEMENT), (("fov",), ("data.lens",)), (("shift",), ("data.shift_x", "data.shift_y")),
+          (("aperture",), ("data.dof.use_dof", "data.dof.aperture_fstop")), (("focus",), ("data.dof.focus_distance",)))
 
 
 def digests(exported: dict) -> dict[str, str]:
     """Returns what a scene remembers of its camera, and of the transforms of its objects."""
     keyed = _camera_values(exported)
-    values = {f"camera {names[0]}": [keyed.get(name, exported["camera"][name]) for name in names] for names, _ in CAMERA}
+    values = {f"camera {names[0]}": [keyed.get(name, exported["camera"].get(name)) for name in names] for names, _ in CAMERA}
     values |= {f"object {name}": matrices for name, matrices in _matrices(exported).items()}
     return animation.digests(values | {f"visible {obj['name']}": obj["visible"] for obj in exported["objects"]})
 
@@ -30,7 +31,8 @@ def receive(scene, exported: dict, before: dict[str, str], messages: list[str]) 
     edited = {name for name in before.keys() | after.keys() if before.get(name) != after.get(name)} if before else set()
     first = exported.get("shot", {}).get("frames", [0])[0]
     for names, paths in CAMERA:
-        if scene.camera is not None and f"camera {names[0]}" in edited:
+        # A scene that an earlier version sent remembers nothing of the lens.
+        if scene.camera is not None and f"camera {names[0]}" in edited & before.keys():
             _receive_camera(scene, exported, names, paths, first, messages)
     matrices = _matrices(exported)
     for name in sorted(entry.removeprefix("object ") for entry in edited if entry.startswith("object ")):
@@ -67,6 +69,9 @@ def _receive_camera(scene, exported: dict, names: tuple, paths: tuple, first: in
     if names == ("fov",) and obj.data.type != "PERSP":
         messages.append(f"{obj.name}: it is not a perspective camera, so its field of view stays in Lightning")
         return
+    if names == ("focus",) and obj.data.dof.focus_object is not None:
+        messages.append(f"{obj.name}: it focuses on an object, so its focus distance stays in Lightning")
+        return
     keyed = {name: values for name, values in _camera_values(exported).items() if name in names}
     states = [exported["camera"]]
     if keyed:
@@ -88,6 +93,12 @@ def _show_camera(scene, view: dict, names: tuple) -> None:
             obj.data.angle_y = angle
         else:
             obj.data.angle = angle
+    elif "aperture" in names:
+        obj.data.dof.use_dof = view["aperture"] > 0
+        if view["aperture"] > 0:
+            obj.data.dof.aperture_fstop = 1e-3 * obj.data.lens / (2 * view["aperture"])
+    elif "focus" in names:
+        obj.data.dof.focus_distance = view["focus"] or math.dist(view["from"], view["to"])
     else:
         side = height if fits_height else width
         obj.data.shift_x, obj.data.shift_y = view["shift"][0] * width / side, view["shift"][1] * height / side

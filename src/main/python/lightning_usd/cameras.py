@@ -40,8 +40,6 @@ def camera(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
     """Returns a camera at a time."""
     view = UsdGeom.Camera(prim)
     scale = view.ComputeLinearExposureScale(time) if hasattr(view, "ComputeLinearExposureScale") else 2.0 ** (view.GetExposureAttr().Get(time) or 0.0)
-    if view.GetFStopAttr().Get(time):
-        out.note("depth of field of cameras")
 
     def number(attribute: Usd.Attribute, fallback: float) -> float:
         found = attribute.Get(time)
@@ -57,4 +55,5 @@ def camera(prim: Usd.Prim, time: Usd.TimeCode, out: Output) -> dict[str, Any]:
         "offset_y": number(view.GetVerticalApertureOffsetAttr(), 0.0),
         "exposure": math.log2(scale) if 0 < scale < math.inf else 0.0,
         "focus": number(view.GetFocusDistanceAttr(), 0.0),
+        "f_number": number(view.GetFStopAttr(), 0.0),
     }

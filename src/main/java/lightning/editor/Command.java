@@ -131,6 +131,8 @@ public enum Command {
             "mdi2b-box-shadow", "Shortcut+Shift+D", DisabledReasons::noPlacedLight),
     PLACE_FLAG(Messages.key("Place Flag…"), Messages.key("Click or drag where the light's flag should block it"),
             "mdi2f-flag-outline", "", DisabledReasons::noPlacedLight),
+    FOCUS(Messages.key("Focus"), Messages.key("Focus the camera on the point under the cursor; a pinhole is opened"),
+            "mdi2i-image-filter-center-focus"),
     MAKE_ANIMATION(Messages.key("Make Animation"), Messages.key("Record the selected light's movement into the shot; again to stop"),
             "mdi2r-record-circle-outline", "Shortcut+M", DisabledReasons::noPlacedLight),
 

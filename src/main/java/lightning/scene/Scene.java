@@ -102,8 +102,20 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
 
     /** Returns whether both differ in the view transform at most, so that they have the same linear image. */
     public boolean hasSameImage(Scene o) {
-        return picture.hasSameImage(o.picture) && camera.equals(o.camera) && world.equals(o.world) && stage.equals(o.stage)
-                && rig.equals(o.rig);
+        return picture.hasSameImage(o.picture) && camera.hasSameView(o.camera) && hasSameSamples(o) && world.equals(o.world)
+                && stage.equals(o.stage) && rig.equals(o.rig);
+    }
+
+    /** Returns whether finer samples, if there are any, are at the same places of the pixels and of the lens, seen from the same camera. */
+    public boolean hasSameSamples(Scene o) {
+        SamplingSettings sampling = picture.sampling();
+        return sampling.hasSameSamples(o.picture.sampling())
+                && (!sampling.isSupersampled() || camera.lens().hasSameRays(o.camera.lens()));
+    }
+
+    /** Returns whether points off the plane of focus are blurred: the lens is open, and there are finer samples. */
+    public boolean hasDepthOfField() {
+        return camera.lens().isOpen() && picture.sampling().isSupersampled();
     }
 
     /**

@@ -77,6 +77,9 @@ public final class SceneDiff {
             change(attribute, before.world(), after.world()).ifPresent(this::addPart);
         }
         addNamed(before.world().named(), after.world().named(), Dome::name, Dome.ATTRIBUTES, Messages.key("order of domes"));
+        for (SceneAttribute<Camera, ?> attribute : LensAttributes.ALL) {
+            change(attribute, before.camera(), after.camera()).ifPresent(this::addPart);
+        }
         if (!before.picture().equals(after.picture())) {
             change(PictureSettings.DEPTH, before.picture(), after.picture()).ifPresent(this::addPart);
             change(PictureSettings.REFLECTION_RAYS, before.picture(), after.picture()).ifPresent(this::addPart);
@@ -86,7 +89,8 @@ public final class SceneDiff {
             addView(before.picture().view(), after.picture().view());
         }
         boolean describable = addMaterials(before, after) & addNodes(before, after);
-        boolean hasOtherChanges = !describable || !before.withPicture(after.picture()).hasSameView(after);
+        boolean hasOtherChanges = !describable || !before.withPicture(after.picture())
+                .withCamera(before.camera().withLens(after.camera().lens())).hasSameView(after);
         if (hasOtherChanges || parts.isEmpty()) {
             parts.add(Messages.tr("the scene"));
         }

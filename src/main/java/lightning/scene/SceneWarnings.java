@@ -20,7 +20,9 @@ public final class SceneWarnings {
         Stream<String> bulbs =
                 scene.materials().stream().filter(m -> !m.bulb().light().isEmpty() && scene.light(m.bulb().light()).isEmpty())
                         .map(m -> Messages.tr("material {0} is the bulb of a light that does not exist: {1}", m.name(), m.bulb().light()));
-        return Stream.of(ambience, bulbs, scene.lights().stream().filter(light -> light.type() == LightType.OBJECT)
+        Stream<String> lens = scene.camera().lens().isOpen() && !scene.hasDepthOfField()
+                ? Stream.of(Messages.tr("the aperture of the camera has no effect: anti-aliasing is off")) : Stream.empty();
+        return Stream.of(ambience, bulbs, lens, scene.lights().stream().filter(light -> light.type() == LightType.OBJECT)
                 .flatMap(light -> ofObjectLight(scene, light).stream())).flatMap(warnings -> warnings).toList();
     }
 

@@ -25,7 +25,8 @@ public final class VisibleState {
 
     /** Returns whether two scenes certainly give the same linear image; their views may differ. */
     public static boolean isSame(Scene a, Scene b) {
-        return a.stage().equals(b.stage()) && a.picture().hasSameImage(b.picture()) && a.camera().equals(b.camera())
+        return a.stage().equals(b.stage()) && a.picture().hasSameImage(b.picture()) && a.camera().hasSameView(b.camera())
+                && a.hasSameSamples(b)
                 && a.world().equals(b.world()) && sameLights(a, b);
     }
 

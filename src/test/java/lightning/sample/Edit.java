@@ -22,6 +22,7 @@ import lightning.scene.material.Material;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
+import lightning.scene.value.Lens;
 import lightning.scene.value.Placement;
 
 /** Edit of a scene; without effect if it does not apply to the scene. Lights are identified by their index. */
@@ -245,7 +246,14 @@ public sealed interface Edit {
         public Scene apply(List<Scene> history) {
             Camera c = history.getLast().camera();
             Vec3 step = new Vec3(side * c.from().minus(c.to()).length(), 0, 0);
-            return history.getLast().withCamera(new Camera(c.from().plus(step), c.to(), c.up(), c.fov(), c.shift()));
+            return history.getLast().withCamera(c.withView(c.from().plus(step), c.to(), c.up()));
+        }
+    }
+
+    record SetLens(Lens to) implements Edit {
+        @Override
+        public Scene apply(List<Scene> history) {
+            return history.getLast().withCamera(history.getLast().camera().withLens(to));
         }
     }
 

@@ -145,6 +145,7 @@ public final class EditArbitraries {
                 Combinators.combine(sides(), sides()).as(Edit.Resize::new),
                 SceneArbitraries.samplings().map(Edit.SetSampling::new),
                 NumberArbitraries.range(-0.3, 0.3).map(Edit.OrbitCamera::new),
+                SceneArbitraries.lenses().map(Edit.SetLens::new),
                 nodes().map(Edit.RemoveNode::new),
                 Combinators.combine(nodes(), Arbitraries.of(NodeArbitraries.MATERIALS)).as(Edit.AssignMaterial::new)));
     }

@@ -21,6 +21,7 @@ import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
 import lightning.scene.value.DomeRotation;
+import lightning.scene.value.Lens;
 import lightning.scene.value.LensShift;
 import lightning.scene.value.Placement;
 import net.jqwik.api.Arbitraries;
@@ -41,7 +42,7 @@ public final class SceneArbitraries {
                 MaterialArbitraries.materials("m1"), MaterialArbitraries.materials("m2")).as(List::of);
         // jqwik shrinks the first component first when a case fails.
         Arbitrary<Scene> alone = Combinators.combine(LightArbitraries.lights().list().ofMinSize(0).ofMaxSize(6), NodeArbitraries.nodes(),
-                pictures(), frames(), materials, worlds(), views(), shifts()).as(SceneArbitraries::assemble);
+                pictures(), frames(), materials, worlds(), cameras()).as(SceneArbitraries::assemble);
         return Arbitraries.frequencyOf(Tuple.of(2, alone), Tuple.of(1, Combinators.combine(alone, LightArbitraries.lightGroupNames("b0"),
                 LightArbitraries.lightGroupNames("b1"), Arbitraries.integers().between(1, 1 << 12)).as(SceneArbitraries::withLightGroups)))
                 .map(TestBudget::limit);
@@ -64,6 +65,12 @@ public final class SceneArbitraries {
             return origin.plus(p.times(unit));
         }
 
+        Camera camera(Camera camera) {
+            Lens lens = camera.lens();
+            return camera.withView(point(camera.from()), point(camera.to()), camera.up())
+                    .withLens(lens.withAperture(lens.aperture() * unit).withFocus(lens.focus() * unit));
+        }
+
         SceneNode node(SceneNode node) {
             Placement p = node.placement();
             Placement placed = new Placement(point(p.position()), p.rotation(), p.scale().times(unit));
@@ -75,9 +82,8 @@ public final class SceneArbitraries {
     }
 
     private static Scene assemble(List<LightTemplate> seeds, List<SceneNode> nodes, PictureSettings picture, CoordinateFrame frame,
-            List<Material> materials, World world, Vec3 from, LensShift shift) {
-        Camera camera = new Camera(frame.point(from), frame.point(Vec3.ZERO), Vec3.Y, 40, shift);
-        Scene dark = new Scene(picture, camera, world, materials, nodes.stream().map(frame::node).toList(), List.of());
+            List<Material> materials, World world, Camera camera) {
+        Scene dark = new Scene(picture, frame.camera(camera), world, materials, nodes.stream().map(frame::node).toList(), List.of());
         List<Light> lights = new ArrayList<>();
         for (LightTemplate seed : seeds) {
             lights.add(seed.instantiate(dark, "l" + lights.size()));
@@ -103,6 +109,22 @@ public final class SceneArbitraries {
         Arbitrary<Double> shares = NumberArbitraries.range(-0.4, 0.4);
         return Arbitraries.frequencyOf(Tuple.of(5, Arbitraries.of(LensShift.NONE)),
                 Tuple.of(1, Combinators.combine(shares, shares).as(LensShift::new)));
+    }
+
+    private static Arbitrary<Camera> cameras() {
+        return Combinators.combine(views(), shifts(), lenses())
+                .as((from, shift, lens) -> new Camera(from, Vec3.ZERO, Vec3.Y, 40, shift, lens));
+    }
+
+    /** Returns lenses, most of them pinholes, some larger than the scene. */
+    static Arbitrary<Lens> lenses() {
+        Arbitrary<Double> apertures = Arbitraries.frequencyOf(Tuple.of(6, NumberArbitraries.range(0, 0.5)),
+                Tuple.of(1, Arbitraries.of(1e-12, 10.0, 1e6)));
+        Arbitrary<Double> distances = Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(0.0, 1e-9, 1e9)),
+                Tuple.of(3, NumberArbitraries.range(0.1, 12)));
+        Arbitrary<Lens> open = Combinators.combine(apertures, distances, Arbitraries.of(0, 3, 6, 16), NumberArbitraries.range(-180, 180))
+                .as(Lens::new);
+        return Arbitraries.frequencyOf(Tuple.of(2, Arbitraries.of(Lens.PINHOLE)), Tuple.of(1, open));
     }
 
     static Arbitrary<PictureSettings> pictures() {

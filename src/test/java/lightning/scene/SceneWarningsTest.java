@@ -32,6 +32,13 @@ class SceneWarningsTest {
     }
 
     @Test
+    void openLensWithoutAntialiasing_hasNoEffect() throws Exception {
+        assertThat(warnings("camera { aperture 0.1 }"))
+                .containsExactly("the aperture of the camera has no effect: anti-aliasing is off");
+        assertThat(warnings("camera { aperture 0.1 }\npicture { antialias edges }")).isEmpty();
+    }
+
+    @Test
     void lightWithoutObject_isDark() throws Exception {
         assertThat(warnings("light lamp object {}")).containsExactly("light lamp is dark: it has no object that shines");
         assertThat(warnings("group g {} light lamp object { shape g }")).hasSize(1);

@@ -295,8 +295,8 @@ final class GltfImport {
         double distance = extras.cameraDistance().orElseGet(
                 () -> Math.max(assembler.bounds.center().minus(camera.from()).dot(view), MIN_TARGET_DISTANCE * radius));
         try {
-            return new Camera(camera.from(), camera.from().plus(view.times(distance)), camera.up(), camera.fov(),
-                    extras.cameraShift(notes));
+            return extras.withLens(camera.withView(camera.from(), camera.from().plus(view.times(distance)), camera.up())
+                    .withShift(extras.cameraShift(notes)), notes);
         } catch (RefusalException | ArithmeticException e) {
             return camera;
         }

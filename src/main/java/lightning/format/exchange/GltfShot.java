@@ -242,6 +242,6 @@ final class GltfShot {
 
     private static Camera rounded(Camera camera) {
         return new Camera(NineDigits.rounded(camera.from()), NineDigits.rounded(camera.to()), NineDigits.rounded(camera.up()),
-                NineDigits.rounded(camera.fov()), camera.shift());
+                NineDigits.rounded(camera.fov()), camera.shift(), camera.lens());
     }
 }

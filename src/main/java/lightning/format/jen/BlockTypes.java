@@ -68,8 +68,7 @@ final class BlockTypes {
                     v.attributeValue(PictureSettings.REFLECTION_RAYS)));
 
     static final BlockType<Camera> CAMERA = new BlockType<>("camera", false, Optional.empty(), Property.of(Camera.ATTRIBUTES),
-            (name, v, children) -> new Camera(v.vector("from"), v.vector("to"), v.vector("up"), v.number("fov"),
-                    v.attributeValue(Camera.SHIFT)));
+            (name, v, children) -> v.applyAll(Camera.DEFAULT.withView(v.vector("from"), v.vector("to"), v.vector("up")), Camera.OPTICS));
 
     static final BlockType<World> WORLD = new BlockType<>("world", false, Optional.empty(), Property.of(World.ATTRIBUTES),
             (name, v, children) -> v.applyAll(World.DEFAULT, World.ATTRIBUTES));

@@ -142,8 +142,8 @@ final class TileTracer {
         centerLevels = new HitRows[depth + 1];
         sampleLevels = new HitRows[depth + 1];
         layers = new LightLayer[Math.max(eyeLevel.parts.lights().length, mirrorLevels.parts.lights().length)];
-        firstCells = SampleCells.first(sampling);
-        restCells = SampleCells.rest(sampling);
+        firstCells = SampleCells.first(scenes.scene());
+        restCells = SampleCells.rest(scenes.scene());
         means = new FilmMeans(firstCells.count(), restCells.count());
     }
 

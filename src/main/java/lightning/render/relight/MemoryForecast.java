@@ -194,8 +194,9 @@ final class MemoryForecast {
     }
 
     /** Returns the mean number of samples of a pixel that has several. */
-    private static double samplesAtEdges(SamplingSettings sampling) {
-        return SampleCells.first(sampling.grid()).count() + REFINED_SHARE * SampleCells.rest(sampling.grid()).count();
+    private double samplesAtEdges(SamplingSettings sampling) {
+        double share = scene.camera().lens().isOpen() ? 1 : REFINED_SHARE;
+        return SampleCells.first(sampling.grid()).count() + share * SampleCells.rest(sampling.grid()).count();
     }
 
     /**

@@ -103,7 +103,7 @@ public final class BackgroundShader {
         double[] dz = new double[1];
         for (int i = 0; i < to[0].length; i++) {
             if (i < places.count() && !hit[i]) {
-                camera.writeDirection(places.x(i), places.y(i), dx, dy, dz, 0);
+                places.writeDirection(camera, i, dx, dy, dz);
                 shade(shown, dx[0], dy[0], dz[0], to, i);
             }
         }

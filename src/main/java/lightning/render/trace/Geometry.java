@@ -127,7 +127,7 @@ public final class Geometry {
     /** Returns these shapes seen by another camera; reuses the topology of the BVH. */
     private Geometry seenFrom(Scene other, Predicate<Material> newCastsReflections) {
         return new Geometry(surfaces.withMaterialsOf(other, newCastsReflections),
-                new Bvh(primitives.movedCamera(other.camera().origin()), all));
+                new Bvh(primitives.movedCamera(other.camera().origin(), other.camera().lens().aperture()), all));
     }
 
     /** Returns other shapes seen from the same camera position; materials keep their indices. */
@@ -250,9 +250,10 @@ public final class Geometry {
         return blockers.shadowCasters() == null || blockers.shadowCasters()[primitive];
     }
 
-    /** Returns whether {@code other} has these shapes, seen from this camera position; its materials may differ. */
+    /** Returns whether {@code other} has these shapes, seen from this camera position; its materials may differ, and its lens a little. */
     public boolean canServe(Scene other) {
-        return hasSameShapes(other) && scene.camera().origin().equals(other.camera().origin());
+        return hasSameShapes(other) && scene.camera().origin().equals(other.camera().origin())
+                && other.camera().lens().aperture() <= primitives.maxLens;
     }
 
     private boolean hasSameShapes(Scene other) {

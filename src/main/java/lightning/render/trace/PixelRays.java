@@ -20,10 +20,11 @@ public final class PixelRays {
 
     /**
      * Returns the ray, of length 1, through sample {@code sample} of a pixel. The pixel has {@code grid} × {@code grid}
-     * samples, each at the center of its cell, numbered row by row from the upper left.
+     * samples, each at the center of its cell, numbered row by row from the upper left. It starts at the sample's point on the lens.
      */
     public Ray ray(int x, int y, int sample, int grid) {
-        return rays.imageRay(x + SamplePositions.offset(sample % grid, grid), y + SamplePositions.offset(sample / grid, grid));
+        return rays.sampleRay(x + SamplePositions.offset(sample % grid, grid), y + SamplePositions.offset(sample / grid, grid), sample,
+                grid);
     }
 
     /**

@@ -15,12 +15,13 @@ public final class RayColumns {
     public int count;
     /** Rays per line if the rays are those of all pixels of a rectangle, line by line; otherwise 0. */
     public int columns;
+    private final CameraRays camera;
     /** Origin of camera rays, render space. */
     private final Vec3 eye;
     /** Rows that the rays start from; null for camera rays. */
     @Nullable
     HitRows sourceRows;
-    /** Origins of the rays by row; null for camera rays. */
+    /** Origins of the rays by slot; null for camera rays that start at the eye. */
     public float @Nullable [] startX;
     public float @Nullable [] startY;
     public float @Nullable [] startZ;
@@ -49,8 +50,11 @@ public final class RayColumns {
     public final double[] localZ = new double[MAX_RAYS];
 
     private final double[] range = new double[2];
+    /** Origins of rays through a lens, {@code float[3][MAX_RAYS]}; created on first use. */
+    private float @Nullable [][] onLens;
 
     RayColumns(CameraRays camera) {
+        this.camera = camera;
         eye = camera.eye;
     }
 
@@ -62,12 +66,44 @@ public final class RayColumns {
         startZ = null;
     }
 
+    /** Sets origins and directions of the finer samples at some positions; their numbers are their slots. */
+    void startAtSamples(SamplePositions positions, Tracer tracer) {
+        startAtEye();
+        if (camera.hasOpenLens()) {
+            float[][] from = onLens == null ? new float[3][MAX_RAYS] : onLens;
+            onLens = from;
+            positions.writeLensRays(camera, from[0], from[1], from[2], dx, dy, dz);
+            startX = from[0];
+            startY = from[1];
+            startZ = from[2];
+        } else {
+            tracer.directSampleRays(camera, positions, this);
+        }
+    }
+
+    /** Sets the origins of other camera rays, which have the same slots. */
+    void startAsEyeRays(RayColumns o) {
+        sourceRows = null;
+        startX = o.startX;
+        startY = o.startY;
+        startZ = o.startZ;
+    }
+
     /** Sets rows as the origins of the rays. */
     void startAtRows(HitRows rows, BounceKind bounce) {
         sourceRows = rows;
         startX = bounce.originX(rows);
         startY = bounce.originY(rows);
         startZ = bounce.originZ(rows);
+    }
+
+    /** Sets a beam to bound the rays, at least one. */
+    void bound(RayBeam beam, Tracer tracer) {
+        beam.clear();
+        for (int i = 0; i < (startX == null ? 1 : count); i++) {
+            beam.addOrigin(originX(i), originY(i), originZ(i));
+        }
+        addDirectionsTo(beam, tracer);
     }
 
     /** Adds the directions of all rays, at least one, to a beam. */

@@ -3,7 +3,7 @@ package lightning.render.trace;
 import java.util.BitSet;
 import java.util.stream.IntStream;
 import lightning.scene.AntialiasMode;
-import lightning.scene.SamplingSettings;
+import lightning.scene.Scene;
 
 /**
  * Cells of a pixel's grid that have a sample at their centers: all, the first ones, or the rest. The first samples decide whether
@@ -26,13 +26,20 @@ public record SampleCells(int grid, int[] cells) {
     }
 
     /** Returns the cells that every pixel with several samples has. */
-    public static SampleCells first(SamplingSettings sampling) {
-        return sampling.antialias() == AntialiasMode.EDGES ? first(sampling.grid()) : all(sampling.grid());
+    public static SampleCells first(Scene scene) {
+        int grid = scene.picture().sampling().grid();
+        return refines(scene) ? first(grid) : all(grid);
     }
 
     /** Returns the cells that a pixel also has if its first samples differ much; none if the first are all. */
-    public static SampleCells rest(SamplingSettings sampling) {
-        return sampling.antialias() == AntialiasMode.EDGES ? rest(sampling.grid()) : new SampleCells(sampling.grid(), new int[0]);
+    public static SampleCells rest(Scene scene) {
+        int grid = scene.picture().sampling().grid();
+        return refines(scene) ? rest(grid) : new SampleCells(grid, new int[0]);
+    }
+
+    /** Returns whether first samples decide about others. Few points of an open lens would miss much of what it sees. */
+    private static boolean refines(Scene scene) {
+        return scene.picture().sampling().antialias() == AntialiasMode.EDGES && !scene.camera().lens().isOpen();
     }
 
     /** Returns the cells of the first samples; all cells of a grid that cannot be refined. */

@@ -1,5 +1,6 @@
 package lightning.render.trace;
 
+import lightning.base.math.Vec3;
 import lightning.render.trace.tree.RayBeam;
 import org.jspecify.annotations.Nullable;
 
@@ -59,6 +60,33 @@ public record SamplePositions(int x0, int y0, short @Nullable [] pixels, SampleC
         }
     }
 
+    /** Writes the direction, of length 1, of a camera ray to index 0. */
+    public void writeDirection(CameraRays camera, int ray, double[] dx, double[] dy, double[] dz) {
+        if (pixels == null || !camera.hasOpenLens()) {
+            camera.writeDirection(x(ray), y(ray), dx, dy, dz, 0);
+        } else {
+            Vec3 direction = camera.sampleRay(x(ray), y(ray), cell(ray), cells.grid()).direction();
+            dx[0] = direction.x();
+            dy[0] = direction.y();
+            dz[0] = direction.z();
+        }
+    }
+
+    /** Writes the rays of finer samples through an open lens; their numbers are their slots. */
+    void writeLensRays(CameraRays camera, float[] fromX, float[] fromY, float[] fromZ, double[] toX, double[] toY, double[] toZ) {
+        float[] from = new float[3];
+        double[] to = new double[3];
+        for (int ray = 0; ray < count(); ray++) {
+            camera.writeLensRay(x(ray), y(ray), cell(ray), cells.grid(), from, to);
+            fromX[ray] = from[0];
+            fromY[ray] = from[1];
+            fromZ[ray] = from[2];
+            toX[ray] = to[0];
+            toY[ray] = to[1];
+            toZ[ray] = to[2];
+        }
+    }
+
     /** Writes the sample pattern of each ray of finer samples. */
     void writePatterns(byte[] patterns) {
         assert pixels != null;
@@ -75,7 +103,7 @@ public record SamplePositions(int x0, int y0, short @Nullable [] pixels, SampleC
         return (2 * cell + 1) / (2.0 * grid);
     }
 
-    /** Sets a beam to bound all rays through the bounding rectangle of the pixels; there must be at least one. */
+    /** Sets a beam to bound all rays from the eye through the bounding rectangle of the pixels; there must be at least one. */
     void boundBeam(RayBeam beam, CameraRays camera) {
         int left = SIDE;
         int right = 0;

@@ -65,6 +65,6 @@ record ShapeSurfaces(Scene scene, List<Shape> shapes, List<String> materialNames
         Map<String, Integer> index = new HashMap<>();
         materialNames.forEach(name -> index.put(name, index.size()));
         int[] materialIndices = shapes.stream().mapToInt(s -> index.get(s.material())).toArray();
-        return PrimitiveTable.of(scene.stage().rendered(), materialIndices, scene.camera().origin());
+        return PrimitiveTable.of(scene.stage().rendered(), materialIndices, scene.camera().origin(), scene.camera().lens().aperture());
     }
 }

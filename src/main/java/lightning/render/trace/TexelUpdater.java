@@ -47,7 +47,7 @@ public final class TexelUpdater {
      */
     public HitRows updateEyeRows(HitRows rows, SamplePositions positions, MaterialSet changed) {
         return updateTexels(rows, changed, () -> directEyeRays(positions), () -> {
-            rays.startAtEye();
+            rays.startAsEyeRays(eyeRays);
             setEyeDirections(positions);
         });
     }
@@ -66,9 +66,10 @@ public final class TexelUpdater {
 
     private void directEyeRays(SamplePositions positions) {
         if (positions.pixels() == null) {
+            eyeRays.startAtEye();
             tracer.directEyeRays(camera, positions.x0(), positions.y0(), SamplePositions.SIDE, SamplePositions.SIDE, eyeRays);
         } else {
-            tracer.directSampleRays(camera, positions, eyeRays);
+            eyeRays.startAtSamples(positions, tracer);
         }
     }
 
@@ -119,18 +120,20 @@ public final class TexelUpdater {
             rays.dy[i] = eyeRays.dy[rays.slot[i]];
             rays.dz[i] = eyeRays.dz[rays.slot[i]];
         }
-        positions.boundBeam(beam, camera);
+        if (rays.startX == null) {
+            positions.boundBeam(beam, camera);
+        } else {
+            rays.bound(beam, tracer);
+        }
     }
 
     private void setBounceDirections(HitRows parentRows, BounceKind bounce) {
-        beam.clear();
         for (int i = 0; i < rays.count; i++) {
             bounce.writeDirection(parentRows, rays.slot[i], materials, direction);
             rays.dx[i] = direction[0];
             rays.dy[i] = direction[1];
             rays.dz[i] = direction[2];
-            beam.addOrigin(rays.originX(i), rays.originY(i), rays.originZ(i));
         }
-        rays.addDirectionsTo(beam, tracer);
+        rays.bound(beam, tracer);
     }
 }

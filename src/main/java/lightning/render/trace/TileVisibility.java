@@ -72,7 +72,6 @@ public final class TileVisibility {
     }
 
     private void setSampleRays(SamplePositions positions) {
-        rays.startAtEye();
         rays.count = positions.count();
         rays.columns = 0;
         byte[] written = new byte[rays.count];
@@ -81,7 +80,7 @@ public final class TileVisibility {
         }
         positions.writePatterns(written);
         patterns = written;
-        tracer.directSampleRays(camera, positions, rays);
+        rays.startAtSamples(positions, tracer);
     }
 
     /** Sets the camera rays of some positions; of the pixel centers only those inside the image. */
@@ -100,18 +99,28 @@ public final class TileVisibility {
             camera.boundBeam(beam, positions.x0(), positions.y0(), Math.min(SamplePositions.SIDE, width - positions.x0()),
                     Math.min(SamplePositions.SIDE, height - positions.y0()));
         } else {
-            positions.boundBeam(beam, camera);
+            boundSamples(positions);
         }
         return boxes.intersects(beam);
     }
 
+    /** Sets the beam to bound the rays of finer samples, at least one, which need to be set only if the lens is open. */
+    private void boundSamples(SamplePositions positions) {
+        if (camera.hasOpenLens()) {
+            rays.bound(beam, tracer);
+        } else {
+            positions.boundBeam(beam, camera);
+        }
+    }
+
     /** Returns the indices of the positions whose camera rays can hit any of the boxes. */
     public BitSet eyeRaysThroughBoxes(SamplePositions positions, BoxSet boxes) {
-        if (boxes.isEmpty() || !canEyeRaysHit(positions, boxes)) {
+        boolean isOpen = camera.hasOpenLens();
+        if (boxes.isEmpty() || !isOpen && !canEyeRaysHit(positions, boxes)) {
             return new BitSet();
         }
         setEyeRays(positions);
-        return raysThroughBoxes(boxes);
+        return isOpen && !canEyeRaysHit(positions, boxes) ? new BitSet() : raysThroughBoxes(boxes);
     }
 
     /** Returns the rows of a level whose secondary rays of a kind can hit any of the boxes. */
@@ -157,9 +166,7 @@ public final class TileVisibility {
         }
         rays.count = count;
         rays.columns = 0;
-        beam.clear();
-        beam.addOrigin(rays.originX(0), rays.originY(0), rays.originZ(0));
-        rays.addDirectionsTo(beam, tracer);
+        rays.bound(beam, tracer);
         candidates.collect(geometry.bvh(), beam);
         tracer.findNearest(rays, candidates);
         return rowBuilder.build(rays, patterns, allocator);
@@ -173,7 +180,7 @@ public final class TileVisibility {
      */
     public HitRows traceSamples(SamplePositions positions, Allocator allocator) {
         setSampleRays(positions);
-        positions.boundBeam(beam, camera);
+        boundSamples(positions);
         candidates.collect(geometry.bvh(), beam);
         tracer.findNearest(rays, candidates);
         return rowBuilder.build(rays, patterns, allocator);
@@ -190,7 +197,7 @@ public final class TileVisibility {
         if (positions.pixels() == null) {
             camera.boundBeam(beam, positions.x0(), positions.y0(), rays.columns, rays.count / rays.columns);
         } else {
-            positions.boundBeam(beam, camera);
+            boundSamples(positions);
         }
         candidates.collect(geometry.bvh(), beam);
         tracer.findNearest(rays, candidates);
@@ -273,17 +280,15 @@ public final class TileVisibility {
 
     /** Sets the beam to bound the rays from rows; there must be at least one. */
     private void boundBeam(BounceKind bounce) {
-        beam.clear();
         HitRows sourceRows = rays.sourceRows;
         if (sourceRows != null && rays.count == bounce.rowCount(sourceRows)) {
+            beam.clear();
             beam.addOrigins(
                     tracer.bounds(bounce.originX(sourceRows), bounce.originY(sourceRows), bounce.originZ(sourceRows), 0, rays.count));
+            rays.addDirectionsTo(beam, tracer);
         } else {
-            for (int i = 0; i < rays.count; i++) {
-                beam.addOrigin(rays.originX(i), rays.originY(i), rays.originZ(i));
-            }
+            rays.bound(beam, tracer);
         }
-        rays.addDirectionsTo(beam, tracer);
     }
 
     /** Returns the shape that each ray of the latest trace hit, −1 for none. */

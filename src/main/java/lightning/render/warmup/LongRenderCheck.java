@@ -41,7 +41,8 @@ public final class LongRenderCheck {
         SamplingSettings sampling = picture.sampling();
         double perPixel = switch (sampling.antialias()) {
             case OFF -> raysPerCenter(scene);
-            case EDGES -> raysPerCenter(scene) + EDGE_SHARE * sampling.samplesPerPixel() * raysPerFineSample(scene);
+            case EDGES -> raysPerCenter(scene)
+                    + (scene.hasDepthOfField() ? 1 : EDGE_SHARE) * sampling.samplesPerPixel() * raysPerFineSample(scene);
             case EVERY -> sampling.samplesPerPixel() * raysPerFineSample(scene);
         };
         double gathered = GatherSettings.of(scene).map(LongRenderCheck::raysPerPixel).orElse(0.0);

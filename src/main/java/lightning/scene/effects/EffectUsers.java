@@ -95,6 +95,12 @@ record EffectUsers(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
         return scene.picture().sampling().isSupersampled() ? Stream.of("picture") : Stream.empty();
     }
 
+    /** Returns the aperture of the lens, if it blurs anything. */
+    Stream<String> lens() {
+        return scene.hasDepthOfField()
+                ? Stream.of(Messages.tr("aperture {0}", SceneLimits.formatShort(scene.camera().lens().aperture()))) : Stream.empty();
+    }
+
     /** Returns the settings of indirect light, if the image has it and shapes that it can light. */
     Stream<String> indirectLight() {
         return shapes.isEmpty() ? Stream.empty() : scene.picture().indirect().stream().map(IndirectSettings::label);

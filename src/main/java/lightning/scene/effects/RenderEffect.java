@@ -133,6 +133,10 @@ public final class RenderEffect {
     public static final RenderEffect ANTIALIASING =
             register("antialiasing", "anti-aliasing", EffectUsers::supersampling, scene -> scene.withPicture(scene.picture()
                     .withSampling(new SamplingSettings(AntialiasMode.OFF, scene.picture().sampling().grid()))));
+    public static final RenderEffect DEPTH_OF_FIELD =
+            register("depth-of-field", "depth of field", EffectUsers::lens,
+                    scene -> scene.withCamera(scene.camera().withLens(scene.camera().lens().withAperture(0))), UnaryOperator.identity(),
+                    false);
     public static final RenderEffect ENVIRONMENT =
             register("environment", "environment", EffectUsers::environments,
                     scene -> scene.withWorld(scene.world().withoutEnvironments()), UnaryOperator.identity(), false);

@@ -17,7 +17,6 @@ import lightning.scene.light.LightRig;
 import lightning.scene.node.NodeGroup;
 import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
-import lightning.scene.value.LensShift;
 
 /** Evaluation of the scene at one frame. Sets dependent values together, so that no intermediate state is rejected. */
 final class FrameEvaluator {
@@ -57,8 +56,6 @@ final class FrameEvaluator {
         Vec3 from = Camera.FROM.get(base);
         Vec3 to = Camera.TO.get(base);
         Vec3 up = Camera.UP.get(base);
-        double fov = Camera.FOV.get(base);
-        LensShift shift = Camera.SHIFT.get(base);
         for (Track track : keys) {
             if (track.attribute().equals(Camera.FROM.name())) {
                 from = track.evaluate(frame, Camera.FROM.kind());
@@ -66,13 +63,9 @@ final class FrameEvaluator {
                 to = track.evaluate(frame, Camera.TO.kind());
             } else if (track.attribute().equals(Camera.UP.name())) {
                 up = track.evaluate(frame, Camera.UP.kind());
-            } else if (track.attribute().equals(Camera.FOV.name())) {
-                fov = track.evaluate(frame, Camera.FOV.kind());
-            } else if (track.attribute().equals(Camera.SHIFT.name())) {
-                shift = track.evaluate(frame, Camera.SHIFT.kind());
             }
         }
-        return new Camera(from, to, up, fov, shift);
+        return animate(base.withView(from, to, up), SceneElement.CAMERA, Camera.OPTICS);
     }
 
     private List<SceneNode> nodes(List<SceneNode> nodes) {

@@ -74,9 +74,9 @@ public final class EditingBenchmark {
         PreviewScene.Request request = new PreviewScene().request(scene, scene.lights().getFirst().name(), ViewEffects.PREVIEW, true);
         try (var preview = new Renderer(RenderOptions.DEFAULT.withView(request.effects()))) {
             Camera camera = scene.camera();
-            print("orbit frame of the preview", median(i -> timed(() -> preview.render(request.scene().withCamera(new Camera(
-                    camera.from().plus(new Vec3(0.01 * (i + WARM_UPS + 1), 0, 0)), camera.to(), camera.up(), camera.fov(), camera.shift(),
-                    camera.origin())),
+            print("orbit frame of the preview", median(i -> timed(() -> preview.render(request.scene().withCamera(
+                    camera.withView(camera.from().plus(new Vec3(0.01 * (i + WARM_UPS + 1), 0, 0)), camera.to(), camera.up())
+                            .withOrigin(camera.origin())),
                     Progress.NONE))),
                     "ms");
         }

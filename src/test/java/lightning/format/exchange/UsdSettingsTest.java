@@ -14,6 +14,7 @@ import lightning.format.exchange.assembly.LightUnits;
 import lightning.sample.PythonPrograms;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TexturePlacement;
+import lightning.scene.value.Lens;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -108,6 +109,24 @@ class UsdSettingsTest {
     void exposureOfCamera_isThatOfThePicture(String attributes, double stops) throws Exception {
         ImportedScene scene = imported("", square("") + "def Camera \"eye\" {\n" + attributes.replace("; ", "\n") + "\n}\n");
         assertThat(scene.scene().picture().view().exposure()).isCloseTo(stops, offset(1e-6));
+    }
+
+    /** A focal length of 50 is 5 scene units, so f/2 is a radius of 1.25. */
+    @Test
+    void fNumberAndFocusDistance_areTheLens() throws Exception {
+        String camera = "def Camera \"eye\" {\nfloat focalLength = 50\nfloat fStop = 2\nfloat focusDistance = 7\n}\n";
+        assertThat(imported("", square("") + camera).scene().camera().lens()).isEqualTo(new Lens(1.25, 7, 0, 0));
+        assertThat(imported("", square("") + camera.replace("fStop = 2", "fStop = 0")).scene().camera().lens()).isEqualTo(Lens.PINHOLE);
+        ImportedScene unfocused = imported("", square("") + camera.replace("focusDistance = 7", "focusDistance = 0"));
+        assertThat(unfocused.scene().camera().lens()).isEqualTo(Lens.PINHOLE);
+        assertThat(unfocused.notes()).containsEntry("depth of field of cameras without a focus distance", 1);
+    }
+
+    @Test
+    void animatedFocusDistance_becomesKeyframes() throws Exception {
+        ImportedScene scene = imported(" startTimeCode = 1\n endTimeCode = 3\n", square("")
+                + "def Camera \"eye\" {\nfloat focalLength = 50\nfloat fStop = 2\nfloat focusDistance.timeSamples = { 1: 4, 3: 8 }\n}\n");
+        assertThat(scene.shot().orElseThrow().sceneAt(scene.scene(), 2).camera().lens().focus()).isEqualTo(6);
     }
 
     @Test

@@ -157,7 +157,7 @@ class ExactnessTest {
      */
     static boolean refreshesReflections(Scene before, Scene scene) {
         return !before.picture().withIndirect(Optional.empty()).equals(scene.picture().withIndirect(Optional.empty()))
-                || !before.camera().equals(scene.camera())
+                || !before.camera().hasSameView(scene.camera()) || !before.hasSameSamples(scene)
                 || !before.stage().rendered().nodes().equals(scene.stage().rendered().nodes()) || !haveSameShadowRayTargets(before, scene);
     }
 

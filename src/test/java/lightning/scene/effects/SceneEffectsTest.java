@@ -250,7 +250,7 @@ class SceneEffectsTest {
                 RenderEffect.LIGHT_FILTERS, RenderEffect.PROFILES, RenderEffect.LIGHT_TEXTURES, RenderEffect.LIGHT_LINKS,
                 RenderEffect.SHADOW_LINKS, RenderEffect.LIGHT_GAINS,
                 RenderEffect.LIGHT_GROUPS, RenderEffect.VISIBLE_LIGHTS, RenderEffect.SOFT_SHADOWS,
-                RenderEffect.ENVIRONMENT, RenderEffect.FOG,
+                RenderEffect.DEPTH_OF_FIELD, RenderEffect.ENVIRONMENT, RenderEffect.FOG,
                 RenderEffect.INDIRECT,
                 RenderEffect.of("rect-lights"),
                 RenderEffect.of("disc-lights"), RenderEffect.of("tube-lights"), RenderEffect.of("object-lights"),

@@ -30,7 +30,7 @@ import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
 import lightning.scene.sky.SkyUnit;
 
-/** Properties of the scene as a whole: ambient light, background, environments, fog, indirect light and view. */
+/** Properties of the scene as a whole: ambient light, background, environments, fog, indirect light, the camera's lens and view. */
 final class WorldPane extends AttributeForm<World> {
     /** Lengths of a new box of fog, scene units. */
     private static final Vec3 NEW_BOX = new Vec3(10, 10, 10);
@@ -78,6 +78,7 @@ final class WorldPane extends AttributeForm<World> {
                 SectionLayout.section(Messages.tr("Domes"), new DomeForm(model, visibleState)),
                 SectionLayout.section(Messages.tr("Fog"), fog()),
                 SectionLayout.section(Messages.tr("Indirect Light"), new IndirectForm(model, visibleState)),
+                SectionLayout.section(Messages.tr("Depth of Field"), new LensForm(model, visibleState)),
                 SectionLayout.section(Messages.tr("View"), SectionLayout.caption(Messages.tr("View Transform")), curve, exposure, lut));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);

@@ -11,6 +11,8 @@ import java.util.regex.Pattern;
 import lightning.base.text.RefusalException;
 import lightning.format.exchange.assembly.SceneAssembler;
 import lightning.format.mesh.ConversionNotes;
+import lightning.scene.Camera;
+import lightning.scene.LensAttributes;
 import lightning.scene.World;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
@@ -66,6 +68,12 @@ public final class SceneExtras {
         }
         notes.add(INVALID_SHIFT);
         return LensShift.NONE;
+    }
+
+    /** Returns the active camera with its lens; a pinhole if the settings have none. */
+    public Camera withLens(Camera camera, ConversionNotes notes) {
+        return AttributeJson.read(json.path("lens"), camera, LensAttributes.ALL, (_, _) -> false,
+                _ -> notes.add("scene settings that cannot be restored"));
     }
 
     /**

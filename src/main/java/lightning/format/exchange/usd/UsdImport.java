@@ -29,6 +29,7 @@ import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
+import lightning.scene.value.Lens;
 import lightning.scene.value.LensShift;
 import lightning.scene.value.SceneLimits;
 import lightning.scene.value.ShapeLinks;
@@ -37,6 +38,8 @@ import tools.jackson.databind.node.ObjectNode;
 
 /** Converter from a USD stage to a scene, with its animation. */
 public final class UsdImport {
+    /** USD gives focal lengths in tenths of a scene unit. */
+    private static final double FOCAL_PER_UNIT = 10;
     private static final double MIN_TARGET_DISTANCE = 0.2;
 
     private final SceneAssembler assembler;
@@ -200,6 +203,8 @@ public final class UsdImport {
             Camera camera = camera(in, isShifted);
             assembler.camera = Optional.of(camera);
             assembler.notes.add("orthographic cameras, imported as perspective", in.get("orthographic").bool(false) ? 1 : 0);
+            assembler.notes.add("depth of field of cameras without a focus distance",
+                    in.get("f_number").number(0) > 0 && !camera.lens().isOpen() && !in.get("orthographic").bool(false) ? 1 : 0);
             importExposure(in);
             double aspect = in.get("width").number(1) / in.get("height").number(1);
             if (aspect > 0 && aspect < Double.POSITIVE_INFINITY) {
@@ -251,7 +256,20 @@ public final class UsdImport {
         return new Camera(UsdNumbers.rounded(from), UsdNumbers.rounded(from.plus(view.times(distance))),
                 UsdNumbers.rounded(m.transformVector(Vec3.Y).normalized()),
                 UsdNumbers.rounded(Math.clamp(fov, SceneLimits.MIN_FOV, SceneLimits.MAX_FOV)),
-                isShifted ? new LensShift(shift(in, "offset_x", "width"), shift(in, "offset_y", "height")) : LensShift.NONE);
+                isShifted ? new LensShift(shift(in, "offset_x", "width"), shift(in, "offset_y", "height")) : LensShift.NONE, lens(in, m));
+    }
+
+    /** Returns the lens of an f-number; a pinhole without one, and without a focus distance, at which nothing would be sharp. */
+    private static Lens lens(JsonValue in, Transform camera) throws MeshException {
+        double unit = camera.transformVector(new Vec3(0, 0, -1)).length();
+        double fNumber = in.get("f_number").number(0);
+        double focus = in.get("focus").number(0) * unit;
+        if (!(fNumber > 0 && focus > 0) || in.get("orthographic").bool(false)) {
+            return Lens.PINHOLE;
+        }
+        double focal = in.get("focal").number(1) / FOCAL_PER_UNIT * unit;
+        return Lens.PINHOLE.withAperture(UsdNumbers.rounded(Math.clamp(focal / (2 * fNumber), 0, SceneLimits.MAX_EXTENT)))
+                .withFocus(UsdNumbers.rounded(Math.clamp(focus, 0, SceneLimits.MAX_COORDINATE)));
     }
 
     /** Returns the offset of the aperture as a share of its size. */

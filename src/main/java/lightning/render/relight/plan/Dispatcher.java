@@ -54,13 +54,13 @@ public final class Dispatcher {
         if (known.picture().width() != target.picture().width() || known.picture().height() != target.picture().height()) {
             return new UpdatePlan.FirstPass(Messages.key("resolution changed"));
         }
-        boolean resampled = !known.picture().sampling().hasSameSamples(target.picture().sampling());
+        boolean resampled = !known.hasSameSamples(target);
         // If rays are followed from materials that do not mirror, edges cannot be found in the cached levels.
         if (resampled && (hasNoCenters(known) || hasNoCenters(target)
                 || cache.geometry().castsReflections() != MaterialTable.CASTS_REFLECTIONS)) {
             return new UpdatePlan.FirstPass(Messages.key("anti-aliasing changed"));
         }
-        if (!known.camera().equals(target.camera())) {
+        if (!known.camera().hasSameView(target.camera())) {
             return new UpdatePlan.FirstPass(Messages.key("camera changed"));
         }
         ShapeChange shapes = cache.geometry().canServe(target) ? ShapeChange.NONE

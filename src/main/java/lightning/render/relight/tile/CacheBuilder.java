@@ -165,7 +165,7 @@ public final class CacheBuilder {
         if (fine.length == 0) {
             return fine;
         }
-        PixelCache known = oldCache != null && oldCache.scene().picture().sampling().hasSameSamples(job.sampling()) ? oldCache : null;
+        PixelCache known = oldCache != null && oldCache.scene().hasSameSamples(job.scene()) ? oldCache : null;
         EdgeDetector edges = edgeDetector(centers);
         EdgeDetector edgesBefore = known == null ? null : edgeDetector(known.tiles());
         FineSampleWorker[] sampleWorkers = new FineSampleWorker[tileWorkers.size()];

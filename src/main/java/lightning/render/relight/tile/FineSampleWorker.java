@@ -40,6 +40,8 @@ final class FineSampleWorker {
     private final SampleCells firstCells;
     private final SampleCells restCells;
     private final boolean refines;
+    /** Whether only pixels at edges have samples: an open lens may blur an edge into any pixel. */
+    private final boolean isOnlyAtEdges;
     /** True if any film of any samples changed since the start of a tile. */
     private boolean hasNewFilms;
 
@@ -52,9 +54,10 @@ final class FineSampleWorker {
         this.tileWorkers = tileWorkers;
         this.edges = edges;
         this.previousEdges = known;
-        firstCells = SampleCells.first(job.sampling());
-        restCells = SampleCells.rest(job.sampling());
+        firstCells = SampleCells.first(job.scene());
+        restCells = SampleCells.rest(job.scene());
         refines = restCells.count() > 0;
+        isOnlyAtEdges = job.detectsEdges() && !job.scene().hasDepthOfField();
     }
 
     /**
@@ -74,7 +77,7 @@ final class FineSampleWorker {
             return isSame ? old
                     : FineTile.of(center == null ? null : center.film, old.first(), old.rest(), known, tileWorkers.forTile(tile).mixer());
         }
-        boolean reusesPixels = old != null && (!job.detectsEdges() || edges.hasSameEdges(tile, requireNonNull(previousEdges)));
+        boolean reusesPixels = old != null && (!isOnlyAtEdges || edges.hasSameEdges(tile, requireNonNull(previousEdges)));
         short[] pixels = old != null && reusesPixels ? old.first().pixels() : pixels(tile);
         FineSamples first = update(tile, firstCells, pixels, old == null ? FineSamples.none(firstCells) : old.first());
         if (job.progress().isCanceled()) {
@@ -97,7 +100,7 @@ final class FineSampleWorker {
     }
 
     private short[] pixels(int tile) {
-        return job.detectsEdges() ? edges.edges(tile)
+        return isOnlyAtEdges ? edges.edges(tile)
                 : EdgeDetector.allPixels(job.scene().picture().width(), job.scene().picture().height(), tile);
     }
 

@@ -55,6 +55,8 @@ public final class PrimitiveTable {
     private final double[] extent;
     /** Largest coordinate of any primitive, render space: rays may start within it. */
     public final double maxCoordinate;
+    /** Largest radius of a lens that boxes allow for, scene units. */
+    public final double maxLens;
     /** Upper bound on |x| + |y| + |z| of any point of a primitive. */
     public final double maxCoordinateSum;
     /** Maximum of {@link #placementError} over all primitives, scene units. */
@@ -73,7 +75,7 @@ public final class PrimitiveTable {
     /** Also writes {@code bounds}, {@code padding} and {@code roundingShare} for {@link PrimitiveBoxes}. */
     private PrimitiveTable(byte[] kind, MeshSolid @Nullable [] meshes, SurfaceTraits traits, int[] material, int[] owner, int[] dataStart,
             double[] data,
-            Stage stage, Vec3 camera, double[] bounds, double[] padding, double[] roundingShare) {
+            Stage stage, Vec3 camera, double lens, double[] bounds, double[] padding, double[] roundingShare) {
         count = kind.length;
         this.kind = kind;
         this.meshes = meshes;
@@ -112,12 +114,16 @@ public final class PrimitiveTable {
             maxima[1] = Math.max(maxima[1], placementError[s]);
         });
         maxCoordinate = maxima[0];
+        maxLens = Math.max(maxima[0], lens);
         maxCoordinateSum = 4 * maxCoordinate;
         maxPlacementError = maxima[1];
     }
 
-    /** @param material material index of each shape */
-    public static BoxedPrimitives of(Stage stage, int[] material, Vec3 camera) {
+    /**
+     * @param material material index of each shape
+     * @param lens     radius of the camera's lens, on which rays start
+     */
+    public static BoxedPrimitives of(Stage stage, int[] material, Vec3 camera, double lens) {
         List<Shape> shapes = stage.shapes();
         int count = shapes.size();
         byte[] kind = new byte[count];
@@ -148,18 +154,19 @@ public final class PrimitiveTable {
                 System.arraycopy(parameters, 0, data, dataStart[s] + SolidGeometry.MAP_SIZE, parameters.length);
             }
         }
-        return withBoxes(kind, meshes, new SurfaceTraits(stage), material, owner, dataStart, data, stage, camera);
+        return withBoxes(kind, meshes, new SurfaceTraits(stage), material, owner, dataStart, data, stage, camera, lens);
     }
 
     private static BoxedPrimitives withBoxes(byte[] kind, MeshSolid @Nullable [] meshes, SurfaceTraits traits, int[] material, int[] owner,
             int[] dataStart, double[] data,
-            Stage stage, Vec3 camera) {
+            Stage stage, Vec3 camera, double lens) {
         double[] bounds = new double[6 * kind.length];
         double[] padding = new double[kind.length];
         double[] roundingShare = new double[kind.length];
         PrimitiveTable table =
-                new PrimitiveTable(kind, meshes, traits, material, owner, dataStart, data, stage, camera, bounds, padding, roundingShare);
-        return new BoxedPrimitives(table, PrimitiveBoxes.of(bounds, padding, roundingShare));
+                new PrimitiveTable(kind, meshes, traits, material, owner, dataStart, data, stage, camera, lens, bounds, padding,
+                        roundingShare);
+        return new BoxedPrimitives(table, PrimitiveBoxes.of(bounds, padding, roundingShare, lens));
     }
 
     /**
@@ -179,9 +186,9 @@ public final class PrimitiveTable {
         return s + 1 < count ? dataStart[s + 1] : data.length;
     }
 
-    /** Returns the same primitives seen from another camera position. */
-    public BoxedPrimitives movedCamera(Vec3 camera) {
-        return withBoxes(kind, meshes, traits, material, owner, dataStart, data.clone(), stage, camera);
+    /** Returns the same primitives seen from another camera position through another lens. */
+    public BoxedPrimitives movedCamera(Vec3 camera, double lens) {
+        return withBoxes(kind, meshes, traits, material, owner, dataStart, data.clone(), stage, camera, lens);
     }
 
     /**

@@ -28,6 +28,7 @@ import lightning.scene.light.LightType;
 import lightning.scene.material.Material;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
+import lightning.scene.value.Lens;
 import lightning.scene.value.LensShift;
 import lightning.scene.value.ShapeLinks;
 import org.junit.jupiter.api.Test;
@@ -185,6 +186,22 @@ class SceneExtrasTest {
                 + "'tracks': [{'target': 'camera', 'attribute': 'shift', 'keys': [[1, [0.25, -0.5]], [3, [0.5, 0]]]}]}}"));
         assertThat(document.scene().camera().shift()).isEqualTo(new LensShift(0.25, -0.5));
         assertThat(document.shot().orElseThrow().sceneAt(document.scene(), 2).camera().shift()).isEqualTo(new LensShift(0.375, -0.25));
+    }
+
+    @Test
+    void lens_isRestoredAndAnimated() throws Exception {
+        JenDocument document = written(importedWithCamera("{'camera': 'eye', 'lens': {'aperture': 0.1, 'focus': 4, 'blades': 6, "
+                + "'blade_rotation': 15}, 'shot': {'frames': [1, 3], 'rate': 25, "
+                + "'tracks': [{'target': 'camera', 'attribute': 'focus', 'keys': [[1, 4], [3, 8]]}]}}"));
+        assertThat(document.scene().camera().lens()).isEqualTo(new Lens(0.1, 4, 6, 15));
+        assertThat(document.shot().orElseThrow().sceneAt(document.scene(), 2).camera().lens()).isEqualTo(new Lens(0.1, 6, 6, 15));
+    }
+
+    @Test
+    void lensOfTwoBlades_isNotedAndRound() throws Exception {
+        ImportedScene scene = importedWithCamera("{'camera': 'eye', 'lens': {'aperture': 0.1, 'blades': 2}}");
+        assertThat(scene.scene().camera().lens()).isEqualTo(new Lens(0.1, 0, 0, 0));
+        assertThat(scene.notes()).containsEntry("scene settings that cannot be restored", 1);
     }
 
     @Test

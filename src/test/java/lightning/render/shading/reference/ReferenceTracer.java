@@ -99,8 +99,8 @@ public final class ReferenceTracer {
         materials = geometry.materials();
         parts = FilmParts.of(scene);
         lights = parts.lights();
-        firstCells = SampleCells.first(scene.picture().sampling());
-        restCells = SampleCells.rest(scene.picture().sampling());
+        firstCells = SampleCells.first(scene);
+        restCells = SampleCells.rest(scene);
         targets = Arrays.stream(lights).map(WeightedLight::source)
                 .map(source -> source.type().hasPosition() ? BruteForce.shadowRayTarget(geometry, source.position()) : null)
                 .toArray(ShadowRayTarget[]::new);
@@ -587,6 +587,10 @@ public final class ReferenceTracer {
             case OFF -> Arrays.fill(fine, false);
             case EVERY -> Arrays.fill(fine, true);
             case EDGES -> {
+                if (scene.camera().lens().isOpen()) {
+                    Arrays.fill(fine, true);
+                    return fine;
+                }
                 int[] colors = new int[fine.length];
                 for (int i = 0; i < fine.length; i++) {
                     float[] color = edgePixel(i % picture.width(), i / picture.width());

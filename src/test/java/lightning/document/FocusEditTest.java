@@ -1,0 +1,50 @@
+package lightning.document;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import lightning.base.math.Vec3;
+import lightning.sample.StudioScene;
+import lightning.scene.AntialiasMode;
+import lightning.scene.Camera;
+import lightning.scene.SamplingSettings;
+import lightning.scene.Scene;
+import lightning.scene.light.LightType;
+import lightning.scene.value.Lens;
+import org.junit.jupiter.api.Test;
+
+class FocusEditTest {
+    private static final Scene SCENE =
+            StudioScene.of(LightType.POINT).withCamera(new Camera(new Vec3(1, 2, 10), new Vec3(1, 2, 0), Vec3.Y, 40));
+
+    private static Scene focused(Scene scene, Vec3 point) {
+        return ((EditOutcome.Applied) FocusEdit.focus(scene, point)).scene();
+    }
+
+    /** The plane of focus is perpendicular to the view, so a point at the side does not move it. */
+    @Test
+    void focusDistance_isAlongTheView() {
+        assertThat(focused(SCENE, new Vec3(4, 0, 3)).camera().lens().focus()).isEqualTo(7);
+    }
+
+    @Test
+    void pinhole_isOpenedAndAntialiased() {
+        Scene scene = focused(SCENE, new Vec3(1, 2, 5));
+        assertThat(scene.camera().lens()).isEqualTo(new Lens(0.05, 5, 0, 0));
+        assertThat(scene.picture().sampling()).isEqualTo(new SamplingSettings(AntialiasMode.EDGES, 4));
+    }
+
+    @Test
+    void openLens_keepsApertureAndSampling() {
+        Lens lens = new Lens(0.3, 2, 7, 20);
+        Scene open = SCENE.withCamera(SCENE.camera().withLens(lens))
+                .withPicture(SCENE.picture().withSampling(new SamplingSettings(AntialiasMode.EVERY, 2)));
+        Scene scene = focused(open, new Vec3(1, 2, 5));
+        assertThat(scene.camera().lens()).isEqualTo(lens.withFocus(5));
+        assertThat(scene.picture()).isEqualTo(open.picture());
+    }
+
+    @Test
+    void pointBehindTheCamera_isRefused() {
+        assertThat(FocusEdit.focus(SCENE, new Vec3(1, 2, 12))).isInstanceOf(EditOutcome.Refused.class);
+    }
+}
