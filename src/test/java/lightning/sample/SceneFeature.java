@@ -125,9 +125,10 @@ public enum SceneFeature {
     UNITS(scene -> lights(scene.withWorld(World.METERS.with(scene.world(), 0.5)), light -> light
             .withEmission(new Emission(4, light.type().hasPosition() ? IntensityUnit.LUMEN : IntensityUnit.LUX, 4000)))),
     ENVIRONMENT(scene -> world(scene,
-            world -> world.withEnvironment(Optional.of(sky(0.4f))).withOwn(own -> own.withRotation(DomeRotation.of(30, 0, 0))))),
+            world -> world.withEnvironment(Optional.of(sky("sky.hdr", 0.4f))).withOwn(own -> own.withRotation(DomeRotation.of(30, 0, 0))))),
     SKY(scene -> world(scene, world -> world.withSky(Sky.NONE.withOn(true)))),
-    DOME(scene -> world(scene, world -> world.withNamed(List.of(JenScenes.dome("dome", 0.5).withImage(Optional.of(sky(0.8f))))))),
+    DOME(scene -> world(scene,
+            world -> world.withNamed(List.of(JenScenes.dome("dome", 0.5).withImage(Optional.of(sky("dome.hdr", 0.8f))))))),
     FOG(scene -> world(scene, world -> world.withFog(Fog.NONE.withDensity(0.06).withColor(new Rgb(0.7, 0.8, 0.9)).withAnisotropy(0.3)
             .withAmbient(Rgb.gray(0.05)).withFalloff(0.3)))),
     LIGHT_GROUP(scene -> scene.withRig(scene.rig().addLightGroup(new LightGroup("group of lights", new Rgb(1, 0.8, 0.6), 0.7, true, false))
@@ -273,12 +274,12 @@ public enum SceneFeature {
     }
 
     /** Returns an image with one bright pixel, which is a light with a shadow. */
-    private static Environment sky(float brightness) {
+    private static Environment sky(String file, float brightness) {
         float[] rgb = new float[3 * 16 * 8];
         for (int i = 0; i < rgb.length; i++) {
             rgb[i] = brightness * (1 - i / 3 / 16 / 8f) * (0.6f + 0.2f * (i % 3));
         }
         Arrays.fill(rgb, 3 * 37, 3 * 38, 60 * brightness);
-        return new Environment("sky.hdr", new EnvironmentMap(16, 8, rgb));
+        return new Environment(file, new EnvironmentMap(16, 8, rgb));
     }
 }
