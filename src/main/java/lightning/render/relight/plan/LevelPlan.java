@@ -52,12 +52,13 @@ public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, Mate
     }
 
     /**
-     * Adds the films whose lights have another layer over a level's rows, which lights any before or after.
+     * Adds the films whose lights have another layer over a level's rows, which lights any before or after. A level without rows may have the
+     * layers of an earlier scene.
      *
      * @param parts films of the target scene
      */
     public void addChanged(FilmParts parts, TileLevel before, TileLevel after, BitSet films) {
-        for (int part = 0; part < parts.count(); part++) {
+        for (int part = 0; part < parts.count() && after.rows().count > 0; part++) {
             for (int l = parts.get(part).from(); l < parts.get(part).to(); l++) {
                 LightLayer known = layers.get(l).layerBefore(before);
                 LightLayer now = after.layers()[l];

@@ -216,6 +216,9 @@ public final class TileRecomposer {
 
     private void compose(Side side, TileLevel level, BitSet films, FilmColors @Nullable [] images, FilmColors to) {
         HitRows rows = level.rows();
+        if (rows.count == 0) {
+            return;
+        }
         side.composer.composeLevel(rows, side.parts, films, level.layers(), side.indirect(level), images, to);
         rowsComposed += rows.count;
         bytesRead += 12L * (rows.reflectiveCount + rows.clearCount) + (rows.texelRed == null ? 0 : 12L * rows.count) + 2L * rows.count;

@@ -341,7 +341,7 @@ final class TileWorker {
                 || job.target().geometry().materials().bulbsOf(light.name()) != null) {
             return true;
         }
-        return Arrays.stream(levels).anyMatch(level -> LightLayer.isLit(level.layers()[its.from()]));
+        return Arrays.stream(levels).anyMatch(level -> level.rows().count > 0 && LightLayer.isLit(level.layers()[its.from()]));
     }
 
     /** Adds films that are not dark and not known. */
