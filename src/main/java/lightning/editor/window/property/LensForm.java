@@ -38,8 +38,8 @@ final class LensForm extends AttributeForm<Camera> {
 
     @Override
     String label(SceneAttribute<Camera, ?> attribute, String part) {
-        return attribute == LensAttributes.APERTURE ? Messages.tr("Aperture Radius")
-                : attribute == LensAttributes.FOCUS ? Messages.tr("Focus Distance")
-                : attribute == LensAttributes.BLADES ? Messages.tr("Blades") : Messages.tr("Blade Rotation");
+        return attribute == LensAttributes.APERTURE ? Messages.tr("Aperture radius")
+                : attribute == LensAttributes.FOCUS ? Messages.tr("Focus distance")
+                : attribute == LensAttributes.BLADES ? Messages.tr("Blades") : Messages.tr("Blade rotation");
     }
 }
