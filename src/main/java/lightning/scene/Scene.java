@@ -113,6 +113,14 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
                 && (!sampling.isSupersampled() || camera.lens().hasSameRays(o.camera.lens()));
     }
 
+    /**
+     * Returns whether only pixels at edges have finer samples, the first of which decide about the others. An open lens may blur an edge into
+     * any pixel, and few of its points would miss much of what it sees: then all pixels have all samples.
+     */
+    public boolean hasSamplesOnlyAtEdges() {
+        return picture.sampling().antialias() == AntialiasMode.EDGES && !camera.lens().isOpen();
+    }
+
     /** Returns whether points off the plane of focus are blurred: the lens is open, and there are finer samples. */
     public boolean hasDepthOfField() {
         return camera.lens().isOpen() && picture.sampling().isSupersampled();

@@ -170,27 +170,16 @@ public final class TraditionalTracer {
 
     private Film trace(WorkerPool workers, List<EngineWorkers<TileTracer>> threads, int[] tiles, Progress progress) {
         Film film = Film.black(scene.picture().width(), scene.picture().height());
-        switch (sampling.antialias()) {
-            case OFF ->
-                    workers.run(tiles.length, (worker, i) -> threads.get(worker).forTile(tiles[i]).traceCenters(film, tiles[i], progress),
-                            progress);
-            case EDGES -> {
-                if (scene.hasDepthOfField()) {
-                    traceAllPixels(film, workers, threads, tiles, progress);
-                } else {
-                    traceEdges(film, workers, threads, tiles, progress);
-                }
-            }
-            case EVERY -> traceAllPixels(film, workers, threads, tiles, progress);
+        if (scene.hasSamplesOnlyAtEdges()) {
+            traceEdges(film, workers, threads, tiles, progress);
+        } else if (sampling.isSupersampled()) {
+            workers.run(tiles.length, (worker, i) -> threads.get(worker).forTile(tiles[i]).traceSamples(film, tiles[i],
+                    EdgeDetector.allPixels(film.width(), film.height(), tiles[i]), progress), progress);
+        } else {
+            workers.run(tiles.length, (worker, i) -> threads.get(worker).forTile(tiles[i]).traceCenters(film, tiles[i], progress),
+                    progress);
         }
         return film;
-    }
-
-    /** Traces samples of all pixels, and no centers. */
-    private static void traceAllPixels(Film film, WorkerPool workers, List<EngineWorkers<TileTracer>> threads, int[] tiles,
-            Progress progress) {
-        workers.run(tiles.length, (worker, i) -> threads.get(worker).forTile(tiles[i]).traceSamples(film, tiles[i],
-                EdgeDetector.allPixels(film.width(), film.height(), tiles[i]), progress), progress);
     }
 
     /** Traces all centers first, those of neighboring tiles too, to find edges; then traces the pixels on an edge with all samples. */

@@ -2,7 +2,6 @@ package lightning.render.trace;
 
 import java.util.BitSet;
 import java.util.stream.IntStream;
-import lightning.scene.AntialiasMode;
 import lightning.scene.Scene;
 
 /**
@@ -28,18 +27,13 @@ public record SampleCells(int grid, int[] cells) {
     /** Returns the cells that every pixel with several samples has. */
     public static SampleCells first(Scene scene) {
         int grid = scene.picture().sampling().grid();
-        return refines(scene) ? first(grid) : all(grid);
+        return scene.hasSamplesOnlyAtEdges() ? first(grid) : all(grid);
     }
 
     /** Returns the cells that a pixel also has if its first samples differ much; none if the first are all. */
     public static SampleCells rest(Scene scene) {
         int grid = scene.picture().sampling().grid();
-        return refines(scene) ? rest(grid) : new SampleCells(grid, new int[0]);
-    }
-
-    /** Returns whether first samples decide about others. Few points of an open lens would miss much of what it sees. */
-    private static boolean refines(Scene scene) {
-        return scene.picture().sampling().antialias() == AntialiasMode.EDGES && !scene.camera().lens().isOpen();
+        return scene.hasSamplesOnlyAtEdges() ? rest(grid) : new SampleCells(grid, new int[0]);
     }
 
     /** Returns the cells of the first samples; all cells of a grid that cannot be refined. */

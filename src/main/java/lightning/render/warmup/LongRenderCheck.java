@@ -42,7 +42,7 @@ public final class LongRenderCheck {
         double perPixel = switch (sampling.antialias()) {
             case OFF -> raysPerCenter(scene);
             case EDGES -> raysPerCenter(scene)
-                    + (scene.hasDepthOfField() ? 1 : EDGE_SHARE) * sampling.samplesPerPixel() * raysPerFineSample(scene);
+                    + (scene.hasSamplesOnlyAtEdges() ? EDGE_SHARE : 1) * sampling.samplesPerPixel() * raysPerFineSample(scene);
             case EVERY -> sampling.samplesPerPixel() * raysPerFineSample(scene);
         };
         double gathered = GatherSettings.of(scene).map(LongRenderCheck::raysPerPixel).orElse(0.0);

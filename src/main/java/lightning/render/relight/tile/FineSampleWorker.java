@@ -40,7 +40,6 @@ final class FineSampleWorker {
     private final SampleCells firstCells;
     private final SampleCells restCells;
     private final boolean refines;
-    /** Whether only pixels at edges have samples: an open lens may blur an edge into any pixel. */
     private final boolean isOnlyAtEdges;
     /** True if any film of any samples changed since the start of a tile. */
     private boolean hasNewFilms;
@@ -57,7 +56,7 @@ final class FineSampleWorker {
         firstCells = SampleCells.first(job.scene());
         restCells = SampleCells.rest(job.scene());
         refines = restCells.count() > 0;
-        isOnlyAtEdges = job.detectsEdges() && !job.scene().hasDepthOfField();
+        isOnlyAtEdges = job.scene().hasSamplesOnlyAtEdges();
     }
 
     /**
