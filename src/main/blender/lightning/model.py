@@ -11,7 +11,7 @@ from collections import Counter
 import bpy
 from mathutils import Matrix
 
-from . import nodes
+from . import nodes, shot
 
 # Nodes without settings that a change of simple values could miss.
 KNOWN_NODES = {"ShaderNodeOutputMaterial", "ShaderNodeBsdfPrincipled", "ShaderNodeTexImage", "ShaderNodeNormalMap", "ShaderNodeUVMap",

@@ -72,7 +72,7 @@ class IrregularFilesTest {
 
     @Test
     void pipeAsPicture_isRejected() throws Exception {
-        for (String ending : List.of("png", "xpm", "pfm")) {
+        for (String ending : List.of("png", "exr", "pfm")) {
             Path pipe = pipe("p." + ending);
             CliResult.run("compare", pipe, pipe).assertRejected("p." + ending + ": is not a regular file");
         }
@@ -93,7 +93,7 @@ class IrregularFilesTest {
             large.setLength(12L << 28);
         }
         CliResult.run("compare", file, file)
-                .assertRejected("huge.pfm: has 16384 × 16384 pixels; expected 1 to 16384 in each direction and at most 67108864");
+                .assertRejected("huge.pfm: must have at most 67108864 pixels, has 16384×16384");
     }
 
     @Test
