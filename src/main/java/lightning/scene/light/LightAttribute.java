@@ -46,7 +46,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
         ATTENUATION(Messages.key("attenuation")),
         FILTERS(Messages.key("Flag and Filter")),
         PLACE(Messages.key("Position and Direction")),
-        CONTRIBUTION(Messages.key("Influence")),
+        CONTRIBUTION(Messages.key("Contribution")),
         LINKS(Messages.key("Light Linking"));
 
         private final String title;
