@@ -140,8 +140,10 @@ public enum SceneFeature {
     ANTIALIASED_PIXELS(scene -> picture(scene, picture -> picture.withSampling(new SamplingSettings(AntialiasMode.EVERY, 2)))),
     INDIRECT(scene -> picture(scene, picture -> picture.withIndirect(Optional.of(new IndirectSettings(2, 16, 8, true))))),
     LENS_SHIFT(scene -> scene.withCamera(Camera.SHIFT.with(scene.camera(), new LensShift(0.1, -0.15)))),
-    /** Blurs the picture if it is antialiased. */
-    DEPTH_OF_FIELD(scene -> scene.withCamera(scene.camera().withLens(new Lens(0.2, 4, 5, 10)))),
+    /** A lens blurs only pictures with finer samples. */
+    DEPTH_OF_FIELD(scene -> picture(scene.withCamera(scene.camera().withLens(new Lens(0.2, 4, 5, 10))),
+            picture -> picture.sampling().isSupersampled()
+                    ? picture : picture.withSampling(new SamplingSettings(AntialiasMode.EDGES, 2)))),
     VIEW(scene -> picture(scene, picture -> picture.withView(new ViewSettings(ViewCurve.AGX, 0.5))));
 
     private static Scene withSoloEnvironments(Scene scene) {
