@@ -42,8 +42,10 @@ public final class FilmParts {
             Light light = effective.get(l);
             LightWeight weight = scene.isActive(light) ? LightWeight.of(light.limitedWeight()) : LightWeight.ZERO;
             parts.add(part(FilmPart.Kind.LIGHT, l, weight, isWeighted, l, l + 1));
-            lights[l] = isWeighted ? WeightedLight.of(scene.lights().get(l), scene) : WeightedLight.ofUnit(light, light, scene);
-            lights[l] = weight.isZero() ? lights[l].darkened() : lights[l];
+            WeightedLight its = isWeighted ? WeightedLight.of(scene.lights().get(l), scene) : WeightedLight.ofUnit(light, light, scene);
+            // A gain of the film may be above 0 where its product with the light's weight is not.
+            boolean isLit = !LightWeight.of(light.diffuseWeight()).isZero() || !LightWeight.of(light.specularWeight()).isZero();
+            lights[l] = weight.isZero() ? its.darkened() : isLit ? its : its.withoutSurfaces();
         }
         List<Dome> environments = scene.rig().environmentCount() == 0 ? List.of() : scene.world().environments();
         for (int e = 0; e < environments.size(); e++) {

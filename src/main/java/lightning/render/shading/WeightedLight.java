@@ -85,6 +85,11 @@ public record WeightedLight(Light light, LightWeight diffuse, LightWeight specul
         return new WeightedLight(light, LightWeight.ZERO, LightWeight.ZERO, LightWeight.ZERO, gains, source);
     }
 
+    /** Returns this light as one that only fog scatters. */
+    WeightedLight withoutSurfaces() {
+        return new WeightedLight(light, LightWeight.ZERO, LightWeight.ZERO, fog, gains, source);
+    }
+
     /** Returns this light dimmed by other fog. */
     public WeightedLight withFog(@Nullable FogMedium medium) {
         return new WeightedLight(light, diffuse, specular, fog, gains, source.withFog(medium));
