@@ -113,10 +113,15 @@ public final class Workbench implements AutoCloseable {
         return loop.cache();
     }
 
-    /** Replaces the state, with the present content of its document, and tells the window. */
+    /** Replaces the state and notifies the window. */
     private void show(EditorState next) {
-        state = next.showing(next.document());
+        state = next;
         changeListener.run();
+    }
+
+    /** Notifies the window of other content of the document. */
+    private void showDocument() {
+        show(state.showing(document()));
     }
 
     private void renderStateChanged() {
@@ -141,7 +146,7 @@ public final class Workbench implements AutoCloseable {
 
     /** Returns the state that the window shows. */
     public EditorState editorState() {
-        return state.showing(state.document());
+        return state;
     }
 
     /** Opens another document and renders it. Unsaved edits of the current one are lost. */
@@ -151,7 +156,7 @@ public final class Workbench implements AutoCloseable {
         loop.open(other.scene(), openCount);
         autosave.discard();
         autosave.documentChanged(other);
-        show(state.withDocument(other).withSceneInProgress(Optional.of(other.scene())).withRender(RenderState.NONE)
+        show(state.showing(other).withSceneInProgress(Optional.of(other.scene())).withRender(RenderState.NONE)
                 .withPreviousScene(Optional.empty()));
     }
 
@@ -165,8 +170,7 @@ public final class Workbench implements AutoCloseable {
         if (recovered.file().equals(document().file()) && recovered.scene().hasSameView(document().scene())) {
             autosave.discard();
             autosave.documentChanged(recovered);
-            state = state.withDocument(recovered);
-            go();
+            show(rendered(state.showing(recovered)));
         } else {
             open(recovered);
         }
@@ -277,7 +281,7 @@ public final class Workbench implements AutoCloseable {
 
     public void select(Selection selection) {
         document().select(selection);
-        show(state);
+        showDocument();
     }
 
     /** Selects the light with that name; nothing if it does not exist. */
@@ -349,7 +353,7 @@ public final class Workbench implements AutoCloseable {
     /** Sets the observed state of the document's file on disk. */
     public void setDiskStatus(DiskStatus status) {
         document().setDiskStatus(status);
-        show(state);
+        showDocument();
     }
 
     /** Keeps the open scene although its file was changed: see {@link OpenDocument#ignoreDiskChange}. */
@@ -377,12 +381,12 @@ public final class Workbench implements AutoCloseable {
 
     private void contentChanged() {
         autosave.documentChanged(document());
-        show(state);
+        showDocument();
     }
 
     /** Renders the document's scene. */
     public void go() {
-        show(rendered());
+        show(rendered(state.showing(document())));
     }
 
     public void updateReflections() {
@@ -437,14 +441,16 @@ public final class Workbench implements AutoCloseable {
         show(rendering(renders));
     }
 
-    /** Returns the state after the document's scene is rendered, if that is wanted and the image does not show it. */
+    /** Renders the document's scene if that is wanted and the image does not show it; returns the state after that. */
     private EditorState rendering(boolean isWanted) {
-        return isWanted && Command.GO.isEnabled(editorState()) ? rendered() : state;
+        EditorState now = state.showing(document());
+        return isWanted && Command.GO.isEnabled(now) ? rendered(now) : now;
     }
 
-    private EditorState rendered() {
-        loop.render(document().scene());
-        return state.withSceneInProgress(Optional.of(document().scene()));
+    /** Renders the document's scene; returns the state after that. */
+    private EditorState rendered(EditorState now) {
+        loop.render(now.scene());
+        return now.withSceneInProgress(Optional.of(now.scene()));
     }
 
     /** Stops all threads. Unsaved edits are lost: ask before. */

@@ -147,8 +147,7 @@ public final class EditorModel implements AutoCloseable {
         OpenDocument document = workbench.document();
         previewSettings.cameraProperty().set(PreviewCamera.of(document.scene()));
         layout.timelineShownProperty().set(document.shotFrame().isPresent());
-        document.scene().lights().stream().findFirst().ifPresent(l -> document.selectLight(l.name()));
-        refresh();
+        document.scene().lights().stream().findFirst().ifPresentOrElse(light -> workbench.selectLight(light.name()), this::refresh);
     }
 
     /** Cancels the running render and the pending file read. */
