@@ -69,7 +69,7 @@ public final class RayColumns {
     /** Sets origins and directions of the finer samples at some positions; their numbers are their slots. */
     void startAtSamples(SamplePositions positions, Tracer tracer) {
         startAtEye();
-        if (camera.hasOpenLens()) {
+        if (positions.startOnLens(camera)) {
             float[][] from = onLens == null ? new float[3][MAX_RAYS] : onLens;
             onLens = from;
             positions.writeLensRays(camera, from[0], from[1], from[2], dx, dy, dz);
@@ -95,6 +95,15 @@ public final class RayColumns {
         startX = bounce.originX(rows);
         startY = bounce.originY(rows);
         startZ = bounce.originZ(rows);
+    }
+
+    /** Sets a beam to bound the camera rays of positions, at least one; those that start on the lens must be set before. */
+    void boundCameraRays(RayBeam beam, SamplePositions positions, Tracer tracer) {
+        if (positions.startOnLens(camera)) {
+            bound(beam, tracer);
+        } else {
+            positions.boundBeam(beam, camera);
+        }
     }
 
     /** Sets a beam to bound the rays, at least one. */

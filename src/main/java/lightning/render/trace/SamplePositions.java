@@ -60,9 +60,14 @@ public record SamplePositions(int x0, int y0, short @Nullable [] pixels, SampleC
         }
     }
 
+    /** Returns whether the rays start at other points than the eye: those of finer samples through an open lens. */
+    boolean startOnLens(CameraRays camera) {
+        return pixels != null && camera.hasOpenLens();
+    }
+
     /** Writes the direction, of length 1, of a camera ray to index 0. */
     public void writeDirection(CameraRays camera, int ray, double[] dx, double[] dy, double[] dz) {
-        if (pixels == null || !camera.hasOpenLens()) {
+        if (!startOnLens(camera)) {
             camera.writeDirection(x(ray), y(ray), dx, dy, dz, 0);
         } else {
             Vec3 direction = camera.sampleRay(x(ray), y(ray), cell(ray), cells.grid()).direction();

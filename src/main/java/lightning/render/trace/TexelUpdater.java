@@ -120,11 +120,7 @@ public final class TexelUpdater {
             rays.dy[i] = eyeRays.dy[rays.slot[i]];
             rays.dz[i] = eyeRays.dz[rays.slot[i]];
         }
-        if (rays.startX == null) {
-            positions.boundBeam(beam, camera);
-        } else {
-            rays.bound(beam, tracer);
-        }
+        rays.boundCameraRays(beam, positions, tracer);
     }
 
     private void setBounceDirections(HitRows parentRows, BounceKind bounce) {

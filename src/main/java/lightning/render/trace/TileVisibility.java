@@ -99,28 +99,19 @@ public final class TileVisibility {
             camera.boundBeam(beam, positions.x0(), positions.y0(), Math.min(SamplePositions.SIDE, width - positions.x0()),
                     Math.min(SamplePositions.SIDE, height - positions.y0()));
         } else {
-            boundSamples(positions);
+            rays.boundCameraRays(beam, positions, tracer);
         }
         return boxes.intersects(beam);
     }
 
-    /** Sets the beam to bound the rays of finer samples, at least one, which need to be set only if the lens is open. */
-    private void boundSamples(SamplePositions positions) {
-        if (camera.hasOpenLens()) {
-            rays.bound(beam, tracer);
-        } else {
-            positions.boundBeam(beam, camera);
-        }
-    }
-
     /** Returns the indices of the positions whose camera rays can hit any of the boxes. */
     public BitSet eyeRaysThroughBoxes(SamplePositions positions, BoxSet boxes) {
-        boolean isOpen = camera.hasOpenLens();
-        if (boxes.isEmpty() || !isOpen && !canEyeRaysHit(positions, boxes)) {
+        boolean startOnLens = positions.startOnLens(camera);
+        if (boxes.isEmpty() || !startOnLens && !canEyeRaysHit(positions, boxes)) {
             return new BitSet();
         }
         setEyeRays(positions);
-        return isOpen && !canEyeRaysHit(positions, boxes) ? new BitSet() : raysThroughBoxes(boxes);
+        return startOnLens && !canEyeRaysHit(positions, boxes) ? new BitSet() : raysThroughBoxes(boxes);
     }
 
     /** Returns the rows of a level whose secondary rays of a kind can hit any of the boxes. */
@@ -180,7 +171,7 @@ public final class TileVisibility {
      */
     public HitRows traceSamples(SamplePositions positions, Allocator allocator) {
         setSampleRays(positions);
-        boundSamples(positions);
+        rays.boundCameraRays(beam, positions, tracer);
         candidates.collect(geometry.bvh(), beam);
         tracer.findNearest(rays, candidates);
         return rowBuilder.build(rays, patterns, allocator);
@@ -197,7 +188,7 @@ public final class TileVisibility {
         if (positions.pixels() == null) {
             camera.boundBeam(beam, positions.x0(), positions.y0(), rays.columns, rays.count / rays.columns);
         } else {
-            boundSamples(positions);
+            rays.boundCameraRays(beam, positions, tracer);
         }
         candidates.collect(geometry.bvh(), beam);
         tracer.findNearest(rays, candidates);
