@@ -1,5 +1,6 @@
 package lightning.cli;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import lightning.cli.output.BadInputException;
@@ -57,8 +58,10 @@ final class CompareCommand implements Callable<Integer> {
             ImageFormat.of(output);
             PictureOutput.checkFile(output, InputFiles.of(first, second));
         }
-        Film a = ImageFile.read(first);
-        Film b = ImageFile.read(second);
+        Picture one = ImageFile.readPicture(first, Picture::of);
+        Picture other = ImageFile.readPicture(second, Picture::of);
+        Film a = one.film;
+        Film b = other.film;
         if (a.width() != b.width() || a.height() != b.height()) {
             throw new BadInputException(Console.text("images to compare must have the same size: %s has %d x %d pixels, %s has %d x %d",
                     first, a.width(), a.height(), second, b.width(), b.height()));
@@ -68,11 +71,17 @@ final class CompareCommand implements Callable<Integer> {
             ImageFile.write(output, DifferenceImage.of(a, b), ViewTransform.DEFAULT);
         }
         double flip = Flip.mean(a, b);
-        boolean floats =
-                ImageFile.readPicture(first, ImageSource::hasFullFloats) && ImageFile.readPicture(second, ImageSource::hasFullFloats);
+        boolean floats = one.hasFullFloats && other.hasFullFloats;
         print(difference, 3L * a.width() * a.height(), flip, floats);
         console.report().setResult(report(a, difference, flip, floats));
         return difference.isNone() ? ExitCode.OK : ExitCode.CHECK_FAILED;
+    }
+
+    /** Picture, and whether its file stores all bits of a float. */
+    private record Picture(Film film, boolean hasFullFloats) {
+        static Picture of(ImageSource image) throws IOException {
+            return new Picture(image.film(), image.hasFullFloats());
+        }
     }
 
     private static CompareReport report(Film film, Difference d, double flip, boolean floats) {
