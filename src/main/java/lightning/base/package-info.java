@@ -1,6 +1,6 @@
 /**
  * Annotation for the check of null values.
- * What any program could use; nothing here knows scenes or pictures.
+ * Utilities for any program; nothing here depends on scenes or pictures.
  */
 @NullMarked
 package lightning.base;

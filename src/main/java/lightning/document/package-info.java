@@ -1,6 +1,6 @@
 /**
  * Open document of the editor: edits, selection, history, cameras, gizmos, motion paths and recovery. Independent of the UI toolkit.
- * What is shown, and by which menu an edit is made, belongs to {@code editor}.
+ * Menus and panes belong to {@code editor}.
  *
  * <pre>{@code
  * OpenDocument document = OpenDocument.open(Path.of("scenes/bird.jen"));

@@ -1,5 +1,5 @@
 /**
- * From a scene to a picture: what every renderer is told ({@link lightning.render.RenderOptions}).
+ * From a scene to a picture: the options of renderers ({@link lightning.render.RenderOptions}).
  * Files, undo and windows belong elsewhere: a renderer gets a scene and returns a film.
  */
 @NullMarked

@@ -1,4 +1,4 @@
-/** What the import of a file offers, with a traced picture of each choice: {@link lightning.document.imports.ImportPreviews}. */
+/** Choices for the import of a file, each with a traced picture: {@link lightning.document.imports.ImportPreviews}. */
 @NullMarked
 package lightning.document.imports;
 

@@ -61,7 +61,7 @@ public final class LightingBlend {
         hasSameEnvironment = hasSkies || from.world().environment().equals(to.world().environment());
         fromSolos = SoloState.of(from);
         toSolos = SoloState.of(to);
-        // Other environments are dark halfway, where the solo of one has no effect.
+        // In between, another image of the world is that of a named dome, and a sky is dark halfway: the solo of one has no effect then.
         keepsSolos = fromSolos.solos().equals(toSolos.solos())
                 && (hasSameEnvironment || !fromSolos.solos().contains(Contribution.ENVIRONMENT));
     }

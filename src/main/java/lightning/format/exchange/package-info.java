@@ -1,6 +1,6 @@
 /**
  * Exchange with other programs: imports scenes to {@code .jen} files, and exports lights.
- * Readers of single formats stand beside it; here their content becomes a scene.
+ * Readers of single formats have packages of their own; this one turns their content into a scene.
  *
  * <pre>{@code
  * ImportedScene scene = SceneImporter.read(Path.of("house.glb"), Path.of("house.jen"), LightUnits.CANDELA, Progress.NONE);

@@ -1,6 +1,6 @@
 /**
  * Pixel cache (paper §2.4): the hits and light layers of every pixel, as tiles of columns.
- * What is recomputed, and when, belongs to {@code render.relight}.
+ * Updates belong to {@code render.relight}.
  *
  * <p>An image is divided into tiles of 32×32 pixels. A tile has one level for camera rays and one for each secondary bounce; a
  * level has its hit rows and, for each light, one layer over them. Rows map many-to-one to pixels. All objects are immutable:

@@ -1,6 +1,6 @@
 /**
  * Lights, light groups and the rig that resolves them to what shines.
- * Where a light is and what it sends belongs to {@code render.shading}.
+ * Samples of lights and their shading belong to {@code render.shading}.
  */
 @NullMarked
 package lightning.scene.light;

@@ -1,6 +1,6 @@
 /**
  * Materials and their attributes.
- * How a material scatters light belongs to {@code render.shading}.
+ * Shading belongs to {@code render.shading}.
  */
 @NullMarked
 package lightning.scene.material;

@@ -1,6 +1,6 @@
 /**
  * Model of the editor window without panes: document, picture and progress, display settings and preferences.
- * Panes belong to the packages beside it.
+ * Panes have packages of their own.
  */
 @NullMarked
 package lightning.editor.window.model;
