@@ -14,14 +14,15 @@ import net.jqwik.api.Tuple;
 /** Editing session: a scene and a sequence of edits. */
 public final class EditSession {
     private final List<Edit> edits;
-    private final List<Scene> scenes = new ArrayList<>();
+    private final List<Scene> scenes;
 
     private EditSession(List<Edit> edits, Scene first) {
         this.edits = edits;
-        scenes.add(first);
+        List<Scene> edited = new ArrayList<>(List.of(first));
         for (Edit edit : edits) {
-            scenes.add(edit.applyIfValid(scenes));
+            edited.add(edit.applyIfValid(edited));
         }
+        scenes = TestBudget.limit(edited);
     }
 
     /** Returns sessions of one to twelve edits; shrinking removes edits first. */

@@ -32,6 +32,12 @@ public final class TestBudget {
         return IS_LIMITED && GatherSettings.of(scene).isPresent() ? limited(scene) : scene;
     }
 
+    /** Returns the scenes of a session, all of the same size, limited if any of them gathers light or blurs reflections. */
+    static List<Scene> limit(List<Scene> session) {
+        boolean isLimited = IS_LIMITED && session.stream().anyMatch(scene -> GatherSettings.of(scene).isPresent());
+        return isLimited ? session.stream().map(TestBudget::limited).toList() : session;
+    }
+
     private static Scene limited(Scene scene) {
         PictureSettings picture = scene.picture();
         SamplingSettings sampling = picture.sampling();

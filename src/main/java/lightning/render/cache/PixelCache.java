@@ -122,7 +122,7 @@ public final class PixelCache {
 
     /** Returns whether mirror images show the same scene as the rest. */
     public boolean hasCurrentReflections() {
-        return mirrored.scene().equals(shown.scene());
+        return mirrored.scene().hasSameImage(shown.scene());
     }
 
     /** Returns whether what mirrors show is a film of its own: they visibly show an earlier scene. */

@@ -14,6 +14,7 @@ import lightning.render.RenderOptions;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
+import lightning.render.relight.paper.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.RayCounts;
 import lightning.render.shading.reference.ReferenceTracer;
@@ -184,6 +185,21 @@ class DepthOfFieldTest {
             assertThat(renderer.cache().bytes()).isEqualTo(bytes);
             renderer.render(off, Progress.NONE);
             assertThat(renderer.render(withLens(off, LENS), Progress.NONE).plan()).isEqualTo(new UpdatePlan.Nothing());
+        }
+    }
+
+    /** Mirrors that show the present lights show the present scene, whatever a lens is like that blurs nothing. */
+    @Test
+    void turnedBladesOfAPinhole_leaveReflectionsCurrent() {
+        Scene scene = studio(AntialiasMode.EDGES);
+        Scene pinhole = withLens(scene, Lens.PINHOLE);
+        Scene dim = withLens(scene, LENS.withAperture(0)).withLight(scene.lights().getFirst().withIntensity(0.3));
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE))) {
+            renderer.render(pinhole, Progress.NONE);
+            renderer.render(dim, Progress.NONE);
+            assertThat(renderer.cache().hasCurrentReflections()).isFalse();
+            renderer.render(dim.withLight(scene.lights().getFirst()), Progress.NONE);
+            assertThat(renderer.cache().hasCurrentReflections()).isTrue();
         }
     }
 
