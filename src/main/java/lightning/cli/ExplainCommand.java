@@ -16,6 +16,7 @@ import lightning.cli.output.Console;
 import lightning.cli.output.ExitCode;
 import lightning.format.json.PixelReporter;
 import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.gather.GatherRays;
 import lightning.render.gather.GatherStructure;
 import lightning.render.image.Film;
 import lightning.render.relight.MemoryEstimate;
@@ -129,7 +130,11 @@ final class ExplainCommand implements Callable<Integer> {
             console.print("%s: %s, %s, %s, %s", paths.isIndirect() ? "indirect light of the picture"
                     : paths.pointCount() > 0 ? "light of the environment" : "blurred reflections",
                     Console.count(paths.pointCount(), "gather point"),
-                    Console.count(paths.surfelCount(), "surfel"), Console.count(paths.rays(), "ray"), Console.count(paths.bytes(), "byte"));
+                    Console.count(paths.surfelCount(), "surfel"), Console.count(paths.rays().total(), "ray"), Console.count(paths.bytes(), "byte"));
+            GatherRays rays = paths.rays();
+            console.print("rays: %,d for gather points, %,d for reflection points, %,d for surfels%s", rays.points(), rays.reflections(),
+                    rays.surfels(), rays.bounces().isEmpty() ? "" : ", and for further bounces " + rays.bounces().stream()
+                            .map(count -> String.format("%,d", count)).collect(Collectors.joining(" + ")));
         }
     }
 

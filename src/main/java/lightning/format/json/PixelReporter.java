@@ -53,7 +53,7 @@ public final class PixelReporter {
             return null;
         }
         GatherStructure paths = indirect.structure();
-        return new ExplainReport.Indirect(paths.pointCount(), paths.surfelCount(), paths.rays(), paths.bytes());
+        return new ExplainReport.Indirect(paths.pointCount(), paths.surfelCount(), paths.rays().total(), paths.bytes());
     }
 
     /** @param share approximate share of the pixel's color that the point contributes */

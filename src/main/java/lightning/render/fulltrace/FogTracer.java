@@ -28,7 +28,7 @@ final class FogTracer {
     private final WorkerPool workers;
     private final ProgressPart progress;
     private final EngineChoice engines;
-    private long shadowRays;
+    private RayCounts rays = RayCounts.NONE;
 
     FogTracer(Geometry geometry, Scene scene, EngineChoice engines, WorkerPool workers, ProgressPart progress) {
         this.geometry = geometry;
@@ -73,12 +73,12 @@ final class FogTracer {
         for (int l = 0; l < lights.length; l++) {
             traced[l] = lights[l].isDarkInFog() ? null : solver.solve(lights[l].source(), shadows.visible(l, lights[l].source()));
         }
-        shadowRays += shadows.rayCount();
+        this.rays = this.rays.plus(shadows.rays());
         return new PictureFog(rays, medium, depths, traced);
     }
 
     /** Returns the rays cast so far. */
     RayCounts rays() {
-        return new RayCounts(0, 0, 0, shadowRays);
+        return rays;
     }
 }

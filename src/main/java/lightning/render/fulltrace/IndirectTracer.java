@@ -33,8 +33,7 @@ final class IndirectTracer {
     private final EngineChoice engines;
     private final WorkerPool workers;
     private final Progress progress;
-    private long gatherRays;
-    private long shadowRays;
+    private RayCounts rays = RayCounts.NONE;
 
     IndirectTracer(Geometry geometry, FilmParts parts, EngineChoice engines, WorkerPool workers, Progress progress) {
         this.geometry = geometry;
@@ -89,14 +88,14 @@ final class IndirectTracer {
         workers.run(structure.bounces() > 0 ? rows.length : 0,
                 (worker, block) -> threads.get(worker).forTile(block).shade(rows[block], structure.numbers(block), light),
                 progress.cancellationOnly());
-        gatherRays = structure.rays();
-        shadowRays = threads.stream().flatMap(thread -> thread.workers().stream()).mapToLong(tracer -> tracer.kernel.shadowRays()).sum();
+        rays = threads.stream().flatMap(thread -> thread.workers().stream()).map(tracer -> RayCounts.ofShadows(tracer.kernel.shadowRays()))
+                .reduce(RayCounts.of(structure.rays()), RayCounts::plus);
         float[] @Nullable [][] solved = light.solve(engines.forTile(0).sums(), workers, progress);
         return new IndirectLight(structure, new StoredFilms(solved, parts.shining()), solved);
     }
 
     /** Returns the rays cast so far. */
     RayCounts rays() {
-        return new RayCounts(0, 0, gatherRays, shadowRays);
+        return rays;
     }
 }

@@ -1,5 +1,6 @@
 package lightning.render.fulltrace;
 
+import lightning.render.gather.GatherRays;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
@@ -149,8 +150,8 @@ final class TileTracer {
 
     /** Returns the rays cast so far. */
     RayCounts rays() {
-        return new RayCounts(eyeRays, bounceRays, 0,
-                eyeLevel.kernel.shadowRays() + (mirrorLevels == eyeLevel ? 0 : mirrorLevels.kernel.shadowRays()));
+        RayCounts rays = new RayCounts(eyeRays, bounceRays, GatherRays.NONE, eyeLevel.kernel.shadowRays());
+        return mirrorLevels == eyeLevel ? rays : rays.plus(RayCounts.ofShadows(mirrorLevels.kernel.shadowRays()));
     }
 
     /** Traces the centers of a tile's pixels. */

@@ -46,7 +46,7 @@ public final class GatherStructure {
     private final @Nullable ReflectionPaths reflections;
     private final boolean isIndirect;
     private final int bounces;
-    private final long rays;
+    private final GatherRays rays;
 
     /**
      * @param kept        for each surfel before an edit its number now, −1 if its row is not the same; null after a first build
@@ -55,7 +55,7 @@ public final class GatherStructure {
      */
     public GatherStructure(GatherPoints points, RayLinks pointLinks, RimLinks rims, RayLinks surfelLinks, SurfelRows surfels,
             TiltedFacets surfelNormals,
-            GlowPaths glow, int @Nullable [] kept, @Nullable ReflectionPaths reflections, boolean isIndirect, int bounces, long rays) {
+            GlowPaths glow, int @Nullable [] kept, @Nullable ReflectionPaths reflections, boolean isIndirect, int bounces, GatherRays rays) {
         this.reflections = reflections;
         this.isIndirect = isIndirect;
         this.glow = glow;
@@ -114,7 +114,7 @@ public final class GatherStructure {
         }
         out.writeInt(isIndirect ? 1 : 0);
         out.writeInt(bounces);
-        out.writeLong(rays);
+        rays.writeTo(out);
     }
 
     /**
@@ -128,7 +128,7 @@ public final class GatherStructure {
                 SurfelRows.readFrom(in), TiltedFacets.readFrom(in), GlowPaths.readFrom(in, metadata.shapes), null,
                 in.readInt() == 0 ? null : ReflectionPaths.readFrom(in, metadata.keys, metadata.seen, metadata.materials),
                 in.readInt() != 0, in.readInt(),
-                in.readLong());
+                GatherRays.readFrom(in));
     }
 
     /**
@@ -259,7 +259,7 @@ public final class GatherStructure {
     }
 
     /** Returns the rays that were cast to build it. */
-    public long rays() {
+    public GatherRays rays() {
         return rays;
     }
 

@@ -135,7 +135,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         }
 
         WorkCounts work(long rowsComposed) {
-            return new WorkCounts(updater.rowsTouched(), rowsComposed, 0, new RayCounts(0, 0, 0, kernel.shadowRays()));
+            return new WorkCounts(updater.rowsTouched(), rowsComposed, 0, RayCounts.ofShadows(kernel.shadowRays()));
         }
     }
 

@@ -1,5 +1,7 @@
 package lightning.bench.accuracy;
 
+import lightning.render.gather.GatherRays;
+import java.util.Map;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -56,9 +58,9 @@ class UpdateSavingMeterTest {
     /** Checks that a quarter of the rays takes at least 5 of 20 ms, and 1600 bytes at 200 per millisecond take 8. */
     @Test
     void maxPercent_isLimitedByRaysOrMemory() {
-        RayCounts all = new RayCounts(100, 0, 0, 300);
-        assertThat(UpdateSaving.maxPercent(update(new RayCounts(0, 0, 0, 100), 0), 20, all, 200)).isEqualTo(75);
-        assertThat(UpdateSaving.maxPercent(update(new RayCounts(0, 0, 0, 100), 1600), 20, all, 200)).isEqualTo(60);
+        RayCounts all = new RayCounts(100, 0, GatherRays.NONE, Map.of("key", 300L));
+        assertThat(UpdateSaving.maxPercent(update(RayCounts.ofShadows(Map.of("key", 100L)), 0), 20, all, 200)).isEqualTo(75);
+        assertThat(UpdateSaving.maxPercent(update(RayCounts.ofShadows(Map.of("key", 100L)), 1600), 20, all, 200)).isEqualTo(60);
     }
 
     private static UpdateResult update(RayCounts rays, long bytes) {

@@ -1,5 +1,6 @@
 package lightning.render.gather.build;
 
+import lightning.render.gather.GatherRays;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -197,9 +198,9 @@ public final class GatherBuilder {
                 Barriers.of(placer.sources, placer.radius, placer.links, surfels.surfels(), geometry, directions, workers, progress);
         PointFilter filter =
                 new FilterBuilder(placer.points, placer.radius, groups, barriers, placer.harmonic, placer.side).build(workers, progress);
-        long rays = Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum() + pointCaster.rayCount()
-                + surfelCaster.rayCount() + Arrays.stream(surfels.blocks).mapToLong(block -> block.count).sum()
-                + rimCaster.rayCount() + (reflecting == null ? 0 : reflecting.rayCount());
+        var rays = new GatherRays(Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum(),
+                pointCaster.rayCount() + rimCaster.rayCount(), reflecting == null ? 0 : reflecting.rayCount(),
+                Arrays.stream(surfels.blocks).mapToLong(block -> block.count).sum(), surfels.bounceRays);
         placer.sources.packNormals();
         return new GatherStructure(
                 new GatherPoints(placer.sources, placer.inverseLengths, placer.radius, groups, barriers, filter),

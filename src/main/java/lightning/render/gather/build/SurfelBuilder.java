@@ -1,5 +1,7 @@
 package lightning.render.gather.build;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.stream.IntStream;
@@ -54,6 +56,8 @@ final class SurfelBuilder {
     private final GlowShapes glows;
     /** Surfels on glowing objects, ascending. */
     int[] glowing = {};
+    /** Rays of surfels by bounce. */
+    final List<Long> bounceRays = new ArrayList<>();
     private final PathMemory memory;
     private final long bytesPerSurfel;
 
@@ -119,7 +123,9 @@ final class SurfelBuilder {
             int from = linked;
             int to = surfels.count;
             links.setPoints(to);
+            long raysBefore = caster.rayCount();
             caster.cast(sources, from, to, links, null, progress.section(bounce - 2, rounds - 1));
+            bounceRays.add(caster.rayCount() - raysBefore);
             addSurfels(new PathRays(sources, links, caster), from * links.raysPerPoint(), cells);
             linked = to;
         }

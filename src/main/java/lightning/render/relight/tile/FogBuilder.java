@@ -1,5 +1,6 @@
 package lightning.render.relight.tile;
 
+import lightning.render.shading.RayCounts;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
@@ -66,7 +67,7 @@ final class FogBuilder {
     }
 
     /** Fog and the number of shadow rays cast for it. */
-    record BuiltFog(PictureFog fog, long shadowRays) {}
+    record BuiltFog(PictureFog fog, RayCounts shadowRays) {}
 
     /**
      * Builds the fog.
@@ -86,7 +87,7 @@ final class FogBuilder {
         for (int l = 0; l < lights.length; l++) {
             built[l] = light(l, lights[l], medium, depths, shadows, solver);
         }
-        return new BuiltFog(new PictureFog(rays, medium, depths, built), shadows.rayCount());
+        return new BuiltFog(new PictureFog(rays, medium, depths, built), shadows.rays());
     }
 
     private @Nullable FogLight light(int l, WeightedLight light, FogMedium medium, float[] depths, FogShadows shadows, FogSolver solver) {

@@ -24,7 +24,7 @@ final class FogUpdate {
     private final RenderJob job;
     private final WorkerPool workers;
     private final @Nullable PixelCache old;
-    private long shadowRays;
+    private RayCounts shadowRays = RayCounts.NONE;
 
     /** @param old cache of the last picture */
     FogUpdate(RenderJob job, WorkerPool workers, @Nullable PixelCache old) {
@@ -59,7 +59,7 @@ final class FogUpdate {
 
     private PictureFog build(FogBuilder builder, FogMedium medium, ProgressPart part) {
         FogBuilder.BuiltFog built = builder.build(medium, part);
-        shadowRays += built.shadowRays();
+        shadowRays = shadowRays.plus(built.shadowRays());
         return built.fog();
     }
 
@@ -97,6 +97,6 @@ final class FogUpdate {
 
     /** Returns the work since the start. */
     WorkCounts work() {
-        return new WorkCounts(0, 0, 0, new RayCounts(0, 0, 0, shadowRays));
+        return new WorkCounts(0, 0, 0, shadowRays);
     }
 }

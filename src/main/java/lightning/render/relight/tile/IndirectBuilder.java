@@ -1,5 +1,6 @@
 package lightning.render.relight.tile;
 
+import lightning.render.gather.GatherRays;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
@@ -40,7 +41,7 @@ final class IndirectBuilder {
     private final WorkerPool workers;
     private final @Nullable PixelCache oldCache;
     private List<EngineWorkers<LevelWorker>> surfelWorkers = List.of();
-    private long gatherRays;
+    private GatherRays gatherRays = GatherRays.NONE;
     private @Nullable PointChanges pointChanges;
 
     /** @param old cache of the last picture */
@@ -79,8 +80,8 @@ final class IndirectBuilder {
         } else {
             GatherBuilder builder = prepare(settings.get(), before);
             structure = builder.build();
-            gatherRays += structure.rays();
-            job.progress().raysCast(structure.rays());
+            gatherRays = gatherRays.plus(structure.rays());
+            job.progress().raysCast(structure.rays().total());
             surfels = lightSurfels(structure);
             if (before != null && structure.kept() != null) {
                 SurfelUpdate update = new SurfelUpdate(before, structure);
@@ -193,14 +194,14 @@ final class IndirectBuilder {
 
     /** Returns the progress of the job's tiles, which follow. */
     Progress tileProgress() {
-        return gatherRays == 0 ? job.progress() : new ProgressPart(job.progress(), PATHS_SHARE, 1);
+        return gatherRays.total() == 0 ? job.progress() : new ProgressPart(job.progress(), PATHS_SHARE, 1);
     }
 
     /** Returns the work since the start. */
     WorkCounts work() {
         return surfelWorkers.stream().flatMap(thread -> thread.workers().stream())
                 .map(worker -> new WorkCounts(worker.rowsTouched(), 0, worker.bytesMoved(),
-                        new RayCounts(0, 0, 0, worker.shadowRays())))
-                .reduce(new WorkCounts(0, 0, 0, new RayCounts(0, 0, gatherRays, 0)), WorkCounts::plus);
+                        RayCounts.ofShadows(worker.shadowRays())))
+                .reduce(new WorkCounts(0, 0, 0, RayCounts.of(gatherRays)), WorkCounts::plus);
     }
 }

@@ -1,5 +1,6 @@
 package lightning.render.relight.tile;
 
+import java.util.Map;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
@@ -81,7 +82,7 @@ final class LevelWorker {
         return visibility;
     }
 
-    long shadowRays() {
+    Map<String, Long> shadowRays() {
         return lightKernel.shadowRays();
     }
 

@@ -1,5 +1,6 @@
 package lightning.render.relight.tile;
 
+import lightning.render.gather.GatherRays;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
@@ -108,10 +109,10 @@ final class TileWorker {
     WorkCounts work() {
         WorkCounts work = new WorkCounts(eyeWorker.rowsTouched(), recomposer.rowsComposed(),
                 eyeWorker.bytesMoved() + recomposer.bytesRead() + mixer().bytesMoved() + filmBytes,
-                new RayCounts(eyeRays, bounceLevels == null ? 0 : bounceLevels.rayCount(), 0, eyeWorker.shadowRays()));
+                new RayCounts(eyeRays, bounceLevels == null ? 0 : bounceLevels.rayCount(), GatherRays.NONE, eyeWorker.shadowRays()));
         return mirrorWorker == null || mirrorWorker == eyeWorker ? work
                 : work.plus(new WorkCounts(mirrorWorker.rowsTouched(), 0, mirrorWorker.bytesMoved(),
-                        new RayCounts(0, 0, 0, mirrorWorker.shadowRays())));
+                        RayCounts.ofShadows(mirrorWorker.shadowRays())));
     }
 
     double minFalloff() {

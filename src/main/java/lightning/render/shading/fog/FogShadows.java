@@ -1,5 +1,6 @@
 package lightning.render.shading.fog;
 
+import lightning.render.shading.RayCounts;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
@@ -76,9 +77,10 @@ public final class FogShadows {
                 progress.section(l, lights));
     }
 
-    /** Returns the number of shadow rays cast since the start. */
-    public long rayCount() {
-        return casters.stream().flatMap(thread -> thread.workers().stream()).mapToLong(PointShadows::rayCount).sum();
+    /** Returns the shadow rays cast since the start. */
+    public RayCounts rays() {
+        return casters.stream().flatMap(thread -> thread.workers().stream()).map(caster -> RayCounts.ofShadows(caster.rayCount()))
+                .reduce(RayCounts.NONE, RayCounts::plus);
     }
 
     /** Scratch memory for a group of rays: one shadow ray from each is cast together. */

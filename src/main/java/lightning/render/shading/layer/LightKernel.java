@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import lightning.render.column.ColumnSet;
@@ -80,8 +81,8 @@ public final class LightKernel {
         return terms;
     }
 
-    /** Returns the number of shadow rays cast since the start. */
-    public long shadowRays() {
+    /** Returns the number of shadow rays of each light since the start, by its name. */
+    public Map<String, Long> shadowRays() {
         return links.shadowRays();
     }
 

@@ -20,13 +20,14 @@ final class LightLinks {
     private final ViewEffects view;
     private final ShadowCaster unrestrictedCaster;
     private final Map<ShapeLinks, ShadowCaster> restrictedCasters = new HashMap<>();
+    private final Map<String, long[]> rayCounts = new HashMap<>();
 
     LightLinks(Geometry geometry, Tracer tracer, ViewEffects view) {
         this.geometry = geometry;
         this.tracer = tracer;
         this.view = view;
         Geometry casting = geometry.shadowGeometry(ShapeLinks.ALL);
-        unrestrictedCaster = new ShadowCaster(casting, casting == geometry ? tracer : tracer.withGeometry(casting), view);
+        unrestrictedCaster = new ShadowCaster(casting, casting == geometry ? tracer : tracer.withGeometry(casting), view, rayCounts);
     }
 
     /** Returns the shadow caster of a light. */
@@ -42,12 +43,14 @@ final class LightLinks {
 
     private ShadowCaster createCaster(ShapeLinks shadowedBy) {
         Geometry casting = geometry.shadowGeometry(shadowedBy);
-        return new ShadowCaster(casting, tracer.withGeometry(casting), view);
+        return new ShadowCaster(casting, tracer.withGeometry(casting), view, rayCounts);
     }
 
-    /** Returns the number of shadow rays cast since the start. */
-    long shadowRays() {
-        return unrestrictedCaster.rayCount() + restrictedCasters.values().stream().mapToLong(ShadowCaster::rayCount).sum();
+    /** Returns the number of shadow rays of each light since the start, by its name. */
+    Map<String, Long> shadowRays() {
+        Map<String, Long> counts = new HashMap<>();
+        rayCounts.forEach((light, count) -> counts.put(light, count[0]));
+        return counts;
     }
 
     /** Returns for each primitive whether the light illuminates it; null if it illuminates all. */

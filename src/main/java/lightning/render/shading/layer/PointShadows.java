@@ -1,5 +1,6 @@
 package lightning.render.shading.layer;
 
+import java.util.Map;
 import lightning.render.shading.LightSource;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
@@ -44,8 +45,8 @@ public final class PointShadows {
         return links.shadowCaster(source).findChangedRows(points, source, state, change, chosen);
     }
 
-    /** Returns the number of shadow rays cast since the start. */
-    public long rayCount() {
+    /** Returns the number of shadow rays of each light since the start, by its name. */
+    public Map<String, Long> rayCount() {
         return links.shadowRays();
     }
 }

@@ -68,20 +68,22 @@ final class ShadowCaster {
     private final @Nullable TintTracer tintTracer;
     /** True if shadow rays to the current area may pass through clear shapes. */
     private boolean canBeTinted;
-    private long rayCount;
+    /** Shadow rays of each light by its name; one entry each, which is counted up. */
+    private final Map<String, long[]> rayCounts;
+    /** Count of the present light. */
+    private long[] rayCount = new long[1];
 
-    /** @param view its effects decide whether shapes block light; if not, all shadow rays are unblocked */
-    ShadowCaster(Geometry geometry, Tracer tracer, ViewEffects view) {
+    /**
+     * @param view its effects decide whether shapes block light; if not, all shadow rays are unblocked
+     * @param rayCounts receives the number of rows tested for each light, by its name. Each is a ray, unless the ray is certainly unblocked.
+     */
+    ShadowCaster(Geometry geometry, Tracer tracer, ViewEffects view, Map<String, long[]> rayCounts) {
+        this.rayCounts = rayCounts;
         castsShadows = view.shows(RenderEffect.SHADOWS);
         requiredWork = RequiredWork.of(view);
         this.geometry = geometry;
         this.tracer = tracer;
         tintTracer = castsShadows && geometry.tintBvh() != null ? new TintTracer(geometry, tracer) : null;
-    }
-
-    /** Returns the number of rows tested since the start. Each is a ray, unless the ray is certainly unblocked. */
-    long rayCount() {
-        return rayCount;
     }
 
     /**
@@ -96,7 +98,8 @@ final class ShadowCaster {
             return;
         }
         int count = RowBits.count(chosen, rows.count);
-        rayCount += count;
+        startCount(source);
+        rayCount[0] += count;
         if (count == 0) {
             Arrays.fill(blocked, 0);
             return;
@@ -221,9 +224,13 @@ final class ShadowCaster {
         return any;
     }
 
+    private void startCount(LightSource source) {
+        rayCount = rayCounts.computeIfAbsent(source.light().name(), _ -> new long[1]);
+    }
+
     /** Counts rows that are tested again although their rays are known to be unblocked. */
     void countRays(int[] queried, int count) {
-        rayCount += RowBits.count(queried, count);
+        rayCount[0] += RowBits.count(queried, count);
     }
 
     /**
@@ -295,6 +302,7 @@ final class ShadowCaster {
      * @param shadowRays receives the data common to all of these rays
      */
     void aim(HitRows rows, LightSource source, RowShadowRays shadowRays) {
+        startCount(source);
         AreaSamples samples = source.samples(rows);
         hasPointTargets = source.type().hasPosition();
         shadowRays.toPoints = hasPointTargets;
@@ -331,7 +339,7 @@ final class ShadowCaster {
         int[] uncertain = uncertainRows(rows, chosen);
         int count = RowBits.count(uncertain, rows.count);
         Arrays.fill(blocked, 0);
-        rayCount += count;
+        rayCount[0] += count;
         if (count > 0) {
             tracer.findBlocked(rows, uncertain, shadowRays, blockers, blocked);
         }
