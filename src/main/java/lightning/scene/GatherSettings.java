@@ -70,9 +70,9 @@ public record GatherSettings(int bounces, int rays, int spacing, boolean environ
         return (int) Math.round(Math.sqrt(rays));
     }
 
-    /** Returns the rays along each side of the pattern of a surfel. Only by these does an environment light it. */
+    /** Returns the rays along each side of the pattern of a surfel: the mean over many surfels needs few. */
     public int surfelRaysPerSide() {
-        return environment ? raysPerSide() : raysPerSide() / 2;
+        return raysPerSide() / 2;
     }
 
     /** Returns what is gathered, in words: {@code indirect light with 2 bounces, 64 rays, every 8 pixels}. */

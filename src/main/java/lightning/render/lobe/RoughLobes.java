@@ -16,12 +16,14 @@ import org.jspecify.annotations.Nullable;
  * @param coat      coat with the means of its maps, smooth or not; null for none
  * @param frost     what lets light pass; null for an opaque material
  * @param fibers    sheen; null for none
+ * @param f0        reflectance of the surface at normal incidence with the means of its maps, rounded up: one of few, so that few edits of a color cast other rays
  */
 public record RoughLobes(double alpha, @Nullable Anisotropy anisotropy, double coatAlpha, @Nullable Coat coat, @Nullable Frost frost,
-        @Nullable Fibers fibers) {
+        @Nullable Fibers fibers, double f0) {
     /** Width α that stands for that of a sheen, which is wide at any roughness. */
     public static final double SHEEN_ALPHA = 0.4;
 
+    private static final List<Double> F0_BOUNDS = List.of(0.08, 0.25);
     /** Angle between the directions of two lobes at which one does not stand for the other, in ratios of their widths. */
     private static final double TWIST = 1.5;
 
@@ -55,7 +57,28 @@ public record RoughLobes(double alpha, @Nullable Anisotropy anisotropy, double c
                         m.coat().isVisible() && !m.hasSmoothCoat() && !m.isFrosted() ? m.meanCoat().alpha() : 0,
                         m.coat().isVisible() ? m.meanCoat() : null,
                         m.isFrosted() ? new Frost(m.transmission().thin() ? 1 : m.transmission().ior(), m.f0()) : null,
-                        m.hasSheen() ? new Fibers(m.meanSheen().roughness(), m.f0UnderSheen()) : null);
+                        m.hasSheen() ? new Fibers(m.meanSheen().roughness(), m.f0UnderSheen()) : null, f0(m));
+    }
+
+    private static double f0(Material m) {
+        double metal = m.meanMetalness();
+        double f0 = metal * m.base().max() + (1 - metal) * m.meanF0() * m.meanSpecularTint().max();
+        return F0_BOUNDS.stream().filter(bound -> f0 <= bound).findFirst().orElse(1.0);
+    }
+
+    /**
+     * Returns about the share of light that all lobes reflect or let pass, rounded up, 0…1.
+     *
+     * @param cosine    between the normal and the view, 0…1
+     * @param roughness of the surface there, with its map
+     */
+    public double share(float cosine, float roughness) {
+        if (frost != null) {
+            return 1;
+        }
+        double surface = alpha == 0 ? 0 : f0 * DirectionalAlbedo.ofF0(cosine, roughness) + DirectionalAlbedo.grazing(cosine, roughness);
+        double over = coat == null || coatAlpha == 0 ? 0 : CoatShare.of(coat, cosine);
+        return Math.min(1, surface + over + (fibers == null ? 0 : SheenLobe.albedo(fibers.roughness(), cosine)));
     }
 
     private boolean areTwo() {

@@ -54,6 +54,9 @@ public final class AreaSamples {
     /** Largest ratio of the samples in a penumbra to those of other rows. */
     public static final int REFINEMENT = 4;
 
+    /** Most samples of a surfel: light gathered or reflected from many of them is their mean. */
+    private static final int SURFEL_SAMPLES = 4;
+
     private static final double GOLDEN = 0.6180339887498949;
     private static final double PLASTIC = 0.7548776662466927;
     private static final double PLASTIC_SQUARED = 0.5698402909980532;
@@ -110,6 +113,12 @@ public final class AreaSamples {
      */
     static AreaSamples ofCenters(Light light, Vec3 origin, Vec3 source, Vec3 axis) {
         return of(light, origin, source, axis, light.area().samples(), refined(light.area().samples()), 1, ROTATIONS);
+    }
+
+    /** Creates the samples that surfels use. */
+    static AreaSamples ofSurfels(Light light, Vec3 origin, Vec3 source, Vec3 axis) {
+        int n = Math.min(light.area().samples(), SURFEL_SAMPLES);
+        return of(light, origin, source, axis, n, n, 1, ROTATIONS);
     }
 
     /** Creates the samples that rows of finer samples use. */

@@ -1,5 +1,6 @@
 package lightning.render.shading;
 
+import java.util.stream.IntStream;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.scene.light.AreaShape;
@@ -24,6 +25,9 @@ public final class FaceHighlight {
     private static final int CORNERS = 16;
     /** A polygon with so many corners on a circle of radius 1 and this one have the same area. */
     private static final double CORNER_RADIUS = Math.sqrt(Math.PI / (CORNERS / 2.0 * Transform.sinDegrees(360.0 / CORNERS)));
+    /** Directions of the corners of a circle. */
+    private static final double[] COS = IntStream.range(0, CORNERS).mapToDouble(i -> Transform.cosDegrees(360.0 * i / CORNERS)).toArray();
+    private static final double[] SIN = IntStream.range(0, CORNERS).mapToDouble(i -> Transform.sinDegrees(360.0 * i / CORNERS)).toArray();
 
     /** Widths α up to which lobes are scaled, and from which on they are not: samples hit wide lobes well, and a quotient of two means would only add noise. */
     private static final double NARROW = 0.2;
@@ -98,9 +102,7 @@ public final class FaceHighlight {
 
     private void setCircle(Vec3 center, Vec3 right, Vec3 top, double radius) {
         for (int i = 0; i < CORNERS; i++) {
-            double angle = 360.0 * i / CORNERS;
-            set(i, center.plus(right.times(CORNER_RADIUS * radius * Transform.cosDegrees(angle)))
-                    .plus(top.times(CORNER_RADIUS * radius * Transform.sinDegrees(angle))));
+            set(i, center.plus(right.times(CORNER_RADIUS * radius * COS[i])).plus(top.times(CORNER_RADIUS * radius * SIN[i])));
         }
     }
 

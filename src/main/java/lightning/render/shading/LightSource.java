@@ -29,9 +29,12 @@ import org.jspecify.annotations.Nullable;
  * @param fog           fog that dims it on its way to a point; null if none does. A directional light is dimmed only by fog with bounds, so that
  *     its brightness is the one below the fog otherwise
  * @param fineSamples   samples that rows of finer samples use; null for a point light, and without anti-aliasing
+ * @param surfelSamples samples that surfels use; null for a point light
+ * @param highlightWidening what the light of one sample adds to α² of metallic highlights at distance 1; 0 for a point light
  */
 public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, double cosAngle, double dropoff, @Nullable FogMedium fog,
-        @Nullable AreaSamples centerSamples, @Nullable AreaSamples fineSamples) {
+        @Nullable AreaSamples centerSamples, @Nullable AreaSamples fineSamples, @Nullable AreaSamples surfelSamples,
+        double highlightWidening) {
 
     /** Returns a light's source in the camera's render space. */
     public static LightSource of(Light light, Scene scene) {
@@ -47,12 +50,21 @@ public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, do
                 fog != null && (light.type().hasPosition() || fog.hasBounds()) ? fog : null,
                 light.isArea() ? AreaSamples.ofCenters(light, origin, source, axis) : null,
                 light.isArea() && scene.picture().sampling().isSupersampled()
-                        ? AreaSamples.ofFineSamples(light, origin, source, axis, scene.picture().sampling()) : null);
+                        ? AreaSamples.ofFineSamples(light, origin, source, axis, scene.picture().sampling()) : null,
+                light.isArea() ? AreaSamples.ofSurfels(light, origin, source, axis) : null, highlightWidening(light, light.area().samples()));
     }
 
     /** Returns the same source in other fog. */
     LightSource withFog(@Nullable FogMedium v) {
-        return new LightSource(light, origin, position, axis, cosAngle, dropoff, v, centerSamples, fineSamples);
+        return new LightSource(light, origin, position, axis, cosAngle, dropoff, v, centerSamples, fineSamples, surfelSamples,
+                highlightWidening);
+    }
+
+    /** Returns the same source with the samples that surfels use instead of those of pixel centers. */
+    public LightSource forSurfels() {
+        return surfelSamples == null ? this
+                : new LightSource(light, origin, position, axis, cosAngle, dropoff, fog, surfelSamples, null, surfelSamples,
+                        highlightWidening(light, surfelSamples.samples()));
     }
 
     public LightType type() {
@@ -102,14 +114,12 @@ public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, do
      *
      * <p>The n samples of a rectangle are a lattice: they also have n different places along each side. The squared distance of these places
      * is added, so that the samples of a narrow strip meet.
+     *
+     * @param n samples
      */
-    public double highlightWidening() {
-        if (!light.isArea()) {
-            return 0;
-        }
+    private static double highlightWidening(Light light, double n) {
         AreaShape area = light.area();
-        double n = area.samples();
-        return switch (type()) {
+        return !light.isArea() ? 0 : switch (light.type()) {
             case RECT -> strip(area.width(), area.height(), n);
             case OBJECT -> IntensityUnit.luminousArea(light) / n;
             case TUBE -> strip(2 * area.radius(), area.height(), n);
@@ -125,13 +135,13 @@ public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, do
     /** Returns the points at which shadow rays to a light with a position end. */
     public Stream<Vec3> targets() {
         return !isArea() ? Stream.of(position)
-                : Stream.of(centerSamples, fineSamples).filter(Objects::nonNull).flatMap(AreaSamples::positions);
+                : Stream.of(centerSamples, fineSamples, surfelSamples).filter(Objects::nonNull).flatMap(AreaSamples::positions);
     }
 
     /** Returns the largest distance of any sample of an area light from its center. */
     public double extent() {
-        double extent = requireNonNull(centerSamples).extent();
-        return fineSamples == null ? extent : Math.max(extent, fineSamples.extent());
+        return Stream.of(centerSamples, fineSamples, surfelSamples).filter(Objects::nonNull).mapToDouble(AreaSamples::extent).max()
+                .orElseThrow();
     }
 
     /** Returns a sample of an area light as a light of its own; one of an object shines along its axis. */
@@ -139,7 +149,7 @@ public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, do
         int index = samples.index(s, pattern);
         SampleNormals normals = samples.normals();
         return new LightSource(light, origin, samples.position(pattern, s), normals == null ? axis : normals.normal(index),
-                normals == null ? cosAngle : normals.bothSides()[index] ? -1 : 0, dropoff, fog, null, null);
+                normals == null ? cosAngle : normals.bothSides()[index] ? -1 : 0, dropoff, fog, null, null, null, highlightWidening);
     }
 
     /** Returns whether a point is behind this sample of an object, which shines to one side only. */

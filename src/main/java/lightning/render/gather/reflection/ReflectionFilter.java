@@ -46,9 +46,11 @@ public record ReflectionFilter(int[][] neighbors, float[][] weights) {
 
     /**
      * Returns how many more points with other rays each point needs at its place, so that its mean has little noise: none on flat surfaces, where
-     * many neighbors reflect the same, most on small round ones.
+     * many neighbors reflect the same, most on small round ones; and fewer where the surface reflects little.
+     *
+     * @param share share of light that the surface of each point reflects, 0…1
      */
-    public int[] copies() {
+    public int[] copies(float[] share) {
         int[] copies = new int[neighbors.length];
         Arrays.setAll(copies, p -> {
             double sum = 0;
@@ -57,7 +59,7 @@ public record ReflectionFilter(int[][] neighbors, float[][] weights) {
                 sum += w;
                 squares += (double) w * w;
             }
-            return (int) Math.ceil(ENOUGH * squares / (sum * sum)) - 1;
+            return (int) Math.ceil(ENOUGH * share[p] * squares / (sum * sum)) - 1;
         });
         return copies;
     }

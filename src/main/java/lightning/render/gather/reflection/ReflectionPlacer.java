@@ -100,7 +100,7 @@ public final class ReflectionPlacer extends CellPlacer {
         groups = ReflectionGroup.of(points, steps, materials);
         placed = points.count();
         ReflectionFilter weights = ReflectionFilter.of(groups, placed, workers, progress);
-        int[] copies = weights.copies();
+        int[] copies = weights.copies(shares());
         addCopies(copies);
         filter = weights.build(copies);
     }
@@ -189,6 +189,21 @@ public final class ReflectionPlacer extends CellPlacer {
         cast(first, progress.section(LEVELS, LEVELS + 1));
     }
 
+    private float[] shares() {
+        float[] shares = new float[placed];
+        for (int p = 0; p < placed; p++) {
+            shares[p] = share(p);
+        }
+        return shares;
+    }
+
+    /** Returns about the share of light that the surface of a point reflects, 0…1. */
+    private float share(int p) {
+        SurfaceColumns s = points.surface();
+        float cosine = -(points.seen.vx[p] * s.nx[p] + points.seen.vy[p] * s.ny[p] + points.seen.vz[p] * s.nz[p]);
+        return (float) requireNonNull(lobes[points.material[p]]).share(Math.clamp(cosine, 0, 1), points.seen.roughness[p]);
+    }
+
     /** Casts the rays of the points from {@code first} on. */
     private void cast(int first, Progress part) {
         int count = points.count();
@@ -222,7 +237,7 @@ public final class ReflectionPlacer extends CellPlacer {
         points.radius[p] = RADIUS * (float) keys.side(s.px[p], s.py[p], s.pz[p], level);
         double spread = Math.min(1, requireNonNull(lobes[points.material[p]]).narrowest() / NARROW);
         float harmonic = InverseLengths.harmonicMean(inverseLengths[p], lobeRays, keys.side(s, p));
-        return ACCURACY * spread * harmonic < points.radius[p] && level + 1 < LEVELS;
+        return ACCURACY * spread * harmonic < share(p) * points.radius[p] && level + 1 < LEVELS;
     }
 
     /** Returns the number of rays cast. */

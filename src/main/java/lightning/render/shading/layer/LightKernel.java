@@ -32,8 +32,8 @@ public final class LightKernel {
     private final TermColumnWriter columnWriter;
     private final RequiredWork requiredWork;
     private final boolean isDiffuseOnly;
-    /** Whether rows in penumbras get more samples. */
-    private final boolean refines;
+    /** Whether rows are surfels, which have fewer samples, and no more in penumbras. */
+    private final boolean isOfSurfels;
     private final float[] cosine = new float[TermKernel.MAX_ROWS];
     private final int[] facing = RowBits.allocate();
     /** Rows that a cone change affects, and those of them inside the cone. */
@@ -48,31 +48,36 @@ public final class LightKernel {
     private long rowsTouched;
 
     public LightKernel(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view) {
-        this(geometry, tracer, terms, view, true, true);
+        this(geometry, tracer, terms, view, true, false);
     }
 
     /**
-     * Returns a kernel for surfels: the mean over many of them needs no more samples in penumbras.
+     * Returns a kernel for surfels: the mean over many of them needs few samples.
      *
      * @param shines whether reflections show them, with their highlights; otherwise layers have no specular terms
      */
     public static LightKernel forSurfels(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view, boolean shines) {
-        return new LightKernel(geometry, tracer, terms, view, shines, false);
+        return new LightKernel(geometry, tracer, terms, view, shines, true);
     }
 
-    private LightKernel(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view, boolean shines, boolean refines) {
+    private LightKernel(Geometry geometry, Tracer tracer, TermKernel terms, ViewEffects view, boolean shines, boolean isOfSurfels) {
         this.tracer = tracer;
         this.terms = terms;
         requiredWork = RequiredWork.of(view);
         isDiffuseOnly = !shines;
-        this.refines = refines;
+        this.isOfSurfels = isOfSurfels;
         links = new LightLinks(geometry, tracer, view);
         columnWriter = new TermColumnWriter(geometry.materials(), terms, requiredWork, isDiffuseOnly);
     }
 
+    /** Returns a light with the samples of the kernel's rows. */
+    private LightSource sampled(LightSource light) {
+        return isOfSurfels ? light.forSurfels() : light;
+    }
+
     private AreaLightKernel areaKernel() {
         areaKernel =
-                areaKernel == null ? new AreaLightKernel(links, tracer, terms, columnWriter, requiredWork, refines) : areaKernel;
+                areaKernel == null ? new AreaLightKernel(links, tracer, terms, columnWriter, requiredWork, !isOfSurfels) : areaKernel;
         return areaKernel;
     }
 
@@ -92,7 +97,8 @@ public final class LightKernel {
     }
 
     /** Recomputes the light's diffuse and specular terms in full: the paper's worst case (§4.5). */
-    public LightRows recompute(HitRows rows, LightSource source, ColumnAllocator columns) {
+    public LightRows recompute(HitRows rows, LightSource light, ColumnAllocator columns) {
+        LightSource source = sampled(light);
         if (source.isArea()) {
             rowsTouched += rows.count;
             return areaKernel().recompute(rows, source, columns);
@@ -216,7 +222,8 @@ public final class LightKernel {
      * @param cone    rows that may enter or leave the cone
      * @param falloff true if the falloff changed
      */
-    public LightRows update(HitRows rows, LightSource source, LightRows before, ConeChange cone, boolean falloff, ColumnAllocator columns) {
+    public LightRows update(HitRows rows, LightSource light, LightRows before, ConeChange cone, boolean falloff, ColumnAllocator columns) {
+        LightSource source = sampled(light);
         if (before.isUnreached()) {
             return cone.canChange(LightRows.OUTSIDE_CONE) ? recompute(rows, source, columns) : before;
         }
@@ -280,7 +287,8 @@ public final class LightKernel {
      *
      * @param source source of the light that the layer was computed for
      */
-    public LightRows updateShadows(HitRows rows, LightSource source, LightRows before, ShapeChange change, ColumnAllocator columns) {
+    public LightRows updateShadows(HitRows rows, LightSource light, LightRows before, ShapeChange change, ColumnAllocator columns) {
+        LightSource source = sampled(light);
         if (!canShadowsChange(rows, source, before, change)) {
             return before;
         }
@@ -320,7 +328,8 @@ public final class LightKernel {
     }
 
     /** Returns whether {@link #updateShadows} would cast any shadow ray. */
-    public boolean canShadowsChange(HitRows rows, LightSource source, LightLayer before, ShapeChange change) {
+    public boolean canShadowsChange(HitRows rows, LightSource light, LightLayer before, ShapeChange change) {
+        LightSource source = sampled(light);
         if (before.isUnreached()) {
             return false;
         }
@@ -333,7 +342,8 @@ public final class LightKernel {
     }
 
     /** Recomputes all terms of rows whose states are known. Casts no shadow ray. */
-    public LightRows recomputeTerms(HitRows rows, LightSource source, LightLayer before, ColumnAllocator columns) {
+    public LightRows recomputeTerms(HitRows rows, LightSource light, LightLayer before, ColumnAllocator columns) {
+        LightSource source = sampled(light);
         rowsTouched += before.litCount();
         if (source.isArea()) {
             return areaKernel().recomputeTerms(rows, source, before, columns);
@@ -355,7 +365,8 @@ public final class LightKernel {
      * @param source  the light that the layer was computed for
      * @param changed materials whose shininess, roughness or model changed, or that gained or lost highlights
      */
-    public LightRows updateSpeculars(HitRows rows, LightSource source, LightRows before, MaterialSet changed, ColumnAllocator columns) {
+    public LightRows updateSpeculars(HitRows rows, LightSource light, LightRows before, MaterialSet changed, ColumnAllocator columns) {
+        LightSource source = sampled(light);
         if (before.litCount == 0 || !changed.intersects(rows)) {
             return before.grazing == null || needsGrazing(rows) ? before : before.with(LightRows.Column.GRAZING, null);
         }
@@ -417,7 +428,8 @@ public final class LightKernel {
      * @param added  layer of the added rows
      * @param source source of the light that both were computed for
      */
-    public LightRows join(RowSplice splice, LightRows before, LightRows added, LightSource source) {
+    public LightRows join(RowSplice splice, LightRows before, LightRows added, LightSource light) {
+        LightSource source = sampled(light);
         return splice(splice, before, added, source);
     }
 

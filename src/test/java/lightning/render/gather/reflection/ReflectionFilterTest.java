@@ -18,20 +18,32 @@ class ReflectionFilterTest {
         return new ReflectionFilter(new int[][] {IntStream.range(0, count).toArray()}, new float[][] {ones});
     }
 
+    private static float[] white(int count) {
+        float[] shares = new float[count];
+        Arrays.fill(shares, 1);
+        return shares;
+    }
+
+    @Test
+    void pointThatReflectsLittle_hasFewerRays() {
+        assertArrayEquals(new int[] {3}, ofEqualNeighbors(1).copies(new float[] {0.5f}));
+        assertArrayEquals(new int[] {0}, ofEqualNeighbors(1).copies(new float[] {0.04f}));
+    }
+
     @Test
     void lonelyPoint_hasAsManyRaysAsEightPoints() {
-        assertArrayEquals(new int[] {7}, ofEqualNeighbors(1).copies());
+        assertArrayEquals(new int[] {7}, ofEqualNeighbors(1).copies(white(1)));
     }
 
     @Test
     void pointsWithManyNeighbors_haveNoCopies() {
-        assertArrayEquals(new int[] {0}, ofEqualNeighbors(8).copies());
+        assertArrayEquals(new int[] {0}, ofEqualNeighbors(8).copies(white(8)));
     }
 
     @Test
     void pointWithThreeEqualNeighbors_getsTheSameNumberOfRays() {
         // Three times as many points: 3 · 3 ≥ 8.
-        assertArrayEquals(new int[] {2}, ofEqualNeighbors(3).copies());
+        assertArrayEquals(new int[] {2}, ofEqualNeighbors(3).copies(white(3)));
     }
 
     @Test

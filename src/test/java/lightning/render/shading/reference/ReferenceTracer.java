@@ -443,7 +443,7 @@ public final class ReferenceTracer {
     private float[][] terms(SurfacePoint hit, int pattern, boolean refines) {
         float[][] terms = new float[lights.length][TERMS];
         for (int l = 0; l < lights.length; l++) {
-            LightSource source = lights[l].source();
+            LightSource source = refines ? lights[l].source() : lights[l].source().forSurfels();
             terms[l] = source.isArea() ? meanTerms(source, hit, pattern, refines) : terms(source, hit, targets[l], HighlightFactor.NONE);
             if (!source.light().influence().gains().isNone()) {
                 float gain = gains.computeIfAbsent(source.light(), _ -> new HashMap<>())
