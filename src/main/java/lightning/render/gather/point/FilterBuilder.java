@@ -9,7 +9,7 @@ import lightning.render.gather.cell.SurfaceColumns;
 public final class FilterBuilder {
     private static final int BATCH = 256;
     /** Reach of the filter in cells of gather points. */
-    private static final float CELLS = 4;
+    private static final float CELLS = 8;
     /** Reach of the filter relative to the harmonic mean distance: contacts stay sharp. */
     private static final float SHARE = 0.25f;
     /** Least reach of the filter in radii of points: the few rays of points in corners are too noisy alone. */

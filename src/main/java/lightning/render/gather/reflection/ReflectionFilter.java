@@ -16,18 +16,23 @@ import lightning.render.gather.point.PointFilter;
 public record ReflectionFilter(int[][] neighbors, float[][] weights) {
     // Arrays in a record: written once by the factory, never after.
 
-    /** Reach in radii of points. */
-    private static final float RADII = 2;
+    /** Least and largest reach in radii of points. */
+    private static final float MIN_RADII = 2;
+    private static final float MAX_RADII = 4;
     /** Number of points of equal weight whose mean has little noise; so many are at the place of a point without neighbors. */
     public static final int ENOUGH = 8;
 
-    /** @param points number of all points */
-    public static ReflectionFilter of(ReflectionGroup[] groups, int points, WorkerPool workers, Progress progress) {
+    /**
+     * @param points number of all points
+     * @param open   distance from each point within which its reflection changes little, scene units
+     */
+    public static ReflectionFilter of(ReflectionGroup[] groups, int points, float[] open, WorkerPool workers, Progress progress) {
         var filter = new ReflectionFilter(new int[points][], new float[points][]);
         for (ReflectionGroup group : groups) {
             float[] reach = new float[group.count()];
             for (int p = 0; p < reach.length; p++) {
-                reach[p] = RADII * group.radius[p];
+                float radius = group.radius[p];
+                reach[p] = Math.clamp(open[group.number[p]], MIN_RADII * radius, MAX_RADII * radius);
             }
             NeighborFilter.add(group.surface, reach, group.groups, (p, q) -> weight(group, p, q, Math.min(reach[p], reach[q])),
                     group.number, filter.neighbors, filter.weights, workers, progress);

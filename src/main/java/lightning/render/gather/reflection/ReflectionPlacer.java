@@ -30,6 +30,9 @@ public final class ReflectionPlacer extends CellPlacer {
     /** Width α at which a lobe counts as narrow. */
     private static final double NARROW = 0.4;
 
+    /** Share of the width of a lobe where it meets something, within which a reflection changes little. */
+    private static final double OPEN = 0.25;
+
     private final WorkerPool workers;
     private final ProgressPart progress;
     private final CellKeys keys;
@@ -49,6 +52,8 @@ public final class ReflectionPlacer extends CellPlacer {
     private int placed;
     private int[] firstCopy = {};
     private long[] inverseLengths = {};
+    /** Distance from each point within which its reflection changes little, scene units. */
+    private float[] open = {};
 
     /**
      * @param casters    one for each thread
@@ -99,7 +104,7 @@ public final class ReflectionPlacer extends CellPlacer {
         place(candidates.count(), LEVELS, workers, progress.cancellationOnly());
         groups = ReflectionGroup.of(points, steps, materials);
         placed = points.count();
-        ReflectionFilter weights = ReflectionFilter.of(groups, placed, workers, progress);
+        ReflectionFilter weights = ReflectionFilter.of(groups, placed, open, workers, progress);
         int[] copies = weights.copies(shares());
         addCopies(copies);
         filter = weights.build(copies);
@@ -237,6 +242,8 @@ public final class ReflectionPlacer extends CellPlacer {
         points.radius[p] = RADIUS * (float) keys.side(s.px[p], s.py[p], s.pz[p], level);
         double spread = Math.min(1, requireNonNull(lobes[points.material[p]]).narrowest() / NARROW);
         float harmonic = InverseLengths.harmonicMean(inverseLengths[p], lobeRays, keys.side(s, p));
+        open = p < open.length ? open : Arrays.copyOf(open, 2 * points.count());
+        open[p] = (float) (OPEN * spread * harmonic);
         return ACCURACY * spread * harmonic < share(p) * points.radius[p] && level + 1 < LEVELS;
     }
 
