@@ -130,7 +130,8 @@ final class ExplainCommand implements Callable<Integer> {
             console.print("%s: %s, %s, %s, %s", paths.isIndirect() ? "indirect light of the picture"
                     : paths.pointCount() > 0 ? "light of the environment" : "blurred reflections",
                     Console.count(paths.pointCount(), "gather point"),
-                    Console.count(paths.surfelCount(), "surfel"), Console.count(paths.rays().total(), "ray"), Console.count(paths.bytes(), "byte"));
+                    Console.count(paths.surfelCount(), "surfel"), Console.count(paths.rays().total(), "ray"),
+                    Console.count(paths.bytes(), "byte"));
             GatherRays rays = paths.rays();
             console.print("rays: %,d for gather points, %,d for reflection points, %,d for surfels%s", rays.points(), rays.reflections(),
                     rays.surfels(), rays.bounces().isEmpty() ? "" : ", and for further bounces " + rays.bounces().stream()

@@ -1,12 +1,12 @@
 package lightning.render.fulltrace;
 
-import lightning.render.gather.GatherRays;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
 import java.util.BitSet;
 import lightning.base.work.Progress;
 import lightning.render.engine.Engine;
+import lightning.render.gather.GatherRays;
 import lightning.render.gather.RowWeigher;
 import lightning.render.image.Film;
 import lightning.render.shading.BounceImages;

@@ -1,12 +1,12 @@
 package lightning.render.gather;
 
-import java.util.stream.Stream;
-import java.util.Arrays;
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
-import java.util.stream.IntStream;
 
 /**
  * Numbers of rays that find the paths of gathered light and of blurred reflections.
@@ -45,7 +45,8 @@ public record GatherRays(long candidates, long points, long reflections, long su
     }
 
     void writeTo(ColumnWriter out) throws IOException {
-        out.writeArray(Stream.concat(Stream.of(candidates, points, reflections, surfels), bounces.stream()).mapToLong(Long::longValue).toArray());
+        out.writeArray(
+                Stream.concat(Stream.of(candidates, points, reflections, surfels), bounces.stream()).mapToLong(Long::longValue).toArray());
     }
 
     static GatherRays readFrom(ColumnReader in) throws IOException {

@@ -55,7 +55,8 @@ public final class GatherStructure {
      */
     public GatherStructure(GatherPoints points, RayLinks pointLinks, RimLinks rims, RayLinks surfelLinks, SurfelRows surfels,
             TiltedFacets surfelNormals,
-            GlowPaths glow, int @Nullable [] kept, @Nullable ReflectionPaths reflections, boolean isIndirect, int bounces, GatherRays rays) {
+            GlowPaths glow, int @Nullable [] kept, @Nullable ReflectionPaths reflections, boolean isIndirect, int bounces,
+            GatherRays rays) {
         this.reflections = reflections;
         this.isIndirect = isIndirect;
         this.glow = glow;

@@ -51,7 +51,8 @@ public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, do
                 light.isArea() ? AreaSamples.ofCenters(light, origin, source, axis) : null,
                 light.isArea() && scene.picture().sampling().isSupersampled()
                         ? AreaSamples.ofFineSamples(light, origin, source, axis, scene.picture().sampling()) : null,
-                light.isArea() ? AreaSamples.ofSurfels(light, origin, source, axis) : null, highlightWidening(light, light.area().samples()));
+                light.isArea() ? AreaSamples.ofSurfels(light, origin, source, axis) : null,
+                highlightWidening(light, light.area().samples()));
     }
 
     /** Returns the same source in other fog. */

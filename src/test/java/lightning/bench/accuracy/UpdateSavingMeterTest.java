@@ -1,13 +1,13 @@
 package lightning.bench.accuracy;
 
-import lightning.render.gather.GatherRays;
-import java.util.Map;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
+import java.util.Map;
 import lightning.base.work.Progress;
 import lightning.render.RenderOptions;
+import lightning.render.gather.GatherRays;
 import lightning.render.measure.Timing;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.UpdateResult;

@@ -1,6 +1,5 @@
 package lightning.render.gather.build;
 
-import lightning.render.gather.GatherRays;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -9,6 +8,7 @@ import java.util.stream.IntStream;
 import lightning.base.work.Progress;
 import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
+import lightning.render.gather.GatherRays;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.PointChanges;
 import lightning.render.gather.SurfelRows;

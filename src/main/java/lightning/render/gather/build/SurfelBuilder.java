@@ -1,9 +1,9 @@
 package lightning.render.gather.build;
 
 import java.util.ArrayList;
-import java.util.List;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.List;
 import java.util.stream.IntStream;
 import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;

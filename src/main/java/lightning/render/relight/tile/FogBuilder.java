@@ -1,6 +1,5 @@
 package lightning.render.relight.tile;
 
-import lightning.render.shading.RayCounts;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
@@ -16,6 +15,7 @@ import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.LightDifference;
 import lightning.render.relight.plan.LightUpdate;
 import lightning.render.shading.LightSource;
+import lightning.render.shading.RayCounts;
 import lightning.render.shading.WeightedLight;
 import lightning.render.shading.fog.FogDepths;
 import lightning.render.shading.fog.FogLight;

@@ -1,6 +1,5 @@
 package lightning.render.relight.tile;
 
-import lightning.render.gather.GatherRays;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
@@ -15,6 +14,7 @@ import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.EngineWorkers;
+import lightning.render.gather.GatherRays;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.PointChanges;
 import lightning.render.gather.build.GatherBuilder;

@@ -1,10 +1,10 @@
 package lightning.render.relight.tile;
 
-import java.util.Map;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Map;
 import java.util.function.Function;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;

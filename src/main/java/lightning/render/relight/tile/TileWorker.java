@@ -1,6 +1,5 @@
 package lightning.render.relight.tile;
 
-import lightning.render.gather.GatherRays;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Arrays;
@@ -8,6 +7,7 @@ import java.util.BitSet;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
+import lightning.render.gather.GatherRays;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.LayerPlan;
 import lightning.render.relight.plan.LevelPlan;

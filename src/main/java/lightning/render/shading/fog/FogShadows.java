@@ -1,6 +1,5 @@
 package lightning.render.shading.fog;
 
-import lightning.render.shading.RayCounts;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
@@ -13,6 +12,7 @@ import lightning.render.fog.FogPath;
 import lightning.render.fog.FogRay;
 import lightning.render.fog.FogRays;
 import lightning.render.shading.LightSource;
+import lightning.render.shading.RayCounts;
 import lightning.render.shading.layer.LightRows;
 import lightning.render.shading.layer.PointShadows;
 import lightning.render.shading.layer.RowBits;
