@@ -426,7 +426,7 @@ public final class LightKernel {
      *
      * @param before layer of the old rows
      * @param added  layer of the added rows
-     * @param source source of the light that both were computed for
+     * @param light source of the light that both were computed for
      */
     public LightRows join(RowSplice splice, LightRows before, LightRows added, LightSource light) {
         LightSource source = sampled(light);
