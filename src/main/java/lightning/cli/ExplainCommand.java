@@ -2,7 +2,9 @@ package lightning.cli;
 
 import static java.util.Objects.requireNonNull;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import lightning.base.math.Vec3;
@@ -133,9 +135,11 @@ final class ExplainCommand implements Callable<Integer> {
                     Console.count(paths.surfelCount(), "surfel"), Console.count(paths.rays().total(), "ray"),
                     Console.count(paths.bytes(), "byte"));
             GatherRays rays = paths.rays();
-            console.print("rays: %,d for gather points, %,d for reflection points, %,d for surfels%s", rays.points(), rays.reflections(),
-                    rays.surfels(), rays.bounces().isEmpty() ? "" : ", and for further bounces " + rays.bounces().stream()
-                            .map(count -> String.format("%,d", count)).collect(Collectors.joining(" + ")));
+            List<String> purposes = new ArrayList<>();
+            purposes.add(Console.count(rays.points(), "ray") + " of gather points");
+            purposes.add(Console.count(rays.reflections(), "ray") + " of reflection points");
+            rays.bounces().forEach(count -> purposes.add(Console.count(count, "ray") + " of a further bounce"));
+            console.print("  %s", String.join(", ", purposes));
         }
     }
 

@@ -362,7 +362,7 @@ public final class LightKernel {
      * appear with the first and disappear with the last material that needs them. If a material is or was metallic, its diffuse
      * terms are recomputed too. A grazing column marks rows that were metallic and is therefore kept when rows are reordered.
      *
-     * @param light   the light that the layer was computed for
+     * @param light  the light that the layer was computed for
      * @param changed materials whose shininess, roughness or model changed, or that gained or lost highlights
      */
     public LightRows updateSpeculars(HitRows rows, LightSource light, LightRows before, MaterialSet changed, ColumnAllocator columns) {
