@@ -70,9 +70,12 @@ public record GatherSettings(int bounces, int rays, int spacing, boolean environ
         return (int) Math.round(Math.sqrt(rays));
     }
 
-    /** Returns the rays along each side of the pattern of a surfel: the mean over many surfels needs few. */
+    /**
+     * Returns the rays along each side of the pattern of a surfel: the mean over many surfels needs few. It needs more where an environment lights
+     * surfels only by these.
+     */
     public int surfelRaysPerSide() {
-        return raysPerSide() / 2;
+        return environment ? raysPerSide() * 3 / 4 : raysPerSide() / 2;
     }
 
     /** Returns what is gathered, in words: {@code indirect light with 2 bounces, 64 rays, every 8 pixels}. */

@@ -16,8 +16,9 @@ import lightning.scene.Scene;
 public final class CellKeys {
     /** Sizes of the cells of gather points; each is half of the previous. */
     public static final int LEVELS = 3;
-    /** Cells of surfels along the height of the picture. */
+    /** Most cells of surfels along the height of the picture, and the pixels that a cell has at least: a small picture shows less. */
     private static final double SURFELS_PER_HEIGHT = 30;
+    private static final double PIXELS_PER_SURFEL = 6;
     /**
      * Height of the picture at distance 1 to which surfels outside a narrower view are adapted: that of a view of 40°. Cells as small as those in the
      * view would divide the whole scene around it into so many surfels that a close-up never ends.
@@ -68,7 +69,7 @@ public final class CellKeys {
         eyeZ = eye.z();
         double height = 2 * StrictMath.tan(StrictMath.toRadians(camera.fov() / 2));
         pointSide = settings.pixelSpacing(picture) * height / picture.height();
-        surfelSide = height / SURFELS_PER_HEIGHT;
+        surfelSide = height / Math.min(SURFELS_PER_HEIGHT, picture.height() / PIXELS_PER_SURFEL);
         CameraRays rays = new CameraRays(camera, picture);
         axis = rays.imageRay(picture.width() / 2.0, picture.height() / 2.0).direction();
         double tangent = 0;
