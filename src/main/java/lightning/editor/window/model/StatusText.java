@@ -1,5 +1,6 @@
 package lightning.editor.window.model;
 
+import java.util.Map;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Optional;
@@ -50,10 +51,20 @@ public final class StatusText {
         return text + " · " + accuracyText;
     }
 
-    /** Formats the rays of an update: {@code 4,811 shadow rays · 310,000 rays of indirect light}. */
+    /**
+     * Formats the rays of an update by purpose, with the light that has the most shadow rays: {@code 4,811 shadow rays, 2,000 of key · 310,000 rays of
+     * indirect light · 40,000 rays of blurred reflections}.
+     */
     private static String rays(RayCounts rays) {
-        String shadow = Messages.tr("{0} shadow rays", number(rays.shadow()));
-        return rays.gather() == 0 ? shadow : shadow + " · " + Messages.tr("{0} rays of indirect light", number(rays.gather()));
+        String text = rays.shadows().entrySet().stream().filter(light -> light.getValue() > 0 && light.getValue() < rays.shadow())
+                .max(Map.Entry.comparingByValue())
+                .map(most -> Messages.tr("{0} shadow rays, {1} of {2}", number(rays.shadow()), number(most.getValue()), most.getKey()))
+                .orElseGet(() -> Messages.tr("{0} shadow rays", number(rays.shadow())));
+        long reflected = rays.gathering().reflections();
+        if (rays.gather() > reflected) {
+            text += " · " + Messages.tr("{0} rays of indirect light", number(rays.gather() - reflected));
+        }
+        return reflected == 0 ? text : text + " · " + Messages.tr("{0} rays of blurred reflections", number(reflected));
     }
 
     /** Formats the update of an image briefly: {@code Updated in 0.8 ms, exact}. */

@@ -3,10 +3,12 @@ package lightning.editor.window.model;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import lightning.document.loop.DisplayMode;
 import lightning.document.loop.Frame;
 import lightning.document.loop.RenderState;
+import lightning.render.gather.GatherRays;
 import lightning.render.image.Film;
 import lightning.render.measure.Timing;
 import lightning.render.measure.WarmSaving;
@@ -56,6 +58,15 @@ class RenderStateTest {
         RenderState state = RenderState.NONE.withFrame(edit);
         assertThat(text(state)).contains("60 ms (measuring the saving…)").doesNotContain("%");
         assertThat(text(state.withMeasuredSaving(saving(edit)))).contains("60 ms · median 2.0 ms, full trace 29 ms · 93.1 % saved");
+    }
+
+    @Test
+    void rays_areShownByPurpose() {
+        RayCounts rays = RayCounts.ofShadows(Map.of("key", 4000L, "fill", 811L))
+                .plus(RayCounts.of(new GatherRays(10, 300, 40, 5, List.of(60L, 25L))));
+        var update = new UpdateResult(SAMPLES, 0, 0, 0, rays, 60_000_000, 0, false);
+        assertThat(StatusText.of(update, true, "exact", Optional.empty()))
+                .contains("4,811 shadow rays, 4,000 of key · 400 rays of indirect light · 40 rays of blurred reflections · ");
     }
 
     @Test
