@@ -192,7 +192,7 @@ public final class GatherBuilder {
                         surfelBytes(), glows);
         surfels.build(placer.sources, placer.links, pointCaster, reflecting, settings.pathBounces());
         RimCaster rimCaster = new RimCaster(keys, directions, glows, placer.sources, placer.links, surfels.cells(), memo);
-        RimLinks rims = settings.environment() ? castThroughRims(rimCaster, placer, surfels, memory) : RimLinks.none();
+        RimLinks rims = settings.environment() ? castThroughRims(rimCaster, placer, memory) : RimLinks.none();
         PointGroups groups = new PointGroups(placer.points, placer.radius);
         Barriers barriers =
                 Barriers.of(placer.sources, placer.radius, placer.links, surfels.surfels(), geometry, directions, workers, progress);
@@ -241,9 +241,9 @@ public final class GatherBuilder {
         return memo == null || before == null ? null : PointChanges.between(before, after, memo.points());
     }
 
-    private RimLinks castThroughRims(RimCaster caster, PointPlacer placer, SurfelBuilder surfels, PathMemory memory) {
+    private RimLinks castThroughRims(RimCaster caster, PointPlacer placer, PathMemory memory) {
         Progress part = new ProgressPart(progress, SURFELS_SHARE, 1);
-        RimCells rims = new RimCells(keys, placer.points, placer.links, surfels.surfels(), surfels.links, workers, part.cancellationOnly());
+        RimCells rims = new RimCells(keys, placer.points, placer.links, workers, part.cancellationOnly());
         return caster.cast(rims, geometry, scene, tracers, workers, memory, part);
     }
 

@@ -12,10 +12,10 @@ import lightning.render.gather.ray.RayLinks;
 
 /**
  * Finds the cells of a gather point's grid of directions that contain the rim of an opening: among the rays in the same cell of the grid, of
- * other points and surfels nearby, some leave the scene and some do not. The point's own rays have no say, or the mean of its light would be
+ * other points nearby, some leave the scene and some do not. The point's own rays have no say, or the mean of its light would be
  * biased.
  *
- * <p>Nearby are all points and surfels in the same wide cell ({@link CellKeys#wideKey}), so that they need not be searched.
+ * <p>Nearby are all points in the same wide cell ({@link CellKeys#wideKey}), so that they need not be searched.
  */
 public final class RimCells {
     private static final int BATCH = 1024;
@@ -54,17 +54,13 @@ public final class RimCells {
     }
 
     /**
-     * @param surfels      all surfels, of which the first cast rays
-     * @param surfelLinks  what these rays hit; as many for each surfel as for a point
+     * @param links what the rays of the points hit
      * @throws java.util.concurrent.CancellationException if the progress requested cancellation
      */
-    public RimCells(CellKeys cellKeys, SurfaceColumns points, RayLinks links, SurfaceColumns surfels, RayLinks surfelLinks,
-            WorkerPool workers,
-            Progress progress) {
+    public RimCells(CellKeys cellKeys, SurfaceColumns points, RayLinks links, WorkerPool workers, Progress progress) {
         this.links = links;
         keys = wideKeys(cellKeys, points, points.count, workers, progress);
         addAll(links, keys, workers, progress);
-        addAll(surfelLinks, wideKeys(cellKeys, surfels, surfelLinks.points(), workers, progress), workers, progress);
     }
 
     private static long[] wideKeys(CellKeys cellKeys, SurfaceColumns of, int count, WorkerPool workers, Progress progress) {

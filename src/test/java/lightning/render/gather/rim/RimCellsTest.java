@@ -23,30 +23,24 @@ class RimCellsTest {
 
     @Test
     void cellInWhichOtherPointsDiffer_isRim() throws JenException {
-        assertThat(rims(new String[] {"----", "x--x", "x-x-"})).isEqualTo("..xx");
-        assertThat(rims(new String[] {"xxxx", "x--x", "x-x-"})).isEqualTo("..xx");
+        assertThat(rims("----", "x--x", "x-x-")).isEqualTo("..xx");
+        assertThat(rims("xxxx", "x--x", "x-x-")).isEqualTo("..xx");
     }
 
     /** Otherwise the mean of its light would be biased. */
     @Test
     void ownRays_haveNoSay() throws JenException {
-        assertThat(rims(new String[] {"----", "xxxx", "xxxx"})).isEqualTo("....");
-        assertThat(rims(new String[] {"-x-x", "-xx-"})).isEqualTo("....");
+        assertThat(rims("----", "xxxx", "xxxx")).isEqualTo("....");
+        assertThat(rims("-x-x", "-xx-")).isEqualTo("....");
     }
 
-    @Test
-    void raysOfSurfels_count() throws JenException {
-        assertThat(rims(new String[] {"xxxx", "x-xx"}, "xx-x")).isEqualTo(".xx.");
-    }
-
-    private static String rims(String[] points, String... surfels) throws JenException {
+    private static String rims(String... points) throws JenException {
         Scene scene = JenReader.read("jen 1\ncamera { from 0 0 9  to 0 0 0 }\n", "empty.jen", Path.of("")).scene();
         CellKeys keys = new CellKeys(scene, SETTINGS);
         char[] found = new char[4];
         int count;
         try (WorkerPool workers = new WorkerPool(1)) {
-            count = new RimCells(keys, surface(points.length), links(points), surface(surfels.length), links(surfels), workers,
-                    Progress.NONE).find(0, found);
+            count = new RimCells(keys, surface(points.length), links(points), workers, Progress.NONE).find(0, found);
         }
         char[] rims = "....".toCharArray();
         for (int i = 0; i < count; i++) {

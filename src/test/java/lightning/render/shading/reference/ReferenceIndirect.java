@@ -190,9 +190,6 @@ final class ReferenceIndirect {
     private List<Map<Integer, List<ReferenceGatherRay>>> rims(List<ReferenceGatherPoints.GatherPoint> points) {
         ReferenceRims rims = new ReferenceRims(keys);
         points.forEach(point -> rims.add(point.at(), point.rays()));
-        for (int s = 0; s < surfelRays.size(); s++) {
-            rims.add(surfels.get(s).at(), surfelRays.get(s));
-        }
         DirectionTable directions = new DirectionTable(settings.raysPerSide());
         return points.stream()
                 .map(point -> settings.environment() ? rims.cast(point, geometry, glows, directions)

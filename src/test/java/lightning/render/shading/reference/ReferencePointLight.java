@@ -15,7 +15,7 @@ import lightning.render.trace.SurfacePoint;
 
 /** Spreads the light of gather points over the surfaces between them, for {@link ReferenceTracer}. */
 final class ReferencePointLight {
-    private static final float FILTER_CELLS = 4;
+    private static final float FILTER_CELLS = 8;
     private static final float FILTER_SHARE = 0.25f;
     private static final float FILTER_RADII = 2;
     private static final float FLAT_FILTER_RADII = 4;

@@ -16,14 +16,14 @@ final class ReferenceRims {
     private final CellKeys keys;
     private final List<Source> sources = new ArrayList<>();
 
-    /** Point or surfel whose rays tell where the rims of openings are. */
+    /** Point whose rays tell where the rims of openings are. */
     private record Source(long wideKey, List<ReferenceGatherRay> rays) {}
 
     ReferenceRims(CellKeys keys) {
         this.keys = keys;
     }
 
-    /** Adds the rays of a gather point or surfel. */
+    /** Adds the rays of a gather point. */
     void add(SurfacePoint at, List<ReferenceGatherRay> rays) {
         sources.add(new Source(wideKey(at), rays));
     }
