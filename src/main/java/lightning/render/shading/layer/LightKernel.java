@@ -301,7 +301,7 @@ public final class LightKernel {
             for (int b = 0; b < RowBits.words(rows.count); b++) {
                 tintRows[b] &= ~chosen[b];
             }
-            shadows.countRays(tintRows, rows.count);
+            shadows.countRays(source, tintRows, rows.count);
         }
         byte[] state = columns.states(rows.count);
         System.arraycopy(before.state, 0, state, 0, rows.count);

@@ -229,7 +229,8 @@ final class ShadowCaster {
     }
 
     /** Counts rows that are tested again although their rays are known to be unblocked. */
-    void countRays(int[] queried, int count) {
+    void countRays(LightSource source, int[] queried, int count) {
+        startCount(source);
         rayCount[0] += RowBits.count(queried, count);
     }
 
