@@ -1,8 +1,8 @@
 package lightning.editor.window.model;
 
-import java.util.Map;
 import static java.util.Objects.requireNonNull;
 
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import lightning.base.text.Messages;
