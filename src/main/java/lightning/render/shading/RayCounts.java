@@ -2,6 +2,7 @@ package lightning.render.shading;
 
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import lightning.render.gather.GatherRays;
 
 /**
@@ -10,13 +11,14 @@ import lightning.render.gather.GatherRays;
  * @param eye       camera rays
  * @param mirrored  bounced rays
  * @param gathering rays of indirect light, light of environments and blurred reflections
- * @param shadows   shadow rays of each light by its name, those of surfels and fog included
+ * @param shadows   shadow rays of each light by its name, those of surfels and fog included; none of a light without any
  */
 public record RayCounts(long eye, long mirrored, GatherRays gathering, Map<String, Long> shadows) {
     public static final RayCounts NONE = new RayCounts(0, 0, GatherRays.NONE, Map.of());
 
     public RayCounts {
-        shadows = Map.copyOf(shadows);
+        shadows = shadows.entrySet().stream().filter(light -> light.getValue() != 0)
+                .collect(Collectors.toUnmodifiableMap(Map.Entry::getKey, Map.Entry::getValue));
     }
 
     /** Returns the counts of shadow rays. */
