@@ -29,12 +29,12 @@ import org.jspecify.annotations.Nullable;
  * @param fog           fog that dims it on its way to a point; null if none does. A directional light is dimmed only by fog with bounds, so that
  *     its brightness is the one below the fog otherwise
  * @param fineSamples   samples that rows of finer samples use; null for a point light, and without anti-aliasing
- * @param surfelSamples samples that surfels use; null for a point light
  * @param highlightWidening what the light of one sample adds to α² of metallic highlights at distance 1; 0 for a point light
+ * @param surfels the same source with the samples that surfels use; null for a point light, and in that source
  */
 public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, double cosAngle, double dropoff, @Nullable FogMedium fog,
-        @Nullable AreaSamples centerSamples, @Nullable AreaSamples fineSamples, @Nullable AreaSamples surfelSamples,
-        double highlightWidening) {
+        @Nullable AreaSamples centerSamples, @Nullable AreaSamples fineSamples, double highlightWidening,
+        @Nullable LightSource surfels) {
 
     /** Returns a light's source in the camera's render space. */
     public static LightSource of(Light light, Scene scene) {
@@ -45,27 +45,31 @@ public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, do
         boolean surface = light.type().isSurface();
         FogMedium fog = FogMedium.of(scene);
         boolean object = light.type() == LightType.OBJECT;
-        return new LightSource(light, origin, source, axis,
+        var center = new LightSource(light, origin, source, axis,
                 surface ? 0 : object ? -1 : Transform.cosDegrees(light.angle()), surface ? 1 + light.dropoff() : light.dropoff(),
                 fog != null && (light.type().hasPosition() || fog.hasBounds()) ? fog : null,
                 light.isArea() ? AreaSamples.ofCenters(light, origin, source, axis) : null,
                 light.isArea() && scene.picture().sampling().isSupersampled()
                         ? AreaSamples.ofFineSamples(light, origin, source, axis, scene.picture().sampling()) : null,
-                light.isArea() ? AreaSamples.ofSurfels(light, origin, source, axis) : null,
-                highlightWidening(light, light.area().samples()));
+                highlightWidening(light, light.area().samples()), null);
+        return light.isArea() ? center.withSurfels(AreaSamples.ofSurfels(light, origin, source, axis)) : center;
+    }
+
+    private LightSource withSurfels(AreaSamples samples) {
+        return new LightSource(light, origin, position, axis, cosAngle, dropoff, fog, centerSamples, fineSamples, highlightWidening,
+                new LightSource(light, origin, position, axis, cosAngle, dropoff, fog, samples, null,
+                        highlightWidening(light, samples.samples()), null));
     }
 
     /** Returns the same source in other fog. */
     LightSource withFog(@Nullable FogMedium v) {
-        return new LightSource(light, origin, position, axis, cosAngle, dropoff, v, centerSamples, fineSamples, surfelSamples,
-                highlightWidening);
+        return new LightSource(light, origin, position, axis, cosAngle, dropoff, v, centerSamples, fineSamples, highlightWidening,
+                surfels == null ? null : surfels.withFog(v));
     }
 
     /** Returns the same source with the samples that surfels use instead of those of pixel centers. */
     public LightSource forSurfels() {
-        return surfelSamples == null ? this
-                : new LightSource(light, origin, position, axis, cosAngle, dropoff, fog, surfelSamples, null, surfelSamples,
-                        highlightWidening(light, surfelSamples.samples()));
+        return surfels == null ? this : surfels;
     }
 
     public LightType type() {
@@ -136,13 +140,17 @@ public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, do
     /** Returns the points at which shadow rays to a light with a position end. */
     public Stream<Vec3> targets() {
         return !isArea() ? Stream.of(position)
-                : Stream.of(centerSamples, fineSamples, surfelSamples).filter(Objects::nonNull).flatMap(AreaSamples::positions);
+                : allSamples().flatMap(AreaSamples::positions);
     }
 
     /** Returns the largest distance of any sample of an area light from its center. */
     public double extent() {
-        return Stream.of(centerSamples, fineSamples, surfelSamples).filter(Objects::nonNull).mapToDouble(AreaSamples::extent).max()
+        return allSamples().mapToDouble(AreaSamples::extent).max()
                 .orElseThrow();
+    }
+
+    private Stream<AreaSamples> allSamples() {
+        return Stream.of(centerSamples, fineSamples, forSurfels().centerSamples).filter(Objects::nonNull).distinct();
     }
 
     /** Returns a sample of an area light as a light of its own; one of an object shines along its axis. */
@@ -150,7 +158,7 @@ public record LightSource(Light light, Vec3 origin, Vec3 position, Vec3 axis, do
         int index = samples.index(s, pattern);
         SampleNormals normals = samples.normals();
         return new LightSource(light, origin, samples.position(pattern, s), normals == null ? axis : normals.normal(index),
-                normals == null ? cosAngle : normals.bothSides()[index] ? -1 : 0, dropoff, fog, null, null, null, highlightWidening);
+                normals == null ? cosAngle : normals.bothSides()[index] ? -1 : 0, dropoff, fog, null, null, highlightWidening, null);
     }
 
     /** Returns whether a point is behind this sample of an object, which shines to one side only. */

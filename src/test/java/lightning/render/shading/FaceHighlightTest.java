@@ -93,7 +93,7 @@ class FaceHighlightTest {
                     return 0;
                 }
                 var equation = new LightingEquation(new LightSource(source.light(), source.origin(), source.position().plus(from),
-                        source.axis(), source.cosAngle(), source.dropoff(), source.fog(), null, null, null, source.highlightWidening()));
+                        source.axis(), source.cosAngle(), source.dropoff(), source.fog(), null, null, source.highlightWidening(), null));
                 equation.moveTo(0, 0, 0, 0, 0, 1);
                 return distance * distance / (area * -along) * equation.falloff();
             };
