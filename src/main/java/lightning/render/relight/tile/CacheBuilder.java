@@ -130,7 +130,7 @@ public final class CacheBuilder {
     private void reportTile(int worker, int tile, float @Nullable [][] film) {
         long rays = 0;
         for (TileWorker engineWorker : tileWorkers.get(worker).workers()) {
-            rays += engineWorker.work().rays().total();
+            rays += engineWorker.rayCount();
         }
         if (rays > reportedRays[worker]) {
             job.progress().raysCast(rays - reportedRays[worker]);

@@ -82,6 +82,10 @@ final class LevelWorker {
         return visibility;
     }
 
+    long shadowRayCount() {
+        return lightKernel.shadowRayCount();
+    }
+
     Map<String, Long> shadowRays() {
         return lightKernel.shadowRays();
     }

@@ -105,6 +105,12 @@ final class TileWorker {
         return bounceLevels;
     }
 
+    /** Returns the number of rays cast since the start. */
+    long rayCount() {
+        return eyeRays + (bounceLevels == null ? 0 : bounceLevels.rayCount()) + eyeWorker.shadowRayCount()
+                + (mirrorWorker == null || mirrorWorker == eyeWorker ? 0 : mirrorWorker.shadowRayCount());
+    }
+
     /** Returns the work since the start. */
     WorkCounts work() {
         WorkCounts work = new WorkCounts(eyeWorker.rowsTouched(), recomposer.rowsComposed(),

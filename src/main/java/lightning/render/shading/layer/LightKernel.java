@@ -86,6 +86,11 @@ public final class LightKernel {
         return terms;
     }
 
+    /** Returns the number of all shadow rays since the start. */
+    public long shadowRayCount() {
+        return links.shadowRayCount();
+    }
+
     /** Returns the number of shadow rays of each light since the start, by its name. */
     public Map<String, Long> shadowRays() {
         return links.shadowRays();

@@ -46,6 +46,11 @@ final class LightLinks {
         return new ShadowCaster(casting, tracer.withGeometry(casting), view, rayCounts);
     }
 
+    /** Returns the number of all shadow rays since the start. */
+    long shadowRayCount() {
+        return rayCounts.values().stream().mapToLong(count -> count[0]).sum();
+    }
+
     /** Returns the number of shadow rays of each light since the start, by its name. */
     Map<String, Long> shadowRays() {
         Map<String, Long> counts = new HashMap<>();
