@@ -245,9 +245,9 @@ class ShotTest {
         assertThat(settings(scene)).isEqualTo(settings(c.scene));
     }
 
-    /** Returns the materials without the glow of bulbs, which follows keyed lights. */
+    /** Returns the materials without what bulbs derive from lights, which may be keyed. */
     private static List<Material> settings(Scene scene) {
-        return scene.materials().stream().map(m -> m.withBulb(m.bulb().withGlow(Rgb.BLACK))).toList();
+        return scene.materials().stream().map(m -> m.withBulb(m.bulb().withGlow(Rgb.BLACK).withUnit(Rgb.BLACK))).toList();
     }
 
     @Property
