@@ -4,9 +4,11 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import lightning.base.work.DedicatedThread;
 import lightning.render.engine.choice.Engines;
+import lightning.render.trace.mesh.MeshTestsWarmUp;
 
 /**
- * Switch to the lane engine during a long render, for its remaining tiles, which compile it. Has no cost for short renders.
+ * Lanes for a long render: the tests of single rays as soon as a thread of its own has compiled them, which takes about two seconds, and much later the
+ * lane engine, for the remaining tiles, which compile it. The first costs a second of one processor.
  * <pre>{@code try (var lanes = new DelayedLanes()) { renderer.render(scene, progress); } }</pre>
  */
 public final class DelayedLanes implements AutoCloseable {
@@ -28,6 +30,9 @@ public final class DelayedLanes implements AutoCloseable {
 
     private void switchAfter(long milliseconds) {
         try {
+            if (Engines.hasLanes()) {
+                MeshTestsWarmUp.run(() -> closed.getCount() == 0);
+            }
             if (!closed.await(milliseconds, TimeUnit.MILLISECONDS)) {
                 Engines.use(Engines.FASTEST);
             }

@@ -43,14 +43,14 @@ final class MeshRay {
     double inverseY;
     double inverseZ;
     /** Axis of the largest direction component, 0 1 2, and the two others. */
-    private int axisX;
-    private int axisY;
-    private int axisZ;
-    private double originX;
-    private double originY;
-    private double originZ;
-    private double shearX;
-    private double shearY;
+    int axisX;
+    int axisY;
+    int axisZ;
+    double originX;
+    double originY;
+    double originZ;
+    double shearX;
+    double shearY;
     private double inverseDepth;
     /** Point around which triangles are ignored, and the radius; negative for none. */
     private double ignoredX;

@@ -14,11 +14,21 @@ import org.jspecify.annotations.Nullable;
  */
 public final class MeshRayQuery {
     private final MeshRay ray = new MeshRay();
-    private final MeshTraversal traversal = new MeshTraversal();
+    private final MeshTraversal traversal;
     private MeshSolid solid;
     private int triangle;
     /** Null if the mesh has no cutouts. */
     private @Nullable AlphaTest alphaTest;
+
+    /** Creates a query with the tests that the process uses at each time. */
+    public MeshRayQuery() {
+        this(null);
+    }
+
+    /** @param fixedTests tests to use; null for those of the process at each time */
+    MeshRayQuery(@Nullable MeshTests fixedTests) {
+        traversal = new MeshTraversal(fixedTests);
+    }
 
     /** Sets a mesh and a ray; the direction has any length. */
     @Initializer

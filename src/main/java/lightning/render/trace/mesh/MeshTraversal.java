@@ -5,6 +5,11 @@ import org.jspecify.annotations.Nullable;
 
 /** Single-ray traversal of a mesh's BVH. Holds scratch memory: use one per thread. */
 final class MeshTraversal {
+    private final @Nullable MeshTests fixedTests;
+    /** Tests of the current ray on lanes; null for loops. */
+    private @Nullable SingleRayLanes lanes;
+    /** The same, created on first use. */
+    private @Nullable SingleRayLanes ownLanes;
     private int[] stack = new int[64];
     /** Entry distances of the nodes on the stack, as bits of non-negative doubles. */
     private long[] entryBits = new long[64];
@@ -18,6 +23,11 @@ final class MeshTraversal {
     int[] hitTriangle = new int[8];
     double[] hitDistance = new double[8];
 
+    /** @param fixedTests tests to use; null for those of the process at each time */
+    MeshTraversal(@Nullable MeshTests fixedTests) {
+        this.fixedTests = fixedTests;
+    }
+
     /**
      * Returns the distance of the triangle hit first, the one with the lowest index among equal distances; {@code +∞} if there
      * is none up to {@code limit}.
@@ -25,10 +35,10 @@ final class MeshTraversal {
      * @param alphaTest test for holes
      */
     double nearest(MeshTree tree, MeshRay ray, @Nullable AlphaTest alphaTest, double limit) {
-        ensureCapacity(tree);
+        begin(tree, ray);
         double nearestDistance = limit;
         triangle = -1;
-        int top = push(tree, ray, 0, 0, nearestDistance);
+        int top = enter(tree, ray, 0, 0, nearestDistance);
         while (top > 0) {
             top--;
             if (entryBits[top] > Double.doubleToRawLongBits(nearestDistance)) {
@@ -36,11 +46,11 @@ final class MeshTraversal {
             }
             int next = stack[top];
             if (next >= 0) {
-                top = push(tree, ray, next, top, nearestDistance);
+                top = enter(tree, ray, next, top, nearestDistance);
                 continue;
             }
             int leaf = ~next;
-            for (int slots = ray.hitSlots(tree.vertex, MeshTree.LEAF_FLOATS * leaf); slots != 0; slots &= slots - 1) {
+            for (int slots = hitSlots(tree, ray, leaf); slots != 0; slots &= slots - 1) {
                 int s = Integer.numberOfTrailingZeros(slots);
                 int id = MeshTree.id(tree.triangle[MeshTree.WIDTH * leaf + s]);
                 double t = distance(tree, ray, leaf, s);
@@ -56,16 +66,16 @@ final class MeshTraversal {
 
     /** Returns whether the ray hits a triangle at a distance below {@code limit}. */
     boolean isBlocked(MeshTree tree, MeshRay ray, @Nullable AlphaTest alphaTest, double limit) {
-        ensureCapacity(tree);
-        int top = push(tree, ray, 0, 0, limit);
+        begin(tree, ray);
+        int top = enter(tree, ray, 0, 0, limit);
         while (top > 0) {
             int next = stack[--top];
             if (next >= 0) {
-                top = push(tree, ray, next, top, limit);
+                top = enter(tree, ray, next, top, limit);
                 continue;
             }
             int leaf = ~next;
-            for (int slots = ray.hitSlots(tree.vertex, MeshTree.LEAF_FLOATS * leaf); slots != 0; slots &= slots - 1) {
+            for (int slots = hitSlots(tree, ray, leaf); slots != 0; slots &= slots - 1) {
                 int s = Integer.numberOfTrailingZeros(slots);
                 double t = distance(tree, ray, leaf, s);
                 if (t < limit && (alphaTest == null || !alphaTest.isHole(MeshTree.id(tree.triangle[MeshTree.WIDTH * leaf + s]), t))) {
@@ -78,13 +88,13 @@ final class MeshTraversal {
 
     /** Adds all hits of a ray at distances below {@code limit} to {@link #hitTriangle} and {@link #hitDistance}, in any order. */
     void collectHits(MeshTree tree, MeshRay ray, double limit) {
-        ensureCapacity(tree);
+        begin(tree, ray);
         hitCount = 0;
-        int top = push(tree, ray, 0, 0, limit);
+        int top = enter(tree, ray, 0, 0, limit);
         while (top > 0) {
             int next = stack[--top];
             if (next >= 0) {
-                top = push(tree, ray, next, top, limit);
+                top = enter(tree, ray, next, top, limit);
             } else {
                 collectLeaf(tree, ray, ~next, limit);
             }
@@ -116,6 +126,7 @@ final class MeshTraversal {
     /** Adds all hits, at distances below 1, of a ray to a light buffer's point on the leaves of {@link #findLeaves}. */
     void collectHits(MeshTree tree, MeshRay ray) {
         hitCount = 0;
+        chooseTests(tree, ray);
         keepEntered(tree.box, ray);
         for (int i = 0; i < leafCount; i++) {
             collectLeaf(tree, ray, ~tree.child[leafReference[i]], 1);
@@ -157,7 +168,7 @@ final class MeshTraversal {
     }
 
     private void collectLeaf(MeshTree tree, MeshRay ray, int leaf, double limit) {
-        for (int slots = ray.hitSlots(tree.vertex, MeshTree.LEAF_FLOATS * leaf); slots != 0; slots &= slots - 1) {
+        for (int slots = hitSlots(tree, ray, leaf); slots != 0; slots &= slots - 1) {
             int s = Integer.numberOfTrailingZeros(slots);
             double t = distance(tree, ray, leaf, s);
             if (t < limit) {
@@ -193,11 +204,49 @@ final class MeshTraversal {
                 MeshTree.AXIS_FLOATS);
     }
 
-    private void ensureCapacity(MeshTree tree) {
+    private void begin(MeshTree tree, MeshRay ray) {
         if (stack.length < tree.stackSize) {
             stack = new int[tree.stackSize];
             entryBits = new long[tree.stackSize];
         }
+        chooseTests(tree, ray);
+    }
+
+    private void chooseTests(MeshTree tree, MeshRay ray) {
+        if ((fixedTests == null ? MeshTests.current() : fixedTests) == MeshTests.LOOPS) {
+            lanes = null;
+            return;
+        }
+        SingleRayLanes own = ownLanes == null ? ownLanes = new SingleRayLanes() : ownLanes;
+        lanes = own.setRay(ray, tree.maxCoordinate) ? own : null;
+    }
+
+    private int hitSlots(MeshTree tree, MeshRay ray, int leaf) {
+        int at = MeshTree.LEAF_FLOATS * leaf;
+        return lanes == null ? ray.hitSlots(tree.vertex, at) : SingleRayLanes.hitSlots(ray, tree.vertex, at);
+    }
+
+    private int enter(MeshTree tree, MeshRay ray, int node, int top, double limit) {
+        SingleRayLanes tests = lanes;
+        return tests == null ? push(tree, ray, node, top, limit)
+                : push(tree, node, top, tests.entered(tree.box, node, limit), tests.entry);
+    }
+
+    /** Pushes children of a node onto the stack, the nearest last. */
+    private int push(MeshTree tree, int node, int top, int children, float[] entry) {
+        int end = top;
+        for (int left = children; left != 0; left &= left - 1) {
+            int c = Integer.numberOfTrailingZeros(left);
+            long in = Double.doubleToRawLongBits(entry[c]);
+            int at = end++;
+            for (; at > top && entryBits[at - 1] < in; at--) {
+                entryBits[at] = entryBits[at - 1];
+                stack[at] = stack[at - 1];
+            }
+            entryBits[at] = in;
+            stack[at] = tree.child[MeshTree.WIDTH * node + c];
+        }
+        return end;
     }
 
     /**
