@@ -29,6 +29,12 @@ public final class PointChanges {
         this.added = added;
     }
 
+    /** Returns the difference between two structures, whose pictures have the same camera and settings. */
+    public static PointChanges between(GatherStructure before, GatherStructure after) {
+        return between(before, after, new KnownRays(before.points().sources(), before.pointLinks()));
+    }
+
+    /** @param known rays of the gather points before */
     public static PointChanges between(GatherStructure before, GatherStructure after, KnownRays known) {
         GatherPoints old = before.points();
         GatherPoints now = after.points();

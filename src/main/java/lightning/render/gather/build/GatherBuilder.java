@@ -193,11 +193,12 @@ public final class GatherBuilder {
         surfels.build(placer.sources, placer.links, pointCaster, reflecting, settings.pathBounces());
         RimCaster rimCaster = new RimCaster(keys, directions, glows, placer.sources, placer.links, surfels.cells(), memo);
         RimLinks rims = settings.environment() ? castThroughRims(rimCaster, placer, memory) : RimLinks.none();
-        PointGroups groups = new PointGroups(placer.points, placer.radius);
-        Barriers barriers =
-                Barriers.of(placer.sources, placer.radius, placer.links, surfels.surfels(), geometry, directions, workers, progress);
-        PointFilter filter =
-                new FilterBuilder(placer.points, placer.radius, groups, barriers, placer.harmonic, placer.side).build(workers, progress);
+        GatherPoints known = memo == null ? null : memo.samePoints(placer.sources);
+        PointGroups groups = known == null ? new PointGroups(placer.points, placer.radius) : known.groups();
+        Barriers barriers = known != null ? known.barriers()
+                : Barriers.of(placer.sources, placer.radius, placer.links, surfels.surfels(), geometry, directions, workers, progress);
+        PointFilter filter = known != null ? known.filter()
+                : new FilterBuilder(placer.points, placer.radius, groups, barriers, placer.harmonic, placer.side).build(workers, progress);
         var rays = new GatherRays(Arrays.stream(candidateTracers).mapToLong(CandidateTracer::rayCount).sum(),
                 pointCaster.rayCount() + rimCaster.rayCount(), reflecting == null ? 0 : reflecting.rayCount(),
                 Arrays.stream(surfels.blocks).mapToLong(block -> block.count).sum(), surfels.bounceRays);

@@ -1,9 +1,12 @@
 package lightning.render.gather.build;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntFunction;
+import java.util.function.IntUnaryOperator;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.gather.cell.CellKeys;
@@ -30,6 +33,9 @@ final class PathCaster {
     private final @Nullable PathMemo memo;
     private final @Nullable KnownRays known;
     private final boolean ofPoints;
+    /** Whether rays of known points to glowing objects meet what they met. */
+    private final boolean keepsGlow;
+    private final GlowLinks knownGlow;
     private final int pointsPerBatch;
     final int raysPerPoint;
     private final GatherCaster[] casters;
@@ -56,6 +62,8 @@ final class PathCaster {
         this.memo = memo;
         this.ofPoints = ofPoints;
         known = memo == null ? null : ofPoints ? memo.points() : memo.surfels();
+        keepsGlow = memo != null && memo.isUnchanged() && memo.glow().shapes().areSame(glows);
+        knownGlow = memo == null ? GlowLinks.of(List.of()) : ofPoints ? memo.glow().ofPoints() : memo.glow().ofSurfels();
         raysPerPoint = directions.rays();
         pointsPerBatch = memo == null ? GatherCaster.pointsPerBatch(directions) : MEMO_POINTS;
         casters = new GatherCaster[tracers.length];
@@ -78,6 +86,7 @@ final class PathCaster {
      */
     void cast(RaySources points, int from, int to, RayLinks links, long @Nullable [] inverseLengths, Progress progress) {
         points.reserveNormals(to);
+        IntUnaryOperator knownPoint = keepsGlow ? p -> requireNonNull(known).find(points, p) : _ -> KnownRays.UNKNOWN;
         workers.run(Math.ceilDiv(to - from, pointsPerBatch), (worker, job) -> {
             int first = from + job * pointsPerBatch;
             int end = Math.min(to, first + pointsPerBatch);
@@ -88,7 +97,7 @@ final class PathCaster {
                 memoCasters[worker].cast(points, first, end, known, links, inverseLengths);
             }
             if (glowCasters.length > 0) {
-                add(glowCasters[worker].cast(points, first, end));
+                add(glowCasters[worker].cast(points, first, end, knownGlow, knownPoint));
             }
         }, progress);
         rays += memo == null ? (long) (to - from) * raysPerPoint : 0;

@@ -4,6 +4,7 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.ShapeChange;
 import lightning.render.trace.tree.BoxSet;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /** Finds where rays may meet something else than before an edit, or where they go on. */
@@ -25,6 +26,11 @@ final class PathChanges {
         BoxSet changes = shapes.visibleChanges().union(changedMaterials(geometry, geometry, after, followsRays))
                 .union(changedMaterials(after, geometry, after, followsRays));
         return changes.count() > MAX_BOXES ? null : changes;
+    }
+
+    /** Returns whether rays pass all materials as before, and surfels have the same textures. */
+    static boolean areNone(MaterialTable before, MaterialTable after) {
+        return before.count() == after.count() && IntStream.range(0, after.count()).allMatch(m -> before.hasSamePaths(m, after));
     }
 
     /** Returns the boxes of the primitives of a geometry that rays pass, or whose materials changed in what rays and surfels read. */

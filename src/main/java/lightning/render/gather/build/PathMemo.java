@@ -13,6 +13,8 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.ShapeChange;
 import lightning.render.trace.tree.BoxRay;
 import lightning.render.trace.tree.BoxSet;
+import lightning.render.gather.glow.GlowPaths;
+import lightning.render.gather.point.GatherPoints;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -24,6 +26,10 @@ import org.jspecify.annotations.Nullable;
 public final class PathMemo {
     private final Geometry geometry;
     private final BoxSet changes;
+    /** Whether no shape changed, and no material in what rays and surfels read. */
+    private final boolean unchanged;
+    private final GatherPoints gatherPoints;
+    private final GlowPaths glow;
     private final KnownRays points;
     private final KnownRays surfels;
     private final RimLinks rims;
@@ -32,9 +38,13 @@ public final class PathMemo {
     /** For each surfel its first ray among those of gather points, or {@code ~ray} among those of surfels. */
     private final int[] firstRay;
 
-    private PathMemo(GatherStructure before, KnownSurfels known, Geometry geometry, CellKeys cells, BoxSet changes) {
+    private PathMemo(GatherStructure before, KnownSurfels known, Geometry geometry, CellKeys cells, BoxSet changes,
+            boolean unchanged) {
         this.geometry = geometry;
         this.changes = changes;
+        this.unchanged = unchanged;
+        gatherPoints = before.points();
+        glow = before.glow();
         rims = before.rims();
         inverseLengths = before.points().inverseLengths();
         int count = before.surfelCount();
@@ -94,7 +104,29 @@ public final class PathMemo {
     static @Nullable PathMemo of(GatherStructure before, KnownSurfels known, Geometry geometry, ShapeChange shapes, Geometry after,
             CellKeys cells) {
         BoxSet changes = PathChanges.of(geometry, shapes, after, false);
-        return changes == null ? null : new PathMemo(before, known, geometry, cells, changes);
+        return changes == null ? null
+                : new PathMemo(before, known, geometry, cells, changes,
+                        shapes == ShapeChange.NONE && PathChanges.areNone(geometry.materials(), after.materials()));
+    }
+
+    /** Returns whether every ray meets what it met: no shape changed, and no material in what rays and surfels read. */
+    boolean isUnchanged() {
+        return unchanged;
+    }
+
+    /** Returns the paths from small glowing objects. */
+    GlowPaths glow() {
+        return glow;
+    }
+
+    /** Returns the gather points if those after the edit are the same in the same order, and their rays meet what they met; otherwise null. */
+    @Nullable
+    GatherPoints samePoints(RaySources now) {
+        boolean isSame = unchanged && now.surface.count == gatherPoints.count();
+        for (int p = 0; isSame && p < gatherPoints.count(); p++) {
+            isSame = points.find(now, p) == p;
+        }
+        return isSame ? gatherPoints : null;
     }
 
     /** Returns the geometry before the edit. */

@@ -1,6 +1,7 @@
 package lightning.render.gather.glow;
 
 import java.util.Arrays;
+import java.util.function.IntUnaryOperator;
 import lightning.render.gather.cell.SurfaceColumns;
 import lightning.render.gather.ray.RaySources;
 import lightning.render.trace.Geometry;
@@ -37,13 +38,24 @@ public final class GlowCaster {
         return rays;
     }
 
-    /** Casts the rays of points {@code from … to − 1} and returns the objects that they meet. */
-    public GlowLinks.Part cast(RaySources points, int from, int to) {
+    /**
+     * Casts the rays of points {@code from … to − 1} and returns the objects that they meet.
+     *
+     * @param known what points met before an edit after which their rays meet the same
+     * @param find  returns the number of a point there, negative for a new one
+     */
+    public GlowLinks.Part cast(RaySources points, int from, int to, GlowLinks known, IntUnaryOperator find) {
         int[] counts = new int[to - from];
         found = 0;
         lastPoint = -1;
         SurfaceColumns at = points.surface;
         for (int p = from; p < to; p++) {
+            int old = find.applyAsInt(p);
+            if (old >= 0) {
+                flush(from, counts);
+                counts[p - from] = copy(known, old);
+                continue;
+            }
             long seed = points.seed(p);
             for (int s = 0; s < shapes.count(); s++) {
                 int toShape = aim.rays(s, seed, at.px[p], at.py[p], at.pz[p]);
@@ -64,6 +76,17 @@ public final class GlowCaster {
             Arrays.copyOf(foundWeights[1], found), Arrays.copyOf(foundWeights[2], found)});
     }
 
+    /** Adds the elements of a known point; returns their number. */
+    private int copy(GlowLinks known, int point) {
+        int elements = known.count(point);
+        while (found + elements > foundShapes.length) {
+            grow();
+        }
+        known.copy(known.first(point), elements, foundShapes, foundWeights, found);
+        found += elements;
+        return elements;
+    }
+
     private void add(RaySources points, int p, int s, double itsWeight) {
         points.setStart(p, batch, count);
         batch.directionX[count] = direction[0];
@@ -75,6 +98,9 @@ public final class GlowCaster {
     }
 
     private void flush(int from, int[] counts) {
+        if (count == 0) {
+            return;
+        }
         batch.trace(count);
         rays += count;
         for (int ray = 0; ray < count; ray++) {
@@ -94,15 +120,20 @@ public final class GlowCaster {
 
     private void append(char itsShape) {
         if (found == foundShapes.length) {
-            foundShapes = Arrays.copyOf(foundShapes, 2 * found);
-            for (int c = 0; c < 3; c++) {
-                foundWeights[c] = Arrays.copyOf(foundWeights[c], 2 * found);
-            }
+            grow();
         }
         foundShapes[found] = itsShape;
         for (int c = 0; c < 3; c++) {
             foundWeights[c][found] = 0;
         }
         found++;
+    }
+
+    private void grow() {
+        int length = 2 * foundShapes.length;
+        foundShapes = Arrays.copyOf(foundShapes, length);
+        for (int c = 0; c < 3; c++) {
+            foundWeights[c] = Arrays.copyOf(foundWeights[c], length);
+        }
     }
 }

@@ -104,6 +104,24 @@ public final class GlowLinks {
         }
     }
 
+    /** Returns the first element of a point. */
+    int first(int point) {
+        return start[point];
+    }
+
+    /** Returns the number of elements of a point. */
+    int count(int point) {
+        return start[point + 1] - start[point];
+    }
+
+    /** Writes elements {@code from … from + count − 1} to some shapes and to red, green and blue weights. */
+    void copy(int from, int count, char[] shapes, float[][] weights, int at) {
+        System.arraycopy(shape, from, shapes, at, count);
+        for (int c = 0; c < 3; c++) {
+            System.arraycopy(weight[c], from, weights[c], at, count);
+        }
+    }
+
     /** Returns the bytes of the links. */
     public long bytes() {
         return 4L * start.length + (2L + (weight[0] == weight[1] ? 4 : 12)) * shape.length;
