@@ -1,5 +1,7 @@
 package lightning.document.loop;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -8,6 +10,7 @@ import lightning.render.RenderOptions;
 import lightning.render.image.Film;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
+import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 
@@ -26,6 +29,9 @@ final class CoarsePass {
     private @Nullable CoarsePicture last;
     /** Largest number of pixels shown. */
     private int shownPixels;
+    /** Small picture with all light, and one of its size without the effects that coarse images lack; null before there are any. */
+    private @Nullable Film lit;
+    private @Nullable Film unlit;
 
     /**
      * @param geometryOf supplies the geometry of a scene
@@ -44,11 +50,20 @@ final class CoarsePass {
     /** Shows an image that was traced elsewhere. */
     void show(CoarsePicture picture) {
         last = picture;
-        offer(picture.film());
+        offer(lit == null ? picture.film() : EditEstimate.of(picture.film(), requireNonNull(unlit), lit, false));
+    }
+
+    /** Shows a small picture of the scene with all its light, which all further images have from it. */
+    void offerLit(Film film) {
+        offer(film);
+        if (GatherSettings.of(scenes.scene()).isPresent()) {
+            unlit = CoarsePicture.trace(scenes, film.width(), film.height(), geometryOf, options.threads(), progress).film();
+            lit = film;
+        }
     }
 
     /** Shows an image of the scene if it has more pixels than those shown. */
-    void offer(Film film) {
+    private void offer(Film film) {
         int pixels = CoarsePicture.pixels(film);
         if (pixels > shownPixels) {
             shownPixels = pixels;

@@ -75,8 +75,18 @@ public record CoarsePicture(Scene scene, Geometry geometry, Film film, double pi
      * @param geometryOf supplies the geometry of a scene
      */
     static CoarsePicture trace(RenderedScenes scenes, int pixels, Function<Scene, Geometry> geometryOf, int threads, Progress progress) {
-        Scene small = shrink(withoutSlowEffects(scenes.scene()), pixels);
-        Scene mirrored = scenes.mirrored() == scenes.scene() ? small : shrink(withoutSlowEffects(scenes.mirrored()), pixels);
+        PictureSettings picture = scenes.scene().picture();
+        double shrink = Math.max(1, Math.sqrt((double) picture.width() * picture.height() / pixels));
+        return trace(scenes, side(picture.width() / shrink), side(picture.height() / shrink), geometryOf, threads, progress);
+    }
+
+    /**
+     * @param width size of the image in pixels, with {@code height}
+     */
+    static CoarsePicture trace(RenderedScenes scenes, int width, int height, Function<Scene, Geometry> geometryOf, int threads,
+            Progress progress) {
+        Scene small = shrink(withoutSlowEffects(scenes.scene()), width, height);
+        Scene mirrored = scenes.mirrored() == scenes.scene() ? small : shrink(withoutSlowEffects(scenes.mirrored()), width, height);
         Geometry geometry = geometryOf.apply(small);
         long start = System.nanoTime();
         try (var workers = new WorkerPool(threads)) {
@@ -90,11 +100,8 @@ public record CoarsePicture(Scene scene, Geometry geometry, Film film, double pi
         return PreviewScene.withoutBlur(scene.withoutIndirect());
     }
 
-    private static Scene shrink(Scene scene, int pixels) {
-        PictureSettings picture = scene.picture();
-        double shrink = Math.max(1, Math.sqrt((double) picture.width() * picture.height() / pixels));
-        Scene small = scene.withPicture(picture.withSize(side(picture.width() / shrink), side(picture.height() / shrink))
-                .withSampling(SamplingSettings.DEFAULT));
+    private static Scene shrink(Scene scene, int width, int height) {
+        Scene small = scene.withPicture(scene.picture().withSize(width, height).withSampling(SamplingSettings.DEFAULT));
         for (Light light : scene.lights()) {
             if (light.area().samples() > SceneLimits.MIN_LIGHT_SAMPLES) {
                 small = small.withLight(light.withArea(light.area().with(area -> area.samples(SceneLimits.MIN_LIGHT_SAMPLES))));

@@ -245,7 +245,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
             coarse.showFirst();
         }
         queue.setReplaceable(signal, coarse.isShown());
-        freeMemory(requested, signal, canShow && scene == requested ? coarse::offer : _ -> {});
+        freeMemory(requested, signal, canShow && scene == requested ? coarse::offerLit : _ -> {});
         coarse.last().ifPresent(picture -> renderer.setSharedGeometry(picture.geometry()));
         coarse.showRest();
         editPreview.setSpeed(coarse.pixelsPerSecond());

@@ -78,6 +78,18 @@ class BlurredReflectionWorkTest {
     }
 
     @Test
+    void roughness_castsNoRayOfGatherPoints() throws JenException {
+        Scene scene = scene();
+        Scene before = scene.withPicture(scene.picture().withIndirect(Optional.of(IndirectSettings.DEFAULT)));
+        Scene after = withMaterial(before, "table", m -> m.withRoughness(0.5));
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+            assertThat(renderer.render(before, Progress.NONE).rays().gathering().points()).isPositive();
+            assertThat(renderer.render(after, Progress.NONE).rays().gathering().points()).isZero();
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(after).trace(), "reflection");
+        }
+    }
+
+    @Test
     void hiddenObject_keepsPathsOfIndirectLightThatPassIt() throws JenException {
         long[] rays = gatherRays(scene -> scene.withNode("bulb", scene.stage().node("bulb").orElseThrow().withVisible(false)));
         assertThat(rays[1]).isLessThan(rays[0]);
