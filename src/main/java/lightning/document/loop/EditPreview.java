@@ -1,10 +1,13 @@
 package lightning.document.loop;
 
+import java.util.Optional;
 import lightning.base.work.Progress;
+import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
+import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
 
@@ -12,9 +15,13 @@ import org.jspecify.annotations.Nullable;
  * Quick previews of edited scenes: the last picture, changed where coarse pictures of the scenes before and after the edit differ
  * ({@link EditEstimate}), so that the rest stays sharp. Thread-safe.
  */
-final class EditPreview {
+final class EditPreview implements AutoCloseable {
     /** Time for a coarse picture, which precedes each step of a slow drag, in seconds. */
     private static final double SECONDS = 0.06;
+    /** Longest time of a preview with all light that precedes each step of a drag, in seconds. */
+    private static final double MAX_LIT_SECONDS = 0.4;
+    /** Pixels of pictures that take several times as long as such a preview. */
+    private static final int MIN_LIT_PIXELS = 100_000;
 
     /**
      * Last picture, its scenes and its shapes.
@@ -40,9 +47,43 @@ final class EditPreview {
     /** Pixels that all threads trace per second. */
     private double pixelsPerSecond;
     private @Nullable CoarseBefore lastBefore;
+    private final LitPictures litPictures;
+    /** Small picture with all light of the scene before an edit, which all steps of a drag share. */
+    private @Nullable LitBefore litBefore;
+
+    private record LitBefore(Scene scene, Film film) {}
 
     EditPreview(Renderer renderer) {
         this.renderer = renderer;
+        litPictures = new LitPictures(renderer.options());
+    }
+
+    /** Prepares previews with all light of edits of a picture, as {@link LitPictures#prepare}. */
+    void prepareLit(PixelCache picture, Progress progress) {
+        litPictures.prepare(picture.scene(), picture.geometry(), progress);
+    }
+
+    /** Returns whether a preview with all light is worth its time for an update that traces paths of light again. */
+    boolean canBeLit(Before before, RenderedScenes after) {
+        PictureSettings picture = after.scene().picture();
+        return isSameView(before.scenes().scene(), after.scene()) && after.mirrored() == after.scene()
+                && picture.width() * (long) picture.height() >= MIN_LIT_PIXELS && litPictures.expectedSeconds(before.scenes().scene()) <= MAX_LIT_SECONDS;
+    }
+
+    /**
+     * Returns a preview with indirect light and blurred reflections, of the size of the picture before; empty if it is being prepared.
+     *
+     * @throws java.util.concurrent.CancellationException if {@code progress} requested to stop
+     */
+    synchronized Optional<Film> traceLit(Before before, RenderedScenes after, Progress progress) {
+        Scene first = before.scenes().scene();
+        if (litBefore == null || litBefore.scene() != first) {
+            litBefore = litPictures.of(first, progress).map(film -> new LitBefore(first, film)).orElse(null);
+        }
+        LitBefore known = litBefore;
+        return known == null ? Optional.empty()
+                : litPictures.of(after.scene(), progress).map(film -> EditEstimate.of(before.film(), known.film(), film,
+                        !before.geometry().canServe(after.scene())));
     }
 
     /** Sets the pixels that all threads trace per second, as measured by another coarse picture; 0 if unknown. */
@@ -77,7 +118,20 @@ final class EditPreview {
         return EditEstimate.of(before.film(), coarse.film(), traced.film(), !coarse.geometry().canServe(traced.scene()));
     }
 
-    private static boolean isSameView(Scene a, Scene b) {
+    /** Forgets the pictures of a document that is no longer shown. */
+    synchronized void clear() {
+        litBefore = null;
+        lastBefore = null;
+        litPictures.clear();
+    }
+
+    @Override
+    public void close() {
+        litPictures.close();
+    }
+
+    /** Returns whether pictures of two scenes have the same size and camera. */
+    static boolean isSameView(Scene a, Scene b) {
         return a.picture().width() == b.picture().width() && a.picture().height() == b.picture().height() && a.camera().equals(b.camera());
     }
 }

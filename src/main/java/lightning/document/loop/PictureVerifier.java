@@ -5,7 +5,9 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
 import lightning.base.work.DedicatedThread;
+import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.render.RenderOptions;
 import lightning.render.cache.PixelCache;
@@ -84,8 +86,9 @@ final class PictureVerifier implements AutoCloseable {
      *
      * @param picture finished picture, exact
      * @param options options that it was rendered with
+     * @param first   work that precedes all other
      */
-    synchronized void startIdleWork(PixelCache picture, RenderOptions options) {
+    synchronized void startIdleWork(PixelCache picture, RenderOptions options, Consumer<Progress> first) {
         boolean rehearses = !hasRehearsed && pendingEdit == null;
         if (pendingEdit == null && !rehearses && Engines.isFastestInUse() || idleSignal != null || verifyThread.isShutdown()) {
             return;
@@ -97,6 +100,7 @@ final class PictureVerifier implements AutoCloseable {
             // Workers inherit the priority of the thread that creates them, so this pool is not shared.
             try (WorkerPool lowPriorityWorkers = new WorkerPool(workers.count())) {
                 waitForDisplay(signal);
+                first.accept(signal);
                 if (rehearses) {
                     EditRehearsal.run(picture, options, signal);
                     hasRehearsed = true;

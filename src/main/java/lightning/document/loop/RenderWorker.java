@@ -111,7 +111,8 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     @Override
     public void becomeIdle() {
         if (renderedScene != null && renderer.state().isFinished()) {
-            verifier.startIdleWork(renderer.cache(), renderer.options());
+            PixelCache picture = renderer.cache();
+            verifier.startIdleWork(picture, renderer.options(), progress -> editPreview.prepareLit(picture, progress));
         }
     }
 
@@ -180,7 +181,11 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     /** Returns whether an update traces paths of indirect light again because objects changed, with mirrors that show them too. */
     private static boolean repeatsPaths(UpdatePlan update) {
-        return update instanceof UpdatePlan.Relight relight && relight.paths() == PathUpdate.REPEAT && relight.mirrors() != null;
+        return tracesPaths(update) && update instanceof UpdatePlan.Relight relight && relight.mirrors() != null;
+    }
+
+    private static boolean tracesPaths(UpdatePlan update) {
+        return update instanceof UpdatePlan.Relight relight && relight.paths() == PathUpdate.REPEAT;
     }
 
     /** Returns whether the image has all samples, and there is memory for a direct and a new one even if they share nothing with it. */
@@ -302,8 +307,10 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
                 listener.coarseRendered(editPreview.trace(before, scenes, 1, signal), requested);
             }
         }, canReplace -> queue.setReplaceable(signal, canReplace), canShow);
-        if (canShow && kind.equals(slowUpdate)) {
-            listener.coarseRendered(editPreview.trace(before, scenes, renderer.options().threads(), signal), requested);
+        boolean isLit = canShow && tracesPaths(planned.update()) && editPreview.canBeLit(before, scenes);
+        if (isLit || canShow && kind.equals(slowUpdate)) {
+            Optional<Film> lit = isLit ? editPreview.traceLit(before, scenes, signal) : Optional.empty();
+            listener.coarseRendered(lit.orElseGet(() -> editPreview.trace(before, scenes, renderer.options().threads(), signal)), requested);
             queue.setReplaceable(signal, true);
             display.showingTiles(true);
         }
@@ -341,6 +348,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
 
     private void dropPicture() {
         renderer.clear();
+        editPreview.clear();
         pathsCache = null;
         displayRenderer.close();
         publishedCache = new WeakReference<>(null);
@@ -451,6 +459,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     @Override
     public void close() {
         keeper.close();
+        editPreview.close();
         renderer.close();
         displayRenderer.close();
     }
