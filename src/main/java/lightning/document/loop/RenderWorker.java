@@ -25,6 +25,7 @@ import lightning.render.relight.plan.PathUpdate;
 import lightning.render.relight.plan.UpdateMethod;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.RenderedScenes;
+import lightning.render.warmup.DelayedLanes;
 import lightning.scene.GatherSettings;
 import lightning.scene.Scene;
 import org.jspecify.annotations.Nullable;
@@ -162,10 +163,12 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
      * @return time in seconds
      */
     private double renderStep(Scene requested, Scene scene, PlannedUpdate planned, Frame.Step step, RenderQueue.CancelSignal signal) {
-        ProgressiveDisplay display = planned.update() instanceof UpdatePlan.FirstPass ? startFirstPass(requested, scene, signal)
-                : startUpdate(requested, scene, planned, signal);
+        boolean isFirst = planned.update() instanceof UpdatePlan.FirstPass;
+        ProgressiveDisplay display = isFirst ? startFirstPass(requested, scene, signal) : startUpdate(requested, scene, planned, signal);
         long start = System.nanoTime();
-        update((r, _) -> r.renderCenters(planned, display), step, startCache(), (r, progress) -> r.render(scene, progress), signal);
+        try (var _ = isFirst ? new DelayedLanes() : null) {
+            update((r, _) -> r.renderCenters(planned, display), step, startCache(), (r, progress) -> r.render(scene, progress), signal);
+        }
         long nanoseconds = System.nanoTime() - start;
         // Showing coarse images and tiles takes time, too, and must not keep an update slow that is fast without them.
         if (nanoseconds - display.displayNs() / renderer.options().threads() < ProgressiveDisplay.SLOW_NS) {
