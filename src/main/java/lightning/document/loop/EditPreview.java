@@ -67,7 +67,8 @@ final class EditPreview implements AutoCloseable {
     boolean canBeLit(Before before, RenderedScenes after) {
         PictureSettings picture = after.scene().picture();
         return isSameView(before.scenes().scene(), after.scene()) && after.mirrored() == after.scene()
-                && picture.width() * (long) picture.height() >= MIN_LIT_PIXELS && litPictures.expectedSeconds(before.scenes().scene()) <= MAX_LIT_SECONDS;
+                && picture.width() * (long) picture.height() >= MIN_LIT_PIXELS
+                && litPictures.expectedSeconds(before.scenes().scene()) <= MAX_LIT_SECONDS;
     }
 
     /**

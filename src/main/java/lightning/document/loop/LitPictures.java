@@ -90,7 +90,8 @@ final class LitPictures implements AutoCloseable {
             return Optional.empty();
         }
         try {
-            return renderer == null ? Optional.empty() : Optional.of(target == scene && film != null ? film : trace(renderer, target, progress));
+            return renderer == null ? Optional.empty()
+                    : Optional.of(target == scene && film != null ? film : trace(renderer, target, progress));
         } finally {
             lock.unlock();
         }
@@ -124,8 +125,9 @@ final class LitPictures implements AutoCloseable {
     private static Scene shrunk(Scene scene) {
         PictureSettings picture = scene.picture();
         double shrink = Math.max(1, Math.max(picture.width(), picture.height()) / (double) SIDE);
-        return scene.withPicture(picture.withSize(Math.max(1, (int) (picture.width() / shrink)), Math.max(1, (int) (picture.height() / shrink)))
-                .withSampling(SamplingSettings.DEFAULT));
+        return scene
+                .withPicture(picture.withSize(Math.max(1, (int) (picture.width() / shrink)), Math.max(1, (int) (picture.height() / shrink)))
+                        .withSampling(SamplingSettings.DEFAULT));
     }
 
     @Override

@@ -313,7 +313,8 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         boolean isLit = canShow && tracesPaths(planned.update()) && editPreview.canBeLit(before, scenes);
         if (isLit || canShow && kind.equals(slowUpdate)) {
             Optional<Film> lit = isLit ? editPreview.traceLit(before, scenes, signal) : Optional.empty();
-            listener.coarseRendered(lit.orElseGet(() -> editPreview.trace(before, scenes, renderer.options().threads(), signal)), requested);
+            listener.coarseRendered(lit.orElseGet(() -> editPreview.trace(before, scenes, renderer.options().threads(), signal)),
+                    requested);
             queue.setReplaceable(signal, true);
             display.showingTiles(true);
         }

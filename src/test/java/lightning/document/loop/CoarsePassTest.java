@@ -22,7 +22,8 @@ class CoarsePassTest {
     /** A wall that no light shines on. */
     private static Scene wall(String indirect) throws JenException {
         return JenReader.read("jen 1\npicture { size 640 480 " + indirect + " }\ncamera { from 0 0 4  to 0 0 0 }\nworld { ambience 0 }\n"
-                + "material white { diffuse 1 1 1 }\nplane wall { material white  rotate 90 0 0  scale 9 1 9 }\n", "wall", Path.of(".")).scene();
+                + "material white { diffuse 1 1 1 }\nplane wall { material white  rotate 90 0 0  scale 9 1 9 }\n", "wall", Path.of("."))
+                .scene();
     }
 
     private static List<Film> films(Scene scene) {

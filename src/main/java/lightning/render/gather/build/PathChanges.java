@@ -1,10 +1,10 @@
 package lightning.render.gather.build;
 
+import java.util.stream.IntStream;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.ShapeChange;
 import lightning.render.trace.tree.BoxSet;
-import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /** Finds where rays may meet something else than before an edit, or where they go on. */

@@ -4,6 +4,8 @@ import java.util.Arrays;
 import lightning.render.gather.GatherStructure;
 import lightning.render.gather.cell.CellKeys;
 import lightning.render.gather.cell.SurfaceColumns;
+import lightning.render.gather.glow.GlowPaths;
+import lightning.render.gather.point.GatherPoints;
 import lightning.render.gather.ray.KnownRays;
 import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.RaySources;
@@ -13,8 +15,6 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.ShapeChange;
 import lightning.render.trace.tree.BoxRay;
 import lightning.render.trace.tree.BoxSet;
-import lightning.render.gather.glow.GlowPaths;
-import lightning.render.gather.point.GatherPoints;
 import org.jspecify.annotations.Nullable;
 
 /**

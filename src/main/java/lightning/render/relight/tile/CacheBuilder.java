@@ -14,8 +14,8 @@ import lightning.render.cache.CachedTile;
 import lightning.render.cache.FineTile;
 import lightning.render.cache.IndirectCache;
 import lightning.render.cache.PixelCache;
-import lightning.render.gather.PointChanges;
 import lightning.render.engine.EngineWorkers;
+import lightning.render.gather.PointChanges;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.shading.EdgeColors;
 import lightning.render.shading.composition.EdgeDetector;
@@ -77,7 +77,8 @@ public final class CacheBuilder {
      */
     public static BuildResult finish(RenderJob planned, WorkerPool workers, @Nullable PixelCache old, PixelCache centers) {
         PictureFog bounced = centers.mirrored().fog();
-        RenderJob job = planned.withIndirect(centers.indirect(), centers.mirrored().indirect(), old, pointChanges(old, centers)).withFog(centers.shown().fog())
+        RenderJob job = planned.withIndirect(centers.indirect(), centers.mirrored().indirect(), old, pointChanges(old, centers))
+                .withFog(centers.shown().fog())
                 .withBounceFog(bounced)
                 .withChangesBounceFog(FogUpdate.showsOtherLight(old == null ? null : old.mirrored().fog(), bounced)).compare(old);
         return new CacheBuilder(job, workers, old).addSamples(centers);
@@ -87,7 +88,8 @@ public final class CacheBuilder {
     private static @Nullable PointChanges pointChanges(@Nullable PixelCache old, PixelCache centers) {
         IndirectCache before = old == null ? null : old.indirect();
         IndirectCache after = centers.indirect();
-        return before == null || after == null || before.structure() == after.structure() || !before.settings().equals(after.settings()) ? null
+        return before == null || after == null || before.structure() == after.structure() || !before.settings().equals(after.settings())
+                ? null
                 : PointChanges.between(before.structure(), after.structure());
     }
 

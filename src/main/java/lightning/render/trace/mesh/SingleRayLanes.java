@@ -35,7 +35,8 @@ final class SingleRayLanes {
 
     /** Sets a ray; returns whether floats can follow it, without which there is no test of boxes. */
     boolean setRay(MeshRay ray, double maxCoordinate) {
-        if (!(maxCoordinate <= MAX && isWithin(ray.nearX, ray.inverseX) && isWithin(ray.nearY, ray.inverseY) && isWithin(ray.nearZ, ray.inverseZ))) {
+        if (!(maxCoordinate <= MAX && isWithin(ray.nearX, ray.inverseX) && isWithin(ray.nearY, ray.inverseY)
+                && isWithin(ray.nearZ, ray.inverseZ))) {
             return false;
         }
         nearX = rounded(ray.nearX, ray.inverseX > 0);
@@ -94,15 +95,24 @@ final class SingleRayLanes {
     }
 
     private static int hitSlotsFrom(float[] v, int x, int y, int z, MeshRay ray) {
-        DoubleVector az = ((DoubleVector) FloatVector.fromArray(CORNERS, v, z).convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0)).sub(ray.originZ);
-        DoubleVector ax = ((DoubleVector) FloatVector.fromArray(CORNERS, v, x).convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0)).sub(ray.originX).sub(az.mul(ray.shearX));
-        DoubleVector ay = ((DoubleVector) FloatVector.fromArray(CORNERS, v, y).convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0)).sub(ray.originY).sub(az.mul(ray.shearY));
-        DoubleVector bz = ((DoubleVector) FloatVector.fromArray(CORNERS, v, z + MeshTree.CORNER_FLOATS).convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0)).sub(ray.originZ);
-        DoubleVector bx = ((DoubleVector) FloatVector.fromArray(CORNERS, v, x + MeshTree.CORNER_FLOATS).convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0)).sub(ray.originX).sub(bz.mul(ray.shearX));
-        DoubleVector by = ((DoubleVector) FloatVector.fromArray(CORNERS, v, y + MeshTree.CORNER_FLOATS).convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0)).sub(ray.originY).sub(bz.mul(ray.shearY));
-        DoubleVector cz = ((DoubleVector) FloatVector.fromArray(CORNERS, v, z + 2 * MeshTree.CORNER_FLOATS).convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0)).sub(ray.originZ);
-        DoubleVector cx = ((DoubleVector) FloatVector.fromArray(CORNERS, v, x + 2 * MeshTree.CORNER_FLOATS).convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0)).sub(ray.originX).sub(cz.mul(ray.shearX));
-        DoubleVector cy = ((DoubleVector) FloatVector.fromArray(CORNERS, v, y + 2 * MeshTree.CORNER_FLOATS).convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0)).sub(ray.originY).sub(cz.mul(ray.shearY));
+        DoubleVector az = ((DoubleVector) FloatVector.fromArray(CORNERS, v, z).convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0))
+                .sub(ray.originZ);
+        DoubleVector ax = ((DoubleVector) FloatVector.fromArray(CORNERS, v, x).convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0))
+                .sub(ray.originX).sub(az.mul(ray.shearX));
+        DoubleVector ay = ((DoubleVector) FloatVector.fromArray(CORNERS, v, y).convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0))
+                .sub(ray.originY).sub(az.mul(ray.shearY));
+        DoubleVector bz = ((DoubleVector) FloatVector.fromArray(CORNERS, v, z + MeshTree.CORNER_FLOATS).convertShape(VectorOperators.F2D,
+                DoubleLanes.SPECIES, 0)).sub(ray.originZ);
+        DoubleVector bx = ((DoubleVector) FloatVector.fromArray(CORNERS, v, x + MeshTree.CORNER_FLOATS).convertShape(VectorOperators.F2D,
+                DoubleLanes.SPECIES, 0)).sub(ray.originX).sub(bz.mul(ray.shearX));
+        DoubleVector by = ((DoubleVector) FloatVector.fromArray(CORNERS, v, y + MeshTree.CORNER_FLOATS).convertShape(VectorOperators.F2D,
+                DoubleLanes.SPECIES, 0)).sub(ray.originY).sub(bz.mul(ray.shearY));
+        DoubleVector cz = ((DoubleVector) FloatVector.fromArray(CORNERS, v, z + 2 * MeshTree.CORNER_FLOATS)
+                .convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0)).sub(ray.originZ);
+        DoubleVector cx = ((DoubleVector) FloatVector.fromArray(CORNERS, v, x + 2 * MeshTree.CORNER_FLOATS)
+                .convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0)).sub(ray.originX).sub(cz.mul(ray.shearX));
+        DoubleVector cy = ((DoubleVector) FloatVector.fromArray(CORNERS, v, y + 2 * MeshTree.CORNER_FLOATS)
+                .convertShape(VectorOperators.F2D, DoubleLanes.SPECIES, 0)).sub(ray.originY).sub(cz.mul(ray.shearY));
         DoubleVector weightA = cx.mul(by).sub(cy.mul(bx));
         DoubleVector weightB = ax.mul(cy).sub(ay.mul(cx));
         DoubleVector weightC = bx.mul(ay).sub(by.mul(ax));

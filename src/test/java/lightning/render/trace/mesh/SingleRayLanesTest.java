@@ -55,9 +55,11 @@ class SingleRayLanesTest {
             int entered = lanes.entered(tree.box, 0, limit);
             for (int c = 0; c < MeshTree.WIDTH; c++) {
                 double in = Math.max(0, Math.max(distance(tree, c, 0, ray.nearX, ray.inverseX, true),
-                        Math.max(distance(tree, c, 1, ray.nearY, ray.inverseY, true), distance(tree, c, 2, ray.nearZ, ray.inverseZ, true))));
+                        Math.max(distance(tree, c, 1, ray.nearY, ray.inverseY, true),
+                                distance(tree, c, 2, ray.nearZ, ray.inverseZ, true))));
                 double out = Math.min(limit, Math.min(distance(tree, c, 0, ray.farX, ray.inverseX, false),
-                        Math.min(distance(tree, c, 1, ray.farY, ray.inverseY, false), distance(tree, c, 2, ray.farZ, ray.inverseZ, false))));
+                        Math.min(distance(tree, c, 1, ray.farY, ray.inverseY, false),
+                                distance(tree, c, 2, ray.farZ, ray.inverseZ, false))));
                 if (in <= out) {
                     assertThat(entered >> c & 1).as("child " + c).isEqualTo(1);
                     assertThat((double) lanes.entry[c]).isLessThanOrEqualTo(in);
