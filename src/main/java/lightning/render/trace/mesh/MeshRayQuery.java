@@ -1,5 +1,6 @@
 package lightning.render.trace.mesh;
 
+import java.util.function.Supplier;
 import lightning.base.Initializer;
 import lightning.scene.node.Mesh;
 import org.jspecify.annotations.Nullable;
@@ -26,7 +27,7 @@ public final class MeshRayQuery {
     }
 
     /** @param fixedTests tests to use; null for those of the process at each time */
-    MeshRayQuery(@Nullable MeshTests fixedTests) {
+    MeshRayQuery(@Nullable Supplier<MeshTests> fixedTests) {
         traversal = new MeshTraversal(fixedTests);
     }
 

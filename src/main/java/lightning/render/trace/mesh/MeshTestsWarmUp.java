@@ -6,7 +6,7 @@ import java.util.function.BooleanSupplier;
 import lightning.scene.node.Mesh;
 
 /**
- * Warm-up of {@link MeshTests#LANES}: traces rays through a small mesh with loops and lanes in turn, on the calling thread only, until the lanes were
+ * Warm-up of {@link SingleRayLanes}: traces rays through a small mesh with loops and lanes in turn, on the calling thread only, until the lanes were
  * faster several times in a row. Only then the process uses them. It takes about a second of one processor. If the lanes stay slower, it gives up
  * after {@value #MAX_SECONDS} seconds.
  */
@@ -28,7 +28,7 @@ public final class MeshTestsWarmUp {
      */
     public static void run(BooleanSupplier isCanceled) {
         if (MeshTests.current() == MeshTests.LOOPS && new MeshTestsWarmUp().areLanesFaster(isCanceled)) {
-            MeshTests.use(MeshTests.LANES);
+            MeshTests.use(SingleRayLanes::new);
         }
     }
 
@@ -36,7 +36,7 @@ public final class MeshTestsWarmUp {
         long start = System.nanoTime();
         int wins = 0;
         var loops = new MeshRayQuery(MeshTests.LOOPS);
-        var lanes = new MeshRayQuery(MeshTests.LANES);
+        var lanes = new MeshRayQuery(SingleRayLanes::new);
         while (wins < REQUIRED_WINS) {
             if (isCanceled.getAsBoolean() || System.nanoTime() - start > TimeUnit.SECONDS.toNanos(MAX_SECONDS)) {
                 return false;

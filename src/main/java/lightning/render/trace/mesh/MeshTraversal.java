@@ -1,15 +1,16 @@
 package lightning.render.trace.mesh;
 
 import java.util.Arrays;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /** Single-ray traversal of a mesh's BVH. Holds scratch memory: use one per thread. */
 final class MeshTraversal {
-    private final @Nullable MeshTests fixedTests;
-    /** Tests of the current ray on lanes; null for loops. */
-    private @Nullable SingleRayLanes lanes;
+    private final @Nullable Supplier<MeshTests> fixedTests;
+    /** Tests of the current ray; null for loops. */
+    private @Nullable MeshTests tests;
     /** The same, created on first use. */
-    private @Nullable SingleRayLanes ownLanes;
+    private @Nullable MeshTests ownTests;
     private int[] stack = new int[64];
     /** Entry distances of the nodes on the stack, as bits of non-negative doubles. */
     private long[] entryBits = new long[64];
@@ -24,7 +25,7 @@ final class MeshTraversal {
     double[] hitDistance = new double[8];
 
     /** @param fixedTests tests to use; null for those of the process at each time */
-    MeshTraversal(@Nullable MeshTests fixedTests) {
+    MeshTraversal(@Nullable Supplier<MeshTests> fixedTests) {
         this.fixedTests = fixedTests;
     }
 
@@ -213,23 +214,22 @@ final class MeshTraversal {
     }
 
     private void chooseTests(MeshTree tree, MeshRay ray) {
-        if ((fixedTests == null ? MeshTests.current() : fixedTests) == MeshTests.LOOPS) {
-            lanes = null;
+        Supplier<MeshTests> wanted = fixedTests == null ? MeshTests.current() : fixedTests;
+        if (wanted == MeshTests.LOOPS) {
+            tests = null;
             return;
         }
-        SingleRayLanes own = ownLanes == null ? ownLanes = new SingleRayLanes() : ownLanes;
-        lanes = own.setRay(ray, tree.maxCoordinate) ? own : null;
+        MeshTests own = ownTests == null ? ownTests = wanted.get() : ownTests;
+        tests = own.setRay(ray, tree.maxCoordinate) ? own : null;
     }
 
     private int hitSlots(MeshTree tree, MeshRay ray, int leaf) {
         int at = MeshTree.LEAF_FLOATS * leaf;
-        return lanes == null ? ray.hitSlots(tree.vertex, at) : SingleRayLanes.hitSlots(ray, tree.vertex, at);
+        return tests == null ? ray.hitSlots(tree.vertex, at) : tests.hitSlots(ray, tree.vertex, at);
     }
 
     private int enter(MeshTree tree, MeshRay ray, int node, int top, double limit) {
-        SingleRayLanes tests = lanes;
-        return tests == null ? push(tree, ray, node, top, limit)
-                : push(tree, node, top, tests.entered(tree.box, node, limit), tests.entry);
+        return tests == null ? push(tree, ray, node, top, limit) : push(tree, node, top, tests.entered(tree.box, node, limit), tests.entries());
     }
 
     /** Pushes children of a node onto the stack, the nearest last. */

@@ -8,11 +8,10 @@ import jdk.incubator.vector.VectorSpecies;
 import lightning.render.trace.solid.DoubleLanes;
 
 /**
- * Tests of a single ray against the eight boxes of a node, or the eight triangles of a leaf, on lanes. They find at least the children and slots
- * that the loops of {@link MeshTraversal} and {@link MeshRay} find, so that the hits are the same. Proof: docs/numerics.md, "Proof: boxes in
- * floats". Interpreted, they are a hundred times as slow as those loops.
+ * Tests of a single ray on lanes. Proof that they find all that the loops find: docs/numerics.md, "Proof: boxes in floats". Interpreted, they are a
+ * hundred times as slow as the loops.
  */
-final class SingleRayLanes {
+final class SingleRayLanes extends MeshTests {
     private static final VectorSpecies<Float> BOXES = FloatVector.SPECIES_256;
     private static final VectorSpecies<Float> CORNERS =
             VectorSpecies.of(float.class, VectorShape.forBitSize(DoubleLanes.SPECIES.vectorBitSize() / 2));
@@ -21,8 +20,7 @@ final class SingleRayLanes {
     /** More than the relative error of four operations in floats, with rounding units of 2⁻²⁴. */
     private static final float MARGIN = 0x1p-21f;
 
-    /** Entry distances of the children of the last node, not above those of the loops; may be just below 0. */
-    final float[] entry = new float[MeshTree.WIDTH];
+    private final float[] entry = new float[MeshTree.WIDTH];
     private float nearX;
     private float nearY;
     private float nearZ;
@@ -33,7 +31,7 @@ final class SingleRayLanes {
     private float inverseY;
     private float inverseZ;
 
-    /** Sets a ray; returns whether floats can follow it, without which there is no test of boxes. */
+    @Override
     boolean setRay(MeshRay ray, double maxCoordinate) {
         if (!(maxCoordinate <= MAX && isWithin(ray.nearX, ray.inverseX) && isWithin(ray.nearY, ray.inverseY)
                 && isWithin(ray.nearZ, ray.inverseZ))) {
@@ -61,12 +59,7 @@ final class SingleRayLanes {
         return up ? f < number ? Math.nextUp(f) : f : f > number ? Math.nextDown(f) : f;
     }
 
-    /**
-     * Returns the children of a node, one bit each, whose boxes the padded ray may enter at a distance up to {@code limit}; writes the entry
-     * distances of all.
-     *
-     * @param limit ≥ 0
-     */
+    @Override
     int entered(float[] box, int node, double limit) {
         int first = MeshTree.NODE_FLOATS * node;
         int x = inverseX > 0 ? first : first + 8;
@@ -84,8 +77,13 @@ final class SingleRayLanes {
         return (int) in.compare(VectorOperators.LE, out).toLong();
     }
 
-    /** Returns the slots of {@link MeshRay#hitSlots}. */
-    static int hitSlots(MeshRay ray, float[] v, int at) {
+    @Override
+    float[] entries() {
+        return entry;
+    }
+
+    @Override
+    int hitSlots(MeshRay ray, float[] v, int at) {
         int slots = 0;
         for (int s = 0; s < MeshTree.WIDTH; s += DoubleLanes.COUNT) {
             slots |= hitSlotsFrom(v, at + s + MeshTree.AXIS_FLOATS * ray.axisX, at + s + MeshTree.AXIS_FLOATS * ray.axisY,

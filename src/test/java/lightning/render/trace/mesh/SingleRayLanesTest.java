@@ -20,7 +20,7 @@ class SingleRayLanesTest {
         MeshSolid solid = new MeshSolid(mesh);
         var random = new Random(seed);
         var loops = new MeshRayQuery(MeshTests.LOOPS);
-        var lanes = new MeshRayQuery(MeshTests.LANES);
+        var lanes = new MeshRayQuery(SingleRayLanes::new);
         for (int n = 0; n < 40; n++) {
             double[] ray = ray(mesh, random, Math.pow(10, power));
             for (MeshRayQuery query : new MeshRayQuery[] {loops, lanes}) {
@@ -62,7 +62,7 @@ class SingleRayLanesTest {
                                 distance(tree, c, 2, ray.farZ, ray.inverseZ, false))));
                 if (in <= out) {
                     assertThat(entered >> c & 1).as("child " + c).isEqualTo(1);
-                    assertThat((double) lanes.entry[c]).isLessThanOrEqualTo(in);
+                    assertThat((double) lanes.entries()[c]).isLessThanOrEqualTo(in);
                 }
             }
         }
