@@ -16,6 +16,8 @@ import org.jspecify.annotations.Nullable;
 
 /** Coarse images of a scene, each with more pixels than the last, until its full image follows. Reports each one when it is finished. */
 final class CoarsePass {
+    /** Time for the first image, so that it follows a moving camera, in seconds. */
+    private static final double MOVING_SECONDS = 0.05;
     /** Time for images after the first, before the full image is prepared, in seconds. */
     private static final double FIRST_SECONDS = 0.3;
 
@@ -71,14 +73,19 @@ final class CoarsePass {
         }
     }
 
-    private void trace(int pixels) {
-        show(CoarsePicture.trace(scenes, pixels, geometryOf, options.threads(), progress));
+    private void trace(int pixels, Progress cancellation) {
+        show(CoarsePicture.trace(scenes, pixels, geometryOf, options.threads(), cancellation));
     }
 
-    /** Traces images for a short time, one at least; none if the full image is ready as soon. */
-    void showFirst() {
+    /**
+     * Traces images for a short time, one at least; none if the full image is ready as soon. The first is shown even if the work is canceled
+     * meanwhile: while a camera moves, each picture is canceled by the next.
+     *
+     * @param perSecond pixels that were traced per second for an earlier scene, which decide the size of the first image; 0 if unknown
+     */
+    void showFirst(double perSecond) {
         if (last == null && steps.first() > 0) {
-            trace(steps.first());
+            trace(steps.during(MOVING_SECONDS, perSecond), Progress.NONE);
             showNext(FIRST_SECONDS);
         }
     }
@@ -87,7 +94,7 @@ final class CoarsePass {
     void showNext(double seconds) {
         long start = System.nanoTime();
         for (int pixels = next(seconds); pixels > 0; pixels = next(seconds - (System.nanoTime() - start) / 1e9)) {
-            trace(pixels);
+            trace(pixels, progress);
         }
     }
 

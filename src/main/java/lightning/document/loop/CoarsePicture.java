@@ -43,7 +43,7 @@ public record CoarsePicture(Scene scene, Geometry geometry, Film film, double pi
         }
         try (var renderer = new Renderer(options)) {
             var pass = new CoarsePass(RenderedScenes.of(scene), renderer::prepare, options, listener, Progress.NONE);
-            pass.showFirst();
+            pass.showFirst(0);
             return pass.last();
         }
     }

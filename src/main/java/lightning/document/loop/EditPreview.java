@@ -92,6 +92,11 @@ final class EditPreview implements AutoCloseable {
         pixelsPerSecond = measured;
     }
 
+    /** Returns the pixels that all threads trace per second; 0 if unknown. */
+    synchronized double speed() {
+        return pixelsPerSecond;
+    }
+
     /** Returns the renderer's picture. */
     Before before() {
         return new Before(renderer.film(), new RenderedScenes(renderer.cache().scene(), renderer.cache().mirrored().scene()),

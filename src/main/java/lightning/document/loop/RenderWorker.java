@@ -250,7 +250,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
         boolean canShow = CoarsePicture.isFilmPossible(scene, renderer.options());
         if (canShow) {
             queue.setReplaceable(signal, coarse.isShown());
-            coarse.showFirst();
+            coarse.showFirst(editPreview.speed());
         }
         queue.setReplaceable(signal, coarse.isShown());
         freeMemory(requested, signal, canShow && scene == requested ? coarse::offerLit : _ -> {});
