@@ -12,12 +12,12 @@ import lightning.scene.light.LightType;
 import lightning.scene.value.Lens;
 import org.junit.jupiter.api.Test;
 
-class FocusEditTest {
+class CameraEditsTest {
     private static final Scene SCENE =
             StudioScene.of(LightType.POINT).withCamera(new Camera(new Vec3(1, 2, 10), new Vec3(1, 2, 0), Vec3.Y, 40));
 
     private static Scene focused(Scene scene, Vec3 point) {
-        return ((EditOutcome.Applied) FocusEdit.focus(scene, point)).scene();
+        return ((EditOutcome.Applied) CameraEdits.focus(scene, point)).scene();
     }
 
     /** The plane of focus is perpendicular to the view, so a point at the side does not move it. */
@@ -45,6 +45,6 @@ class FocusEditTest {
 
     @Test
     void pointBehindTheCamera_isRefused() {
-        assertThat(FocusEdit.focus(SCENE, new Vec3(1, 2, 12))).isInstanceOf(EditOutcome.Refused.class);
+        assertThat(CameraEdits.focus(SCENE, new Vec3(1, 2, 12))).isInstanceOf(EditOutcome.Refused.class);
     }
 }

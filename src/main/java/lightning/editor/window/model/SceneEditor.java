@@ -43,7 +43,7 @@ public final class SceneEditor {
     /** Scene at the time of the last message, which does not apply to others. */
     private @Nullable Scene messageScene;
 
-    /** @param previewCamera  camera of the preview; follows the scene's camera between frames while both are equal */
+    /** @param previewCamera  camera of the preview; follows the scene's camera while both are equal */
     SceneEditor(Workbench workbench, ObjectProperty<PreviewCamera> previewCamera, FileActivity fileActivity, KeySelection keySelection) {
         this.workbench = workbench;
         this.previewCamera = previewCamera;
@@ -208,11 +208,7 @@ public final class SceneEditor {
 
     /** Shows a frame of the shot in the preview and the traced picture. Later edits apply at this frame. */
     public void showFrame(int frame) {
-        PreviewCamera before = PreviewCamera.of(scene());
         message.show(workbench.showFrame(frame).orElse(""));
-        if (previewCamera.get().equals(before)) {
-            previewCamera.set(PreviewCamera.of(scene()));
-        }
     }
 
     /** Renders the scene as edited. */
@@ -230,7 +226,12 @@ public final class SceneEditor {
             message.clear();
         }
         document.set(document());
+        Scene before = scene.get();
+        boolean followsCamera = before != null && previewCamera.get().equals(PreviewCamera.of(before));
         scene.set(scene());
+        if (followsCamera) {
+            previewCamera.set(PreviewCamera.of(scene()));
+        }
         selection.refresh(scene());
         editorState.set(workbench.editorState().withReading(fileActivity.file() != null)
                 .withSelectedKeyCount(keySelection.retainExisting(document().content())));

@@ -12,6 +12,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import lightning.base.text.Messages;
+import lightning.document.CameraEdits;
 import lightning.document.manipulation.PreviewCamera;
 import lightning.editor.Command;
 import lightning.editor.window.command.CommandButton;
@@ -48,6 +49,8 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         commands.setAction(Command.VIEW_Y, () -> setCamera(PreviewCamera.alongMinusY(editor.scene())));
         commands.setAction(Command.VIEW_Z, () -> setCamera(PreviewCamera.of(editor.scene())));
         commands.setAction(Command.VIEW_ALL, canvas::frameLights);
+        commands.setAction(Command.USE_VIEW,
+                () -> editor.editAndRenderOrReport(scene -> CameraEdits.use(scene, settings.cameraProperty().get()), null));
         var waiting = new Label(Messages.tr("Drawing …"));
         waiting.getStyleClass().add("canvas-note");
         waiting.visibleProperty().bind(canvas.emptyProperty());

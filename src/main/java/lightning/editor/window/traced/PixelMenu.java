@@ -10,7 +10,7 @@ import javafx.scene.control.Menu;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 import lightning.base.text.Messages;
-import lightning.document.FocusEdit;
+import lightning.document.CameraEdits;
 import lightning.document.LightAtPoint;
 import lightning.document.LinkEdits;
 import lightning.document.loop.Frame;
@@ -80,7 +80,7 @@ final class PixelMenu {
         all.add(placements(hit.get(), picker, target.canvas()));
         all.add(newLights(picker, hit.get(), target.canvas()));
         all.add(items.value(Command.FOCUS, Messages.tr("Focus Here"),
-                () -> editor.editOrReport(scene -> FocusEdit.focus(scene, hit.get().point()))));
+                () -> editor.editOrReport(scene -> CameraEdits.focus(scene, hit.get().point()))));
         all.add(new SeparatorMenuItem());
         Light selected = editor.selection().light();
         if (selected != null && report.face().isEmpty()) {

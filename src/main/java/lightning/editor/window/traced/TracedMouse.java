@@ -68,6 +68,7 @@ final class TracedMouse implements AutoCloseable {
     private final Rectangle regionFrame = new Rectangle();
     private final PixelMenu menu;
     private final LightPlacer placer;
+    private final CameraMover cameraMover;
     private final TracedGizmo gizmo;
     private final StackPane overlay;
     /** Receives the pixel of the next click; null if a click selects a light. */
@@ -102,6 +103,7 @@ final class TracedMouse implements AutoCloseable {
         clickInspector = new PixelInspector(windowExecutor);
         placer = LightPlacer.register(editor, model.commands());
         menu = new PixelMenu(model, placer);
+        cameraMover = CameraMover.register(model.commands(), editor, settings);
         gizmo = new TracedGizmo(editor, model.previewSettings(), picture, placer);
         overlay = new StackPane(gizmo, new Pane(regionFrame));
         overlay.setMouseTransparent(true);
@@ -115,6 +117,7 @@ final class TracedMouse implements AutoCloseable {
         picture.setOnMouseReleased(this::handleRelease);
         MaterialDrop.accept(picture, (material, e) -> dropMaterial(model.materials(), material, e.getX(), e.getY()));
         regionMode.subscribe(_ -> updatePrompt());
+        cameraMover.onProperty().subscribe(_ -> updatePrompt());
         placer.promptProperty().subscribe(hint -> {
             onPick = hint.isEmpty() ? onPick : null;
             updatePrompt();
@@ -161,7 +164,7 @@ final class TracedMouse implements AutoCloseable {
         if (e.getCode() != KeyCode.ESCAPE) {
             return;
         }
-        if (gizmo.isDragging() || placer.isDragging()) {
+        if (gizmo.isDragging() || placer.isDragging() || cameraMover.isDragging()) {
             isCanceled = true;
             cancelDrag();
             e.consume();
@@ -170,6 +173,7 @@ final class TracedMouse implements AutoCloseable {
             e.consume();
         } else if (!prompt.get().isEmpty()) {
             regionMode.set(false);
+            cameraMover.switchOff();
             picturePart.regionRequestProperty().set(null);
             endPick();
             e.consume();
@@ -177,7 +181,9 @@ final class TracedMouse implements AutoCloseable {
     }
 
     private void cancelDrag() {
-        if (gizmo.isDragging()) {
+        if (cameraMover.isDragging()) {
+            cameraMover.cancelDrag();
+        } else if (gizmo.isDragging()) {
             gizmo.cancelDrag();
         } else {
             placer.cancelDrag();
@@ -219,7 +225,7 @@ final class TracedMouse implements AutoCloseable {
         String placerPrompt = placer.promptProperty().get();
         prompt.set(onPick != null ? pickHint : !placerPrompt.isEmpty() ? Messages.tr("{0} (Shift snaps)", placerPrompt)
                 : regionMode.get() ? Messages.tr("Drag a rectangle around the region to render")
-                : request != null ? request.hint() : "");
+                : request != null ? request.hint() : cameraMover.prompt());
         picture.setCursor(isPanning ? Cursor.OPEN_HAND : prompt.get().isEmpty() ? Cursor.DEFAULT : Cursor.CROSSHAIR);
     }
 
@@ -265,8 +271,9 @@ final class TracedMouse implements AutoCloseable {
         pressY = e.getY();
         lastX = pressX;
         lastY = pressY;
-        viewDrag = viewDrag(e);
-        if (viewDrag != null) {
+        boolean movesCamera = isMovingCamera() && cameraMover.press(e);
+        viewDrag = movesCamera ? null : viewDrag(e);
+        if (movesCamera || viewDrag != null) {
             return;
         }
         boolean primary = e.getButton() == MouseButton.PRIMARY && !e.isAltDown() && !isPanning;
@@ -276,6 +283,11 @@ final class TracedMouse implements AutoCloseable {
         if (isFree && !placerTook) {
             gizmo.press(e);
         }
+    }
+
+    /** Returns whether drags move the camera: its toggle is on, and nothing else waits for a click or a rectangle. */
+    private boolean isMovingCamera() {
+        return !isPanning && !prompt.get().isEmpty() && prompt.get().equals(cameraMover.prompt());
     }
 
     /** Returns how a press moves the image as the user's camera navigation moves the view; null if it does not. */
@@ -291,6 +303,10 @@ final class TracedMouse implements AutoCloseable {
 
     private void handleDrag(MouseEvent e) {
         if (isCanceled) {
+            return;
+        }
+        if (cameraMover.isDragging()) {
+            cameraMover.drag(e.getX() - pressX, e.getY() - pressY, gizmo.viewport());
             return;
         }
         if (viewDrag != null) {
@@ -329,6 +345,11 @@ final class TracedMouse implements AutoCloseable {
     }
 
     private void handleRelease(MouseEvent e) {
+        boolean movedCamera = cameraMover.isDragging() && !e.isStillSincePress();
+        cameraMover.release();
+        if (movedCamera) {
+            return;
+        }
         if (viewDrag != null) {
             viewDrag = null;
             return;

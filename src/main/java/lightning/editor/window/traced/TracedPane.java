@@ -247,6 +247,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
                 compareBox,
                 exposure, viewMenu(),
                 CommandButton.iconButton(commands, Command.REGION),
+                CommandButton.iconButton(commands, Command.MOVE_CAMERA),
                 zoom).withNarrow(ExposureControl.NARROW_SAVING, exposure::setNarrow).withOptional(zoom)
                 .withNarrow(ExposureControl.SLIDER_SAVING, exposure::setSliderHidden);
     }
