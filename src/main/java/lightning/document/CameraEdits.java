@@ -27,7 +27,8 @@ public final class CameraEdits {
     /** Returns the scene seen as in a view; shift and lens of its camera stay. */
     public static EditOutcome use(Scene scene, PreviewCamera view) {
         Camera seen = view.camera();
-        return EditOutcome.of(() -> scene.withCamera(Camera.FOV.with(scene.camera().withView(seen.from(), seen.to(), seen.up()), seen.fov())));
+        return EditOutcome
+                .of(() -> scene.withCamera(Camera.FOV.with(scene.camera().withView(seen.from(), seen.to(), seen.up()), seen.fov())));
     }
 
     /**

@@ -152,7 +152,8 @@ final class EditorMenu extends MenuBar {
                 new Menu(Messages.tr("View Options"), null,
                         ViewMenuItems.of(model.viewActions(), items).toArray(MenuItem[]::new)));
         add(view, SEPARATOR, Command.TRACED_FIT, Command.TRACED_ONE_TO_ONE, Command.TRACED_ZOOM_IN, Command.TRACED_ZOOM_OUT, Command.REGION,
-                SEPARATOR, Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z, Command.VIEW_ALL, Command.USE_VIEW, Command.MOVE_CAMERA, SEPARATOR);
+                SEPARATOR, Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z, Command.VIEW_ALL, Command.USE_VIEW, Command.MOVE_CAMERA,
+                SEPARATOR);
         view.getItems().addAll(PreviewMenuItems.of(model.previewSettings(), items));
         view.getItems().addAll(new SeparatorMenuItem(), canvases(), arrangement());
         add(view, Command.HIDE_PANELS, Command.FULL_SCREEN, SEPARATOR, Command.LIGHT_THEME);

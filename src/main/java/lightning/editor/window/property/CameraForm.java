@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javafx.beans.value.ObservableValue;
-import javafx.scene.Node;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
@@ -27,7 +26,8 @@ final class CameraForm extends AttributeForm<Camera> {
     private static final SceneAttribute<Camera, Double> FOCAL_LENGTH = new SceneAttribute<>("focal_length", "focal length",
             NumericKind.number(focalLength(SceneLimits.MAX_FOV), focalLength(SceneLimits.MIN_FOV), 1), focalLength(Camera.DEFAULT.fov()),
             "millimeters, for a film 24 mm high", camera -> focalLength(camera.fov()),
-            (camera, length) -> Camera.FOV.with(camera, Math.clamp(2 * Math.toDegrees(Math.atan(HALF_FILM / length)), SceneLimits.MIN_FOV, SceneLimits.MAX_FOV)));
+            (camera, length) -> Camera.FOV.with(camera,
+                    Math.clamp(2 * Math.toDegrees(Math.atan(HALF_FILM / length)), SceneLimits.MIN_FOV, SceneLimits.MAX_FOV)));
 
     private CameraForm(EditorModel model, ObservableValue<EditorState> visibleState) {
         super(model, null);

@@ -56,7 +56,9 @@ final class CameraMover {
     /** Returns the instructions to show over the picture; empty while the toggle is off. */
     String prompt() {
         return isOn.get()
-                ? Messages.tr("Drag orbits the camera; with Shift or the middle button it moves; with Ctrl or the right button it comes nearer") : "";
+                ? Messages.tr(
+                        "Drag orbits the camera; with Shift or the middle button it moves; with Ctrl or the right button it comes nearer")
+                : "";
     }
 
     /** Starts a drag; returns false while the toggle is off. */

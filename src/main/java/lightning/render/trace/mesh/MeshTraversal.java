@@ -229,7 +229,8 @@ final class MeshTraversal {
     }
 
     private int enter(MeshTree tree, MeshRay ray, int node, int top, double limit) {
-        return tests == null ? push(tree, ray, node, top, limit) : push(tree, node, top, tests.entered(tree.box, node, limit), tests.entries());
+        return tests == null ? push(tree, ray, node, top, limit)
+                : push(tree, node, top, tests.entered(tree.box, node, limit), tests.entries());
     }
 
     /** Pushes children of a node onto the stack, the nearest last. */

@@ -56,7 +56,8 @@ class CameraMoverTest extends EditorFixture {
         Camera before = camera();
         drag(MouseButton.MIDDLE, 30, 0);
         assertThat(camera().from()).isNotEqualTo(before.from());
-        assertThat(PreviewCamera.of(model().editor().scene()).forward().dot(new PreviewCamera(before).forward())).isCloseTo(1, within(1e-9));
+        assertThat(PreviewCamera.of(model().editor().scene()).forward().dot(new PreviewCamera(before).forward())).isCloseTo(1,
+                within(1e-9));
     }
 
     @Test
