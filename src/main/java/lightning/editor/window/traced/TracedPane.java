@@ -55,6 +55,10 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
 
     /** Width of the inset as a share of the pane's. */
     private static final double INSET_SHARE = 0.3;
+    /** Largest share of the picture that the inset covers. */
+    private static final double MAX_COVERED = 0.2;
+    /** Width in which an inset beside the picture is large enough, pixels. */
+    private static final double ENOUGH_BESIDE = 140;
 
     /** Gap between the progress and the card above it, pixels. */
     private static final double CARD_GAP = 4;
@@ -200,7 +204,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     }
 
     /**
-     * Shows a pane in the picture's upper right corner, at the picture's aspect ratio.
+     * Shows a pane in the picture's upper right corner, at the picture's aspect ratio; beside the picture where there is room.
      *
      * @param pane pane of the preview
      */
@@ -213,13 +217,22 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         }
         inset = pane;
         if (pane != null) {
-            var width = stage.widthProperty().multiply(INSET_SHARE);
+            var aspect = Bindings.createDoubleBinding(() -> aspect(editor.scene().picture()), editor.sceneProperty());
+            var width = Bindings.createDoubleBinding(() -> insetWidth(stage.getWidth(), stage.getHeight(), aspect.get()),
+                    stage.widthProperty(), stage.heightProperty(), aspect);
             pane.maxWidthProperty().bind(width);
-            pane.maxHeightProperty().bind(width.divide(
-                    Bindings.createDoubleBinding(() -> aspect(editor.scene().picture()), editor.sceneProperty())));
+            pane.maxHeightProperty().bind(width.divide(aspect));
             StackPane.setAlignment(pane, Pos.TOP_RIGHT);
             stage.getChildren().add(stage.getChildren().indexOf(lookBadge), pane);
         }
+    }
+
+    /** Returns the width of an inset for a pane of some size, with a picture of some ratio of width and height in its middle. */
+    static double insetWidth(double width, double height, double aspect) {
+        double shown = Math.min(width, height * aspect);
+        double beside = (width - shown) / 2;
+        double largest = Math.min(INSET_SHARE * width, Math.sqrt(MAX_COVERED) * shown);
+        return beside >= ENOUGH_BESIDE ? Math.min(largest, beside) : largest;
     }
 
     private static double aspect(PictureSettings picture) {

@@ -1,6 +1,7 @@
 package lightning.editor.window.property;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.Optional;
 import javafx.scene.Node;
@@ -8,6 +9,7 @@ import javafx.scene.control.ComboBox;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.FastRobot;
 import lightning.render.image.DisplayCurve;
@@ -129,5 +131,22 @@ class WorldPaneTest extends EditorFixture {
         setSun("1:00");
         assertThat(model().editor().message().textProperty().get()).contains("below the horizon");
         assertThat(scene().world().sky().elevation()).as("a dark night is refused").isBetween(39.8, 40.0);
+    }
+
+    @Test
+    void focalLength_isThatOfAFilm24MillimetersHigh() {
+        type("camera-focal-length", "12");
+        assertThat(scene().camera().fov()).isCloseTo(90, within(1e-9));
+    }
+
+    @Test
+    void roll_turnsThePictureAboutTheView() {
+        Vec3 from = scene().camera().from();
+        type("camera-roll", "90");
+        Vec3 view = scene().camera().to().minus(from).normalized();
+        assertThat(scene().camera().from()).isEqualTo(from);
+        assertThat(scene().camera().up().normalized().minus(view.cross(Vec3.Y).normalized()).length()).isLessThan(1e-9);
+        type("camera-roll", "0");
+        assertThat(scene().camera().up().dot(view.cross(Vec3.Y))).isCloseTo(0, within(1e-9));
     }
 }

@@ -493,4 +493,12 @@ class TracedPaneTest extends EditorFixture {
         robot.interact(() -> model().layout().canvasLayoutProperty().set(CanvasLayout.PICTURE_ALONE));
         FastRobot.settle();
     }
+
+    @Test
+    void inset_isBesideTheSquarePicture_andNeverCoversMoreThanAFifth() {
+        assertThat(TracedPane.insetWidth(1000, 570, 1)).as("beside").isEqualTo(215);
+        assertThat(TracedPane.insetWidth(1000, 570, 4 / 3.0)).as("no room beside").isEqualTo(300);
+        double alone = TracedPane.insetWidth(500, 900, 1);
+        assertThat(alone * alone).isLessThanOrEqualTo(0.2 * 500 * 500);
+    }
 }
