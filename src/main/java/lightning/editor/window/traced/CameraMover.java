@@ -55,10 +55,7 @@ final class CameraMover {
 
     /** Returns the instructions to show over the picture; empty while the toggle is off. */
     String prompt() {
-        return isOn.get()
-                ? Messages.tr(
-                        "Drag orbits the camera; with Shift or the middle button it moves; with Ctrl or the right button it comes nearer")
-                : "";
+        return isOn.get() ? Messages.tr("Camera: drag orbits · Shift or middle moves · Ctrl or right comes nearer") : "";
     }
 
     /** Starts a drag; returns false while the toggle is off. */
