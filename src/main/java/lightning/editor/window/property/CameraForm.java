@@ -21,8 +21,9 @@ final class CameraForm extends AttributeForm<Camera> {
     /** Half the height of a 35 mm film, millimeters. */
     private static final double HALF_FILM = 12;
 
-    private static final SceneAttribute<Camera, Double> ROLL = new SceneAttribute<>("roll", Messages.key("roll"), NumericKind.degrees(-180, 180, 1), 0.0,
-            "degrees, clockwise", CameraForm::roll, CameraForm::withRoll);
+    private static final SceneAttribute<Camera, Double> ROLL =
+            new SceneAttribute<>("roll", Messages.key("roll"), NumericKind.degrees(-180, 180, 1), 0.0,
+                    "degrees, clockwise", CameraForm::roll, CameraForm::withRoll);
     private static final SceneAttribute<Camera, Double> FOCAL_LENGTH = new SceneAttribute<>("focal_length", Messages.key("focal length"),
             NumericKind.number(focalLength(SceneLimits.MAX_FOV), focalLength(SceneLimits.MIN_FOV), 1), focalLength(Camera.DEFAULT.fov()),
             "millimeters, for a film 24 mm high", camera -> focalLength(camera.fov()),
