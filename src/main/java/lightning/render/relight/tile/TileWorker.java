@@ -316,7 +316,10 @@ final class TileWorker {
         }
         BitSet changes = (BitSet) job.films().changed().clone();
         for (int i = 0; i < count; i++) {
-            plan(i).addChanged(job.target().parts(), old.levels[i], levels[i], changes);
+            // Levels below that no plan updates are kept, and may have the layers of an earlier scene.
+            if (i == 0 || job.mirrorPlan() != null) {
+                plan(i).addChanged(job.target().parts(), old.levels[i], levels[i], changes);
+            }
             (i == 0 ? job.indirectChange() : job.mirroredIndirectChange()).addChanged(levels[i].weights(), changes);
         }
         return changes;
