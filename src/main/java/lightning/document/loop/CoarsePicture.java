@@ -80,9 +80,7 @@ public record CoarsePicture(Scene scene, Geometry geometry, Film film, double pi
         return trace(scenes, side(picture.width() / shrink), side(picture.height() / shrink), geometryOf, threads, progress);
     }
 
-    /**
-     * @param width size of the image in pixels, with {@code height}
-     */
+    /** @param width size of the image in pixels, with {@code height} */
     static CoarsePicture trace(RenderedScenes scenes, int width, int height, Function<Scene, Geometry> geometryOf, int threads,
             Progress progress) {
         Scene small = shrink(withoutSlowEffects(scenes.scene()), width, height);

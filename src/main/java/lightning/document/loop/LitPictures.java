@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Small pictures of edited scenes with all their light. The first one takes about a second; each further one is computed from the last, like any
- * picture, in a fifth of that. Thread-safe: while one thread computes a picture, others get none.
+ * picture, in a quarter of that. Thread-safe: while one thread computes a picture, others get none.
  */
 final class LitPictures implements AutoCloseable {
     /** Longer side in pixels. */

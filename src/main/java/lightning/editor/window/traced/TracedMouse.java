@@ -285,7 +285,7 @@ final class TracedMouse implements AutoCloseable {
         }
     }
 
-    /** Returns whether drags move the camera: its toggle is on, and nothing else waits for a click or a rectangle. */
+    /** Returns whether drags move the camera: its toggle is on, and no other tool waits for a click or a rectangle. */
     private boolean isMovingCamera() {
         return !isPanning && !prompt.get().isEmpty() && prompt.get().equals(cameraMover.prompt());
     }

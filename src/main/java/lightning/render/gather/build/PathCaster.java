@@ -33,7 +33,7 @@ final class PathCaster {
     private final @Nullable PathMemo memo;
     private final @Nullable KnownRays known;
     private final boolean ofPoints;
-    /** Whether rays of known points to glowing objects meet what they met. */
+    /** True if rays of known points to glowing objects meet what they met. */
     private final boolean keepsGlow;
     private final GlowLinks knownGlow;
     private final int pointsPerBatch;

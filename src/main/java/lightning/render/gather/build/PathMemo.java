@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
 public final class PathMemo {
     private final Geometry geometry;
     private final BoxSet changes;
-    /** Whether no shape changed, and no material in what rays and surfels read. */
+    /** True if no shape changed, and no material in what rays and surfels read. */
     private final boolean unchanged;
     private final GatherPoints gatherPoints;
     private final GlowPaths glow;

@@ -32,7 +32,7 @@ public final class LightKernel {
     private final TermColumnWriter columnWriter;
     private final RequiredWork requiredWork;
     private final boolean isDiffuseOnly;
-    /** Whether rows are surfels: they have few samples, in penumbras too. */
+    /** True if rows are surfels: they have few samples, in penumbras too. */
     private final boolean isOfSurfels;
     private final float[] cosine = new float[TermKernel.MAX_ROWS];
     private final int[] facing = RowBits.allocate();

@@ -8,7 +8,7 @@ import jdk.incubator.vector.VectorSpecies;
 import lightning.render.trace.solid.DoubleLanes;
 
 /**
- * Tests of a single ray on lanes. Proof that they find all that the loops find: docs/numerics.md, "Proof: boxes in floats". Interpreted, they are a
+ * Tests of a single ray on lanes. Proof that they find what the loops find: docs/numerics.md, "Proof: boxes in floats". Interpreted, they are a
  * hundred times as slow as the loops.
  */
 final class SingleRayLanes extends MeshTests {
