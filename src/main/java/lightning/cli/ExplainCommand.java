@@ -5,6 +5,7 @@ import static java.util.Objects.requireNonNull;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import lightning.base.math.Vec3;
@@ -25,6 +26,7 @@ import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.SceneView;
 import lightning.render.relight.TraceMemory;
 import lightning.render.shading.IndirectLight;
+import lightning.render.shading.RayCounts;
 import lightning.render.shading.explanation.FogReport;
 import lightning.render.shading.explanation.LightReport;
 import lightning.render.shading.explanation.PixelExplainer;
@@ -54,7 +56,8 @@ import picocli.CommandLine.Parameters;
                     + "lights are below the horizon. Reflected and refracted rays follow, indented; rays through transparent surfaces only "
                     + "if they contribute more than 0.2 %% of the pixel.",
             "",
-            "With indirect light, prints its gather points, surfels, rays and bytes in the whole picture, because every pixel needs them.",
+            "Then come the rays of the pixel's center by purpose and light. With indirect light, prints its gather points, surfels, rays and "
+                    + "bytes in the whole picture, because every pixel needs them.",
             "",
             "Colors are linear red, green, blue. The last line is the pixel in the film and on the display, bit-identical to "
                     + "that of lightning render."},
@@ -92,6 +95,7 @@ final class ExplainCommand implements Callable<Integer> {
         PointReport report = explainer.explainPixel(pixel.x(), pixel.y());
         console.print("pixel %d,%d of %d x %d", pixel.x(), pixel.y(), width, height);
         print(explainer, report, "", 1);
+        printRays(report.rays());
         printPaths(indirect);
         float[] color = pixelColor(scene, explainer.geometry(), report.color());
         int[] displayed = SceneView.of(scene).displayed(color[0], color[1], color[2]);
@@ -124,6 +128,13 @@ final class ExplainCommand implements Callable<Integer> {
         if (fog != null) {
             console.print("%s  fog passes %.4g of it and adds %s", indent, fog.transmittance(), formatRgb(fog.adds()));
         }
+    }
+
+    private void printRays(RayCounts rays) {
+        String lights = new TreeMap<>(rays.shadows()).entrySet().stream().map(light -> light.getKey() + " " + light.getValue())
+                .collect(Collectors.joining(", ", " (", ")"));
+        console.print("rays of its center: %d of the camera, %d mirrored or refracted, %s%s", rays.eye(), rays.mirrored(),
+                Console.count(rays.shadow(), "shadow ray"), rays.shadows().isEmpty() ? "" : lights);
     }
 
     private void printPaths(@Nullable IndirectLight indirect) {

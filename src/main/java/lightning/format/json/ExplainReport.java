@@ -1,18 +1,20 @@
 package lightning.format.json;
 
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Explanation of a pixel. Colors are linear red, green, blue.
  *
  * @param center          the ray through the pixel's center
+ * @param rays            rays of the pixel's center
  * @param indirect        indirect light of the whole image; absent without it
  * @param samplesPerPixel rays of which the pixel may be the mean
  * @param colorLinear     the pixel in the film
  * @param displayed       the pixel as displayed, 0 to 255
  */
-public record ExplainReport(int x, int y, int widthPixels, int heightPixels, Point center, @Nullable Indirect indirect, int samplesPerPixel,
+public record ExplainReport(int x, int y, int widthPixels, int heightPixels, Point center, Rays rays, @Nullable Indirect indirect, int samplesPerPixel,
         float[] colorLinear, int[] displayed) {
     /**
      * A point that a ray hits.
@@ -71,6 +73,15 @@ public record ExplainReport(int x, int y, int widthPixels, int heightPixels, Poi
      * @param hits absent if the ray starts from a transparent surface and contributes less than 0.2 % of the pixel
      */
     public record Ray(float[] adds, @Nullable Point hits) {}
+
+    /**
+     * Numbers of rays.
+     *
+     * @param bounce mirrored and refracted ones
+     * @param shadow all shadow rays
+     * @param lights those of each light by its name
+     */
+    public record Rays(long eye, long bounce, long shadow, Map<String, Long> lights) {}
 
     /** Paths of indirect light of the whole image. */
     public record Indirect(long gatherPoints, long surfels, long rays, long bytes) {}

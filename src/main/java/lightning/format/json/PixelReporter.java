@@ -4,11 +4,13 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.TreeMap;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Vec3;
 import lightning.render.gather.GatherStructure;
 import lightning.render.relight.SceneView;
 import lightning.render.shading.IndirectLight;
+import lightning.render.shading.RayCounts;
 import lightning.render.shading.explanation.FogReport;
 import lightning.render.shading.explanation.LightReport;
 import lightning.render.shading.explanation.PixelExplainer;
@@ -43,9 +45,14 @@ public final class PixelReporter {
      */
     public ExplainReport report(int x, int y, PointReport center, float[] color) {
         PictureSettings picture = scene.picture();
-        return new ExplainReport(x, y, picture.width(), picture.height(), point(center, 1), paths(),
+        return new ExplainReport(x, y, picture.width(), picture.height(), point(center, 1), rays(center.rays()),
+                paths(),
                 picture.sampling().isSupersampled() ? picture.sampling().samplesPerPixel() : 1, color,
                 SceneView.of(scene).displayed(color[0], color[1], color[2]));
+    }
+
+    private static ExplainReport.Rays rays(RayCounts rays) {
+        return new ExplainReport.Rays(rays.eye(), rays.mirrored(), rays.shadow(), new TreeMap<>(rays.shadows()));
     }
 
     private ExplainReport.@Nullable Indirect paths() {

@@ -11,6 +11,7 @@ import lightning.scene.light.Light;
  * @param blocker             index of the nearest shape between the point and the light; −1 if none or not tested
  * @param visibleSamples      number of its samples that reach the point
  * @param samples             number of its samples; 1 for a point light
+ * @param rays                number of shadow rays cast; none where a test before them fails
  * @param samplesBelowSurface number of its samples below the geometric surface although the shading normal faces them
  * @param cosine              N·L, also below 0; for a lit metallic material the diffuse term; for an area light the mean of the
  *                            cosine times the falloff, as for the next two
@@ -25,7 +26,8 @@ import lightning.scene.light.Light;
  * @param face                mean color of the light's image, weighted by the diffuse terms of its samples, {@code float[3]}; 1 if there is none
  * @param gain                gain of the light on the shape; 1 if it has none
  */
-public record LightReport(Light light, State state, int blocker, int visibleSamples, int samples, int samplesBelowSurface, float cosine,
+public record LightReport(Light light, State state, int blocker, int visibleSamples, int samples, int rays, int samplesBelowSurface,
+        float cosine,
         float specular,
         float grazing,
         float falloff,
@@ -50,7 +52,7 @@ public record LightReport(Light light, State state, int blocker, int visibleSamp
 
     /** Returns this report of a light with a weight, if it is that of weight 1. */
     LightReport times(LightWeight weight) {
-        return new LightReport(light, state, blocker, visibleSamples, samples, samplesBelowSurface, cosine, specular, grazing, falloff,
+        return new LightReport(light, state, blocker, visibleSamples, samples, rays, samplesBelowSurface, cosine, specular, grazing, falloff,
                 times(weight, diffuse), times(weight, highlight), times(weight, sheen), tint, face, gain);
     }
 

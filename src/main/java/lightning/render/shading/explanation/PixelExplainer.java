@@ -350,6 +350,7 @@ public final class PixelExplainer {
         double grazing = 0;
         int visibleCount = 0;
         int below = 0;
+        int rays = 0;
         LightReport best = null;
         LightReport blocked = null;
         double[] tints = new double[3];
@@ -390,6 +391,7 @@ public final class PixelExplainer {
             }
             visibleCount += one.state() == LightReport.State.LIT ? 1 : 0;
             below += one.samplesBelowSurface();
+            rays += one.rays();
             best = best == null || one.state().compareTo(best.state()) > 0 ? one : best;
             blocked = blocked == null && one.state() == LightReport.State.SHADOWED ? one : blocked;
         }
@@ -404,7 +406,7 @@ public final class PixelExplainer {
         float[] face = area.color == null ? ONE : weightedMeans(faces[0], diffuse);
         float[] diffuseFactor = product(tint, face);
         float[] specularFactor = area.color == null ? tint : product(tint, weightedMeans(faces[1], shine));
-        return new LightReport(light.light(), best.state(), blocked == null ? -1 : blocked.blocker(), visibleCount, samples, below,
+        return new LightReport(light.light(), best.state(), blocked == null ? -1 : blocked.blocker(), visibleCount, samples, rays, below,
                 visibleCount == 0 ? best.cosine() : cosine, highlight, sheen, visibleCount == 0 ? 0 : 1,
                 contribution(light.diffuse(), cosine, 1, diffuseFactor, gain),
                 contribution(light.specular(), highlight, 1, specularFactor, gain),
@@ -441,7 +443,7 @@ public final class PixelExplainer {
             state = blocker < 0 ? LightReport.State.LIT : LightReport.State.SHADOWED;
         }
         if (state != LightReport.State.LIT) {
-            return new LightReport(light.light(), state, blocker, 0, 1, below, cosine, 0, 0, 0, ZERO, ZERO, ZERO, ONE, ONE,
+            return new LightReport(light.light(), state, blocker, 0, 1, state == LightReport.State.SHADOWED ? 1 : 0, below, cosine, 0, 0, 0, ZERO, ZERO, ZERO, ONE, ONE,
                     light.gain(hit.primitive()));
         }
         Bsdf.Terms terms = Bsdf.of(materials.material(hit.material())).terms(equation, hit, cosine, factor);
@@ -451,7 +453,7 @@ public final class PixelExplainer {
         float falloff = equation.falloff();
         float[] tint = tint(source, hit);
         float gain = light.gain(hit.primitive());
-        return new LightReport(light.light(), state, blocker, 1, 1, below, diffuse, specular, grazing, falloff,
+        return new LightReport(light.light(), state, blocker, 1, 1, 1, below, diffuse, specular, grazing, falloff,
                 contribution(light.diffuse(), diffuse, falloff, tint, gain), contribution(light.specular(), specular, falloff, tint, gain),
                 contribution(light.specular(), grazing, falloff, tint, gain), tint, ONE, gain);
     }

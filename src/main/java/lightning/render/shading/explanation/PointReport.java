@@ -1,6 +1,10 @@
 package lightning.render.shading.explanation;
 
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import lightning.render.gather.GatherRays;
+import lightning.render.shading.RayCounts;
 import lightning.render.trace.NormalSteps;
 import lightning.render.trace.SurfacePoint;
 import org.jspecify.annotations.Nullable;
@@ -33,6 +37,23 @@ public record PointReport(@Nullable SurfacePoint hit, List<Integer> passedCutout
     PointReport behind(FogReport air, float[] seen, float[][] filmsSeen) {
         return new PointReport(hit, passedCutouts, normals, seen, filmsSeen, ambient, glow, indirect, surroundings, lights, reflected,
                 refracted, air);
+    }
+
+    /**
+     * Returns the numbers of rays that this report needed, its own included. Gathered light, fog and cutouts have none of their own. A trace
+     * casts fewer to area lights, where one shape certainly hides all of a light.
+     */
+    public RayCounts rays() {
+        Map<String, Long> shadows = new TreeMap<>();
+        lights.forEach(light -> shadows.merge(light.light().name(), (long) light.rays(), Long::sum));
+        RayCounts sum = new RayCounts(1, 0, GatherRays.NONE, shadows);
+        for (PointReport bounced : new PointReport[] {reflected, refracted}) {
+            if (bounced != null) {
+                RayCounts its = bounced.rays();
+                sum = sum.plus(new RayCounts(0, its.mirrored() + 1, GatherRays.NONE, its.shadows()));
+            }
+        }
+        return sum;
     }
 
     /** Returns whether the ray hit nothing. */

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 /** Texts of the pixel report. */
 class PixelReportTest {
     private static LightReport light(String name, LightReport.State state, float diffuse) {
-        return new LightReport(Light.of(name, LightType.DIRECTIONAL), state, -1, 1, 1, 0, 1, 0, 0, 1,
+        return new LightReport(Light.of(name, LightType.DIRECTIONAL), state, -1, 1, 1, 1, 0, 1, 0, 0, 1,
                 new float[] {diffuse, diffuse, diffuse}, new float[3], new float[3], new float[] {1, 1, 1}, new float[] {1, 1, 1}, 1);
     }
 
@@ -63,7 +63,7 @@ class PixelReportTest {
 
     @Test
     void lightBelowSurface_isReported() {
-        var light = new LightReport(Light.of("key", LightType.POINT), LightReport.State.SHADOWED, 0, 0, 1, 1, 0.5f, 0, 0, 0, new float[3],
+        var light = new LightReport(Light.of("key", LightType.POINT), LightReport.State.SHADOWED, 0, 0, 1, 1, 1, 0.5f, 0, 0, 0, new float[3],
                 new float[3], new float[3], new float[] {1, 1, 1}, new float[] {1, 1, 1}, 1);
         assertThat(report(List.of(light), List.of()).lightLines()).containsExactly("key  below the horizon");
     }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
@@ -16,6 +17,9 @@ import lightning.format.jen.JenReader;
 import lightning.format.jen.JenWriter;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
+import lightning.render.RenderOptions;
+import lightning.render.relight.Renderer;
+import lightning.render.shading.RayCounts;
 import lightning.render.shading.reference.ReferenceTracer;
 import lightning.render.trace.NormalSteps;
 import lightning.sample.IndirectScenes;
@@ -43,11 +47,33 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 class PixelExplainerTest {
     @Provide
     Arbitrary<Scene> scenes() {
         return SceneArbitraries.scenes();
+    }
+
+    /** A trace skips rays of an area light where one shape certainly hides all of it. */
+    @ParameterizedTest
+    @EnumSource(LightType.class)
+    void raysOfAllPixels_areThoseOfFullTrace_andHiddenOnes(LightType type) {
+        Scene scene = StudioScene.of(type);
+        scene = scene.withLight(StudioScene.key(type).withArea(StudioScene.key(type).area().withWidth(1).withHeight(0.5)));
+        PictureSettings picture = scene.picture();
+        var explainer = new PixelExplainer(scene);
+        RayCounts sum = RayCounts.NONE;
+        for (int i = 0; i < picture.width() * picture.height(); i++) {
+            sum = sum.plus(explainer.explainPixel(i % picture.width(), i / picture.width()).rays());
+        }
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            RayCounts cast = renderer.render(scene, Progress.NONE).rays();
+            assertThat(sum.minus(cast)).isEqualTo(RayCounts.ofShadows(Map.of(StudioScene.KEY, sum.shadow() - cast.shadow())));
+            boolean hasSize = !Set.of(LightType.POINT, LightType.SPOT, LightType.DIRECTIONAL).contains(type);
+            assertThat(sum.shadow()).isBetween(cast.shadow(), hasSize ? Long.MAX_VALUE : cast.shadow());
+        }
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
