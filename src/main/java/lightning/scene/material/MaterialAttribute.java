@@ -28,17 +28,17 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
         MODEL,
         DIFFUSE,
         BASE,
-        TEXTURE,
-        CUTOUT,
-        RELIEF,
         SPECULAR,
         SURFACE,
+        TEXTURE,
+        REFLECTIVE,
         COAT,
         SHEEN,
-        REFLECTIVE,
         CLEAR(Messages.key("transparency")),
-        AMBIENT,
-        GLOW;
+        GLOW,
+        RELIEF,
+        CUTOUT,
+        AMBIENT;
 
         private final String title;
 

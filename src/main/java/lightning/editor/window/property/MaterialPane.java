@@ -1,9 +1,13 @@
 package lightning.editor.window.property;
 
 import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -37,6 +41,16 @@ final class MaterialPane extends AttributeForm<Material> {
     /** Maximum number of shapes to scan on the window's thread, which takes tens of microseconds. */
     private static final int MAX_INLINE_SHAPES = 1000;
 
+    /** Sections that are always unfolded at first; others only if their material uses them. */
+    private static final Set<Section> COMMON =
+            EnumSet.of(Section.MODEL, Section.DIFFUSE, Section.BASE, Section.SPECULAR, Section.SURFACE, Section.TEXTURE);
+
+    private final Map<Section, TitledPane> sections = new EnumMap<>(Section.class);
+    /** Sections that the user unfolded (true) or folded: they stay so for every material. */
+    private final Map<Section, Boolean> chosenSections = new EnumMap<>(Section.class);
+    /** Material whose sections were last folded or unfolded; empty before the first. */
+    private String foldedFor = "";
+    private boolean isFolding;
     private final ChoiceField<String> name;
     private final Label users = new Label();
     /** Material and nodes that {@link #users} describes. */
@@ -76,11 +90,43 @@ final class MaterialPane extends AttributeForm<Material> {
 
     /** Returns steps that create a section and then its widgets one by one. */
     private Stream<Runnable> sectionSteps(VBox box, Section section) {
-        List<MaterialAttribute<?>> attributes = MaterialAttribute.ALL.stream().filter(a -> a.section() == section).toList();
+        List<MaterialAttribute<?>> attributes = attributes(section);
         TitledPane pane = SectionLayout.section(SectionLayout.title(section.title()));
+        sections.put(section, pane);
+        record().ifPresent(material -> fold(material, section, pane));
+        pane.expandedProperty().subscribe((_, isExpanded) -> {
+            if (!isFolding) {
+                chosenSections.put(section, isExpanded);
+            }
+        });
         onlyIf(material -> attributes.stream().anyMatch(a -> isShown(a, material)), List.of(pane));
         return Stream.concat(Stream.of(() -> SectionLayout.add(box, pane)), attributes.stream()
                 .map(a -> () -> rows(a).forEach(node -> SectionLayout.add(SectionLayout.content(pane), node))));
+    }
+
+    private static List<MaterialAttribute<?>> attributes(Section section) {
+        return MaterialAttribute.ALL.stream().filter(a -> a.section() == section).toList();
+    }
+
+    private static boolean isUsed(Section section, Material material) {
+        return COMMON.contains(section) || attributes(section).stream().anyMatch(a -> !a.get(material).equals(a.initial()));
+    }
+
+    /** Unfolds the sections that a material uses. Those that it does not use are only folded when another material was shown before. */
+    private void fold(Material material) {
+        isFolding = true;
+        boolean isOther = !material.name().equals(foldedFor);
+        foldedFor = material.name();
+        sections.forEach((section, pane) -> {
+            if (isOther || isUsed(section, material)) {
+                fold(material, section, pane);
+            }
+        });
+        isFolding = false;
+    }
+
+    private void fold(Material material, Section section, TitledPane pane) {
+        pane.setExpanded(chosenSections.getOrDefault(section, isUsed(section, material)));
     }
 
     @Override
@@ -149,6 +195,7 @@ final class MaterialPane extends AttributeForm<Material> {
         discardInput();
         show();
         Optional<Material> material = record();
+        material.ifPresent(this::fold);
         name.setDisabledReason(material.isPresent() ? Optional.empty() : Optional.of(missingReason()));
         material.map(Material::name).ifPresentOrElse(this::showName, () -> {
             name.showNothing();

@@ -151,7 +151,7 @@ public final class ColorSliders extends VBox implements ValueWidget<Rgb> {
 
     private ColorSlider channel(String label, String name, double max, BiFunction<Rgb, Double, Rgb> edit) {
         String title = prefix + name;
-        return new ColorSlider(label, title, ColorSlider.Scale.linear(0, 1),
+        return new ColorSlider(label, title, ValueSlider.Scale.linear(0, 1),
                 NumberSetting.of(title, new StepRange(STEP, 0, max), (v, gesture) -> target.edit(color -> {
                     SceneLimits.checkRange(title, v, 0, max);
                     return edit.apply(color, v);
@@ -159,7 +159,7 @@ public final class ColorSliders extends VBox implements ValueWidget<Rgb> {
     }
 
     private ColorSlider hsv(String label, String title, StepRange steps, double max, BiFunction<HsvColor, Double, HsvColor> edit) {
-        return new ColorSlider(label, title, ColorSlider.Scale.linear(0, max), NumberSetting.of(title, steps, (v, gesture) -> {
+        return new ColorSlider(label, title, ValueSlider.Scale.linear(0, max), NumberSetting.of(title, steps, (v, gesture) -> {
             HsvColor edited;
             try {
                 edited = edit.apply(shownHsv, v);

@@ -27,7 +27,7 @@ public final class TemperatureSlider extends VBox implements ValueWidget<Double>
     /** @param setter receives kelvin */
     public TemperatureSlider(NumberSetting.Setter setter) {
         slider = new ColorSlider("K", "temperature",
-                new ColorSlider.Scale(ColorTemperature.MIN, ColorTemperature.MAX, Math::log, Math::exp),
+                new ValueSlider.Scale(ColorTemperature.MIN, ColorTemperature.MAX, Math::log, Math::exp),
                 NumberSetting.of("temperature", new StepRange(STEP, ColorTemperature.MIN, ColorTemperature.MAX), NumberUnit.KELVIN,
                         setter));
         var presets = new FlowPane();

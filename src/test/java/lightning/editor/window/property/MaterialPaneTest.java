@@ -17,6 +17,7 @@ import javafx.scene.control.MenuItem;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.TextField;
+import javafx.scene.control.TitledPane;
 import javafx.scene.image.ImageView;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
@@ -27,6 +28,8 @@ import lightning.editor.Command;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.TextTyping;
 import lightning.scene.Scene;
+import lightning.scene.SceneElement;
+import lightning.document.EditOutcome;
 import lightning.scene.asset.TexturePlacement;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
@@ -47,13 +50,24 @@ class MaterialPaneTest extends EditorFixture {
         return robot.lookup("#side").<TabPane>query().getSelectionModel().getSelectedItem().getId();
     }
 
-    private void type(String field, String value) {
+    /** Unfolds the section of the node, as a user would. */
+    private void unfold(String widget) {
         robot.interact(() -> model().editor().materialShownProperty().set(true));
+        robot.interact(() -> section(widget).setExpanded(true));
+    }
+
+    private TitledPane section(String widget) {
+        return Stream.iterate(robot.lookup("#" + widget).<Node>query(), Node::getParent).filter(TitledPane.class::isInstance)
+                .map(TitledPane.class::cast).findFirst().orElseThrow();
+    }
+
+    private void type(String field, String value) {
+        unfold(field);
         TextTyping.replace(robot, robot.lookup("#" + field).queryAs(TextField.class), value).push(KeyCode.ENTER);
     }
 
     private void typeRed(String color, String value) {
-        robot.interact(() -> model().editor().materialShownProperty().set(true));
+        unfold(color);
         TextField red = robot.lookup("#" + color + " .number-field").queryAll().stream()
                 .filter(n -> (color + " red").equals(n.getAccessibleText())).map(TextField.class::cast).findFirst().orElseThrow();
         TextTyping.replace(robot, red, value).push(KeyCode.ENTER);
@@ -278,6 +292,25 @@ class MaterialPaneTest extends EditorFixture {
         waitForPicture();
         type("bump", " ");
         assertThat(material("matt").bumpMapping().bump()).isEmpty();
+    }
+
+    @Test
+    void unusedSection_isFolded_untilItIsUsedOrUnfolded() {
+        robot.interact(() -> {
+            model().materials().choose("matt");
+            model().editor().materialShownProperty().set(true);
+        });
+        assertThat(section("diffuse").isExpanded()).isTrue();
+        assertThat(section("transparency").isExpanded()).isFalse();
+        robot.interact(() -> model().editor()
+                .edit(scene -> EditOutcome.edit(scene, new SceneElement.OfMaterial("matt"), material -> MaterialAttribute.TRANSMISSION_COLOR.with(material, Rgb.WHITE))));
+        assertThat(section("transparency").isExpanded()).isTrue();
+        robot.interact(() -> model().materials().choose("mirror"));
+        assertThat(section("transparency").isExpanded()).isFalse();
+        unfold("transparency");
+        click("undo");
+        robot.interact(() -> model().materials().choose("matt"));
+        assertThat(section("transparency").isExpanded()).isTrue();
     }
 
     @Test
