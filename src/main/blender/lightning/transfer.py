@@ -18,7 +18,7 @@ LEFT_OUT = "not exported exactly: "
 # End of a message of the import that names an option of the command.
 OPTION = "; --indirect"
 # Parts of messages of the import that say nothing new: Lightning has no clipping planes.
-EXPECTED = ("written;", "znear of cameras", "zfar of cameras")
+EXPECTED = ("written;", "clipping distances of cameras (znear)", "clipping distances of cameras (zfar)")
 
 
 def _digest(file: Path) -> str:

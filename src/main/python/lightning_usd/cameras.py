@@ -10,8 +10,8 @@ from output import Output, StageError, world_matrix
 from pxr import Usd, UsdGeom, UsdRender
 
 
-def chosen_camera(stage: Usd.Stage, cameras: list[Usd.Prim], name: str, out: Output) -> list[Usd.Prim]:
-    """Returns the camera of a name or path; without one that of the render settings, or the first; none if there are none."""
+def chosen_first(stage: Usd.Stage, cameras: list[Usd.Prim], name: str, out: Output) -> list[Usd.Prim]:
+    """Returns all cameras, first that of a name or path; without one that of the render settings, or the first."""
     paths = [str(prim.GetPath()) for prim in cameras]
     if name:
         found = [prim for prim in cameras if name in (prim.GetName(), str(prim.GetPath()))]
@@ -24,9 +24,7 @@ def chosen_camera(stage: Usd.Stage, cameras: list[Usd.Prim], name: str, out: Out
         found = [prim for prim in cameras if prim.GetPath() in targets] or cameras
         if targets and targets[0] not in [prim.GetPath() for prim in found]:
             out.note(f"cameras of render settings that the stage does not have: {targets[0]}")
-    others = [path for path in paths if path != str(found[0].GetPath())] if found else []
-    out.note(f"additional cameras: {listed(others)}", len(others))
-    return found[:1]
+    return found[:1] + [prim for prim in cameras if prim != found[0]]
 
 
 def resolution(stage: Usd.Stage) -> list[int] | None:

@@ -7,7 +7,7 @@ from typing import Any
 
 import mtlx
 import skeletons
-from cameras import camera, chosen_camera, resolution
+from cameras import camera, chosen_first, resolution
 from choice import Choice
 from hidden import HiddenParents
 from layers import note_missing, open_layers
@@ -65,8 +65,10 @@ class Walk:
         """Writes the description."""
         skeletons.bake(self.stage, self.timeline.pose, self.out)
         self.walk(self.stage.GetPseudoRoot(), -1, False)
-        cameras = chosen_camera(self.stage, self.cameras, self.choice.camera, self.out)
+        found = chosen_first(self.stage, self.cameras, self.choice.camera, self.out)
+        cameras = found[:1]
         frames = self.timeline.frames(cameras + [prim for prim, _ in self.lights])
+        self.out.note("animations of additional cameras", sum(self.timeline.is_moving(prim) for prim in found[1:]) if frames else 0)
         first_shift = frames[2] if frames else 0
         for node, prim in self.moving if frames else []:
             self.attempt(prim, lambda: self.timeline.sample_node(node, prim, frames))
@@ -78,6 +80,7 @@ class Walk:
             "shift": first_shift,
             "resolution": resolution(self.stage),
             "cameras": self.described(cameras, lambda prim: self.timeline.over_time(prim, prim, camera, frames)),
+            "other_cameras": self.described(found[1:], lambda prim: self.timeline.over_time(prim, prim, camera, None)),
             "lights": [found for prim, place in self.lights
                        if (found := self.attempt(prim, lambda: self.describe_light(prim, place, frames))) is not None],
             "nodes": self.nodes,

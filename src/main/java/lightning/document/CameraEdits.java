@@ -1,5 +1,10 @@
 package lightning.document;
 
+import lightning.base.text.Quote;
+import java.util.ArrayList;
+import java.util.List;
+import lightning.format.mesh.UniqueNames;
+import lightning.scene.NamedCamera;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
 import lightning.base.text.RefusalException;
@@ -29,6 +34,49 @@ public final class CameraEdits {
         Camera seen = view.camera();
         return EditOutcome
                 .of(() -> scene.withCamera(Camera.FOV.with(scene.camera().withView(seen.from(), seen.to(), seen.up()), seen.fov())));
+    }
+
+    /** Returns the name of the kept camera that the picture is seen from; empty if it is not kept. */
+    public static String keptName(Scene scene) {
+        return scene.cameras().stream().filter(kept -> kept.camera().equals(scene.camera())).map(NamedCamera::name).findFirst().orElse("");
+    }
+
+    /** Returns the scene seen from a kept camera. */
+    public static EditOutcome choose(Scene scene, String name) {
+        return scene.namedCamera(name).<EditOutcome>map(camera -> new EditOutcome.Applied(scene.withCamera(camera)))
+                .orElseGet(() -> new EditOutcome.Refused(Messages.tr("there is no camera {0}", Quote.of(name))));
+    }
+
+    /** Returns the scene with its camera kept under a name, in place of one that has it, or as the last one. */
+    public static EditOutcome keep(Scene scene, String name) {
+        return EditOutcome.of(() -> {
+            List<NamedCamera> cameras = new ArrayList<>(scene.cameras());
+            int old = names(scene).indexOf(name);
+            NamedCamera kept = new NamedCamera(name, scene.camera());
+            if (old < 0) {
+                cameras.add(kept);
+            } else {
+                cameras.set(old, kept);
+            }
+            return scene.withCameras(cameras);
+        });
+    }
+
+    /** Returns a name that no kept camera has. */
+    public static String freeName(Scene scene) {
+        var unique = new UniqueNames();
+        names(scene).forEach(name -> unique.unique(name, ""));
+        return unique.unique("camera", "");
+    }
+
+    /** Returns the scene without a kept camera. Its picture stays. */
+    public static EditOutcome delete(Scene scene, String name) {
+        return EditOutcome.of(() -> scene.withCameras(scene.cameras().stream().filter(kept -> !kept.name().equals(name)).toList()));
+    }
+
+    /** Returns the names of the kept cameras. */
+    public static List<String> names(Scene scene) {
+        return scene.cameras().stream().map(NamedCamera::name).toList();
     }
 
     /**

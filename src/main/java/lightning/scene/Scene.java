@@ -18,11 +18,14 @@ import lightning.scene.node.Shape;
 /**
  * Complete input of a render. Two equal scenes give the same image in every bit.
  *
+ * @param camera camera of the picture
  * @param stage shapes and materials
  * @param rig   lights; no light or light group has the name of a shape or a group, no dome that of any of these, and their total brightness passes {@link OverflowCheck}
+ * @param cameras cameras to choose from, which the picture does not depend on
  */
 @RecordBuilder
-public record Scene(PictureSettings picture, Camera camera, World world, Stage stage, LightRig rig) implements SceneBuilder.With {
+public record Scene(PictureSettings picture, Camera camera, World world, Stage stage, LightRig rig, List<NamedCamera> cameras)
+        implements SceneBuilder.With {
 
     public Scene {
         rig.checkDisjoint(stage.names());
@@ -30,10 +33,16 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
         rig = rig.withEnvironments(world.environmentLights(rig::isNameUsed), world.meters()).withSurfaces(stage.surfaces(rig));
         stage = stage.withBulbs(rig).withFaces(rig);
         OverflowCheck.check(stage, rig);
+        cameras = NamedCamera.check(cameras);
+    }
+
+    /** Creates a scene without named cameras. */
+    public Scene(PictureSettings picture, Camera camera, World world, Stage stage, LightRig rig) {
+        this(picture, camera, world, stage, rig, List.of());
     }
 
     /**
-     * Creates a scene from its parts.
+     * Creates a scene without named cameras from its parts.
      *
      * @param materials as {@link Stage} requires
      * @param nodes     as {@link Stage} requires
@@ -71,6 +80,11 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
         List<Light> all = new ArrayList<>(rig.effectiveLights().subList(0, lights().size()));
         all.addAll(world.approximateLights(this::isNameUsed));
         return all;
+    }
+
+    /** Returns the camera that is kept under a name. */
+    public Optional<Camera> namedCamera(String name) {
+        return cameras.stream().filter(camera -> camera.name().equals(name)).map(NamedCamera::camera).findFirst();
     }
 
     public Optional<Light> light(String name) {
@@ -150,7 +164,7 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
             throw new RefusalException("there is no light " + Quote.of(name));
         }
         return new Scene(picture, camera, world, stage.renameBulbs(name, newName),
-                rig.withLights(lights().stream().map(l -> l.name().equals(name) ? l.withName(newName) : l).toList()));
+                rig.withLights(lights().stream().map(l -> l.name().equals(name) ? l.withName(newName) : l).toList()), cameras);
     }
 
     public Optional<Material> material(String name) {
@@ -210,7 +224,8 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
     /** Returns this scene with another stage; links of lights lose the names of removed shapes and groups. */
     @Override
     public Scene withStage(Stage v) {
-        return new Scene(picture, camera, world, v, v.sharesNames(stage) ? rig : rig.mapLinked(light -> light.retainLinks(v::hasNode)));
+        return new Scene(picture, camera, world, v, v.sharesNames(stage) ? rig : rig.mapLinked(light -> light.retainLinks(v::hasNode)),
+                cameras);
     }
 
     /** Returns the scene without indirect light: itself if it has none. */

@@ -77,6 +77,7 @@ public final class SceneDiff {
             change(attribute, before.world(), after.world()).ifPresent(this::addPart);
         }
         addNamed(before.world().named(), after.world().named(), Dome::name, Dome.ATTRIBUTES, Messages.key("order of domes"));
+        addNamed(before.cameras(), after.cameras(), NamedCamera::name, NamedCamera.ATTRIBUTES, Messages.key("order of cameras"));
         for (SceneAttribute<Camera, ?> attribute : LensAttributes.ALL) {
             change(attribute, before.camera(), after.camera()).ifPresent(this::addPart);
         }

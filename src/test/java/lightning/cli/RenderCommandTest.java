@@ -50,6 +50,16 @@ class RenderCommandTest {
     }
 
     @Test
+    void namedCamera_isThatOfThePicture() throws Exception {
+        Path picture = folder.resolve("a.pfm");
+        Files.writeString(scene, Files.readString(scene) + "camera side { from 8 3 0  to 0 1 0 }\n");
+        CliResult.run("render", scene, "-o", picture, "--camera", "side").assertSuccess();
+        Scene read = JenReader.read(scene).scene();
+        assertThat(ImageFile.read(picture).hasSameBits(new ReferenceTracer(read.withCamera(read.namedCamera("side").orElseThrow())).trace()))
+                .isTrue();
+    }
+
+    @Test
     void sizeAndDepth_overrideScene() throws Exception {
         Path picture = folder.resolve("a.pfm");
         CliResult.run("render", scene, "-o", picture, "--size", "20x30", "--depth", "0").assertSuccess();
@@ -366,6 +376,7 @@ class RenderCommandTest {
         "--size | 0x5 | from 1 to 16384",
         "--size | 99999x5 | from 1 to 16384",
         "--depth | 11 | --depth must be from 0 to 10, was 11",
+        "--camera | side | --camera: the scene has no camera 'side', it has no named ones",
         "--depth | -1 | --depth must be from 0 to 10, was -1",
         "--depth | x | --depth",
         "--threads | 0 | --threads must be from 1 to 1024, was 0",

@@ -6,6 +6,7 @@ import lightning.base.math.Vec3;
 import lightning.sample.StudioScene;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
+import lightning.scene.NamedCamera;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.light.LightType;
@@ -41,6 +42,32 @@ class CameraEditsTest {
         Scene scene = focused(open, new Vec3(1, 2, 5));
         assertThat(scene.camera().lens()).isEqualTo(lens.withFocus(5));
         assertThat(scene.picture()).isEqualTo(open.picture());
+    }
+
+    private static Scene applied(EditOutcome outcome) {
+        return ((EditOutcome.Applied) outcome).scene();
+    }
+
+    @Test
+    void keptCamera_isChosenAgain_andReplacedUnderItsName() {
+        Camera other = SCENE.camera().withView(new Vec3(5, 5, 5), Vec3.ZERO, Vec3.Y);
+        Scene kept = applied(CameraEdits.keep(SCENE, "front"));
+        Scene moved = kept.withCamera(other);
+        assertThat(CameraEdits.keptName(kept)).isEqualTo("front");
+        assertThat(CameraEdits.keptName(moved)).isEmpty();
+        assertThat(applied(CameraEdits.choose(moved, "front"))).isEqualTo(kept);
+        assertThat(applied(CameraEdits.keep(moved, "front")).cameras()).containsExactly(new NamedCamera("front", other));
+        assertThat(applied(CameraEdits.delete(kept, "front"))).isEqualTo(SCENE);
+    }
+
+    @Test
+    void namedCameras_doNotChangeThePicture() {
+        assertThat(applied(CameraEdits.keep(SCENE, "front")).hasSameImage(SCENE)).isTrue();
+    }
+
+    @Test
+    void unknownCamera_isRefused() {
+        assertThat(CameraEdits.choose(SCENE, "front")).isEqualTo(new EditOutcome.Refused("there is no camera 'front'"));
     }
 
     @Test

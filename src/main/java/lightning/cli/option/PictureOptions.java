@@ -1,5 +1,8 @@
 package lightning.cli.option;
 
+import lightning.base.text.Quote;
+import lightning.scene.Camera;
+import lightning.scene.NamedCamera;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -25,6 +28,10 @@ public final class PictureOptions {
     @Option(names = "--size", paramLabel = "WxH", converter = PictureDimensions.Converter.class,
             description = "Image size in pixels (default: the scene's).")
     private @Nullable PictureDimensions size;
+
+    @Option(names = "--camera", paramLabel = "NAME",
+            description = "Named camera of the scene, or of a glTF or USD file (default: the scene's camera).")
+    private @Nullable String camera;
 
     private @Nullable Integer depth;
 
@@ -103,6 +110,12 @@ public final class PictureOptions {
         SamplingSettings sampling = new SamplingSettings(antialias == null ? sceneSampling.antialias() : antialias,
                 samples == null ? sceneSampling.grid() : samples);
         Scene result = scene.withPicture((depth == null ? picture : picture.withDepth(depth)).withSampling(sampling));
-        return ViewEffects.ALL.withHidden(leftOut).apply(result);
+        return ViewEffects.ALL.withHidden(leftOut).apply(camera == null ? result : result.withCamera(camera(scene, camera)));
+    }
+
+    private Camera camera(Scene scene, String name) {
+        List<String> names = scene.cameras().stream().map(NamedCamera::name).toList();
+        return scene.namedCamera(name).orElseThrow(() -> new ParameterException(command.commandLine(), "--camera: the scene has no camera "
+                + Quote.of(name) + ", it has " + (names.isEmpty() ? "no named ones" : Quote.list(names))));
     }
 }

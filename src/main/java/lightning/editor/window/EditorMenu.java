@@ -12,6 +12,7 @@ import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.control.skin.ContextMenuSkin;
 import lightning.base.text.Messages;
+import lightning.document.CameraEdits;
 import lightning.editor.Command;
 import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.command.FileActions;
@@ -152,13 +153,28 @@ final class EditorMenu extends MenuBar {
                 new Menu(Messages.tr("View Options"), null,
                         ViewMenuItems.of(model.viewActions(), items).toArray(MenuItem[]::new)));
         add(view, SEPARATOR, Command.TRACED_FIT, Command.TRACED_ONE_TO_ONE, Command.TRACED_ZOOM_IN, Command.TRACED_ZOOM_OUT, Command.REGION,
-                SEPARATOR, Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z, Command.VIEW_ALL, Command.USE_VIEW, Command.MOVE_CAMERA,
-                SEPARATOR);
+                SEPARATOR, Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z, Command.VIEW_ALL, Command.USE_VIEW, Command.MOVE_CAMERA);
+        view.getItems().addAll(cameras(), new SeparatorMenuItem());
         view.getItems().addAll(PreviewMenuItems.of(model.previewSettings(), items));
         view.getItems().addAll(new SeparatorMenuItem(), canvases(), arrangement());
-        add(view, Command.HIDE_PANELS, Command.FULL_SCREEN, SEPARATOR, Command.LIGHT_THEME);
+        add(view, Command.PREVIEW_INSET, Command.HIDE_PANELS, Command.FULL_SCREEN, SEPARATOR, Command.LIGHT_THEME);
         view.getItems().add(languages());
         return view;
+    }
+
+    /** Returns a menu with the scene's named cameras. */
+    private Menu cameras() {
+        Menu menu = items.menu(Command.CHOOSE_CAMERA);
+        Runnable fill = () -> {
+            List<MenuItem> named = CameraEdits.names(model.editor().scene()).stream().map(name -> items.value(Command.CHOOSE_CAMERA, name,
+                    () -> model.editor().editAndRenderOrReport(scene -> CameraEdits.choose(scene, name), null))).toList();
+            menu.getItems().setAll(named.isEmpty()
+                    ? List.of(CommandMenuItems.placeholder(Command.CHOOSE_CAMERA, Messages.tr("No Named Cameras: World > Camera saves them")))
+                    : named);
+        };
+        menu.setOnShowing(_ -> fill.run());
+        fill.run();
+        return menu;
     }
 
     private Menu arrangement() {

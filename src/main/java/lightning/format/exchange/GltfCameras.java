@@ -1,5 +1,10 @@
 package lightning.format.exchange;
 
+import static java.util.Objects.requireNonNull;
+import java.util.function.UnaryOperator;
+import lightning.scene.Camera;
+import lightning.scene.NamedCamera;
+import lightning.format.mesh.UniqueNames;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -10,11 +15,16 @@ import lightning.format.gltf.GltfNode;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 
-/** Cameras of a glTF file, of which a scene shows one. A camera has the name of its node, or its own if the node has none. */
+/**
+ * Cameras of a glTF file, of which a scene shows one and keeps all, if there are several. A camera has the name of its node, or its own if the
+ * node has none.
+ */
 final class GltfCameras {
     /** Name of each camera, by the index of its node. */
     private final Map<Integer, String> names = new LinkedHashMap<>();
     private final String chosen;
+    /** Cameras that could be placed, by the index of their node. */
+    private final Map<Integer, Camera> placed = new LinkedHashMap<>();
 
     /**
      * Finds all cameras.
@@ -45,9 +55,14 @@ final class GltfCameras {
         return node.camera() >= 0 && (chosen.isEmpty() || chosen.equals(names.get(node.index())));
     }
 
-    /** Notes the names of all cameras but one. */
-    void noteOthers(GltfNode shown, ConversionNotes notes) {
-        List<String> others = names.entrySet().stream().filter(e -> e.getKey() != shown.index()).map(Map.Entry::getValue).toList();
-        notes.add("additional cameras: " + Quote.list(others), others.size());
+    void add(GltfNode node, Camera camera) {
+        placed.put(node.index(), camera);
+    }
+
+    /** Returns all cameras, in the order of the file; none if there is only one. */
+    List<NamedCamera> named(UnaryOperator<Camera> finished) {
+        var unique = new UniqueNames();
+        return placed.size() < 2 ? List.of() : placed.entrySet().stream()
+                .map(e -> new NamedCamera(unique.unique(requireNonNull(names.get(e.getKey())), "camera"), finished.apply(e.getValue()))).toList();
     }
 }

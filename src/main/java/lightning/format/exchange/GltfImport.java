@@ -154,11 +154,14 @@ final class GltfImport {
             importLight(lightNodes.get(i), lightTransforms.get(i), settings);
         }
         spotEdges.addFiles(assembler);
-        assembler.camera = assembler.camera.map(camera -> withTargetAtObjects(camera, assembler.notes));
+        Optional<Camera> shown = assembler.camera;
+        assembler.camera = shown.map(camera -> withExtras(camera, assembler.notes));
+        assembler.cameras = cameras.named(camera -> shown.filter(s -> s == camera).flatMap(_ -> assembler.camera)
+                .orElseGet(() -> withTarget(camera, distanceToObjects(camera))));
         if (shot.isPresent()) {
             double fov = cameraNode.isEmpty() ? 0 : fieldOfView(file.camera(cameraNode.get().camera(), new ConversionNotes()));
             // The camera without animation has the notes already.
-            shot.get().finish(cameraNode, fov, (world, angle) -> withTargetAtObjects(camera(world, angle), new ConversionNotes()));
+            shot.get().finish(cameraNode, fov, (world, angle) -> withExtras(camera(world, angle), new ConversionNotes()));
         }
         assembler.units = assembler.lights.isEmpty() ? Optional.empty() : Optional.of(units);
         List<Material> before = List.copyOf(assembler.materials);
@@ -176,7 +179,7 @@ final class GltfImport {
         Optional<Transform> later = shot.flatMap(s -> s.laterTransform(node));
         Transform local = later.orElse(node.local());
         Transform world = parentTransform.times(local);
-        if (assembler.camera.isEmpty() && cameras.isCandidate(node)) {
+        if (node.camera() >= 0) {
             importCamera(node, world);
         }
         if (node.light() >= 0) {
@@ -263,10 +266,15 @@ final class GltfImport {
             assembler.notes.add("orthographic cameras, imported as perspective");
         }
         try {
-            assembler.camera = Optional.of(camera(world, fieldOfView(gltfCamera)));
-            cameraNode = Optional.of(node);
-            cameras.noteOthers(node, assembler.notes);
-            gltfCamera.aspectRatio().ifPresent(assembler::setAspectRatio);
+            Camera camera = camera(world, fieldOfView(gltfCamera));
+            cameras.add(node, camera);
+            if (assembler.camera.isEmpty() && cameras.isCandidate(node)) {
+                assembler.camera = Optional.of(camera);
+                cameraNode = Optional.of(node);
+                gltfCamera.aspectRatio().ifPresent(assembler::setAspectRatio);
+            } else {
+                assembler.notes.add("animations of additional cameras", shot.filter(s -> s.movesCamera(node)).isPresent() ? 1 : 0);
+            }
         } catch (RefusalException | ArithmeticException e) {
             assembler.notes.add("cameras that cannot be placed");
         }
@@ -286,17 +294,23 @@ final class GltfImport {
     }
 
     /**
-     * Returns the camera with its target as far as the objects, or at the distance that the file gives: a glTF camera has a direction only. New
-     * lights take their size from this distance.
+     * Returns the shown camera with its target as far as the objects, or at the distance that the file gives: a glTF camera has a direction
+     * only. New lights take their size from this distance. Shift and lens are those that the file gives.
      */
-    private Camera withTargetAtObjects(Camera camera, ConversionNotes notes) {
-        Vec3 view = camera.to().minus(camera.from());
-        double radius = assembler.bounds.radius();
-        double distance = extras.cameraDistance().orElseGet(
-                () -> Math.max(assembler.bounds.center().minus(camera.from()).dot(view), MIN_TARGET_DISTANCE * radius));
+    private Camera withExtras(Camera camera, ConversionNotes notes) {
+        Camera aimed = withTarget(camera, extras.cameraDistance().orElseGet(() -> distanceToObjects(camera)));
+        return extras.withLens(aimed.withShift(extras.cameraShift(notes)), notes);
+    }
+
+    private double distanceToObjects(Camera camera) {
+        double along = assembler.bounds.center().minus(camera.from()).dot(camera.to().minus(camera.from()));
+        return Math.max(along, MIN_TARGET_DISTANCE * assembler.bounds.radius());
+    }
+
+    /** Returns the camera with its target at a distance, if it can be there. */
+    private static Camera withTarget(Camera camera, double distance) {
         try {
-            return extras.withLens(camera.withView(camera.from(), camera.from().plus(view.times(distance)), camera.up())
-                    .withShift(extras.cameraShift(notes)), notes);
+            return camera.withView(camera.from(), camera.from().plus(camera.to().minus(camera.from()).times(distance)), camera.up());
         } catch (RefusalException | ArithmeticException e) {
             return camera;
         }

@@ -114,6 +114,11 @@ final class GltfShot {
         }
     }
 
+    /** Returns whether the camera of a node changes. */
+    boolean movesCamera(GltfNode node) {
+        return moves(node) || animation.changesCamera(node.camera());
+    }
+
     /**
      * Adds the keys of moving nodes, lights and the camera to the scene.
      *
@@ -121,7 +126,7 @@ final class GltfShot {
      * @param fieldOfView its vertical field of view without animation, in radians
      */
     void finish(Optional<GltfNode> cameraNode, double fieldOfView, CameraFactory cameras) {
-        Optional<GltfNode> camera = cameraNode.filter(node -> moves(node) || animation.changesCamera(node.camera()));
+        Optional<GltfNode> camera = cameraNode.filter(this::movesCamera);
         long frames = animation.last() - animation.first() + 1L;
         if (frames * (nodes.size() + lights.size() + camera.stream().count()) > MAX_STATES) {
             assembler.notes.add("animation of more than " + MAX_STATES + " positions in all");

@@ -171,7 +171,8 @@ final class StudioBuilder {
                     new Placement(frame.foot(), new Vec3(0, frame.rotation(), 0), new Vec3(unit, unit, unit)), ground.apply(name)));
         }
         World world = World.DEFAULT.withAmbience(0).withBackground(background);
-        return new Scene(picture, camera, world, new Stage(List.copyOf(materials), List.copyOf(nodes)), LightRig.of(lights, List.of()));
+        return new Scene(picture, camera, world, new Stage(List.copyOf(materials), List.copyOf(nodes)), LightRig.of(lights, List.of()),
+                scene.cameras());
     }
 
     /** Returns floor and wall with a quarter round between them, as flat strips. */

@@ -2,6 +2,7 @@ package lightning.format.jen;
 
 import static java.util.Objects.requireNonNull;
 
+import lightning.scene.NamedCamera;
 import java.util.List;
 import java.util.Map;
 import lightning.scene.Dome;
@@ -40,6 +41,10 @@ record BlockContent(BlockType<?> type, String name, Map<String, Value> values, L
 
     static BlockContent of(LightGroup b) {
         return of(BlockTypes.LIGHT_GROUP, b).withName(b.name());
+    }
+
+    static BlockContent of(NamedCamera c) {
+        return of(BlockTypes.NAMED_CAMERA, c).withName(c.name());
     }
 
     static BlockContent of(Dome d) {

@@ -2,14 +2,13 @@ package lightning.format.jen;
 
 import static java.util.Objects.requireNonNull;
 
+import lightning.scene.NamedCamera;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.format.jen.asset.FileName;
-import lightning.format.jen.asset.MeshFolder;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
 import lightning.scene.Dome;
@@ -70,6 +69,11 @@ final class BlockTypes {
     static final BlockType<Camera> CAMERA = new BlockType<>("camera", false, Optional.empty(), Property.of(Camera.ATTRIBUTES),
             (name, v, children) -> v.applyAll(Camera.DEFAULT.withView(v.vector("from"), v.vector("to"), v.vector("up")), Camera.OPTICS));
 
+    /** Camera that is kept under a name. */
+    static final BlockType<NamedCamera> NAMED_CAMERA = new BlockType<>(CAMERA.keyword(), true, Optional.empty(),
+            CAMERA.properties().stream().map(p -> p.<NamedCamera>adapt(NamedCamera::camera)).toList(),
+            (name, v, children) -> new NamedCamera(name, CAMERA.builder().build("", v, children)));
+
     static final BlockType<World> WORLD = new BlockType<>("world", false, Optional.empty(), Property.of(World.ATTRIBUTES),
             (name, v, children) -> v.applyAll(World.DEFAULT, World.ATTRIBUTES));
 
@@ -79,7 +83,8 @@ final class BlockTypes {
             (name, v, children) -> v.applyAll(Material.of(name), MaterialAttribute.ALL));
 
     private static final BlockType<Shape> MESH = shape("mesh", List.of(
-            Property.quoted(FILE, "a PLY, OBJ, NFF or glTF file", v -> FileName.check(FILE, ((Value.Quoted) v).file(), MeshFolder.NAME),
+            // A mesh keeps the name of its file even if no file can have it.
+            Property.quoted(FILE, "a PLY, OBJ, NFF or glTF file", v -> {},
                     s -> new Value.Quoted(((Solid.TriangleMesh) s.solid()).file())),
             Property.name(PART, new Value.Absent(), "a part of the file; all of it where none is named", BlockTypes::part),
             Property.choice(COLORS, new Value.Word("yes"), List.of("yes", "no"),

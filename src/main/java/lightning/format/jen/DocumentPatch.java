@@ -101,6 +101,8 @@ final class DocumentPatch {
             added.addAll(
                     patchList(edits, ofKinds(blocks, BlockTypes.NODE_KEYWORDS), edited.nodes().stream().map(BlockContent::of).toList()));
         }
+        added.addAll(patchList(edits, blocks.stream().filter(block -> block.type == BlockTypes.NAMED_CAMERA).toList(),
+                edited.cameras().stream().map(BlockContent::of).toList()));
         added.addAll(patchList(edits, ofKinds(blocks, List.of(BlockTypes.DOME.keyword())),
                 edited.world().named().stream().map(BlockContent::of).toList()));
         added.addAll(patchList(edits, ofKinds(blocks, List.of(BlockTypes.LIGHT_GROUP.keyword())),
@@ -123,7 +125,7 @@ final class DocumentPatch {
     }
 
     private void patchSingle(TextEdits edits, List<Block> blocks, BlockContent target) {
-        List<Block> old = ofKinds(blocks, List.of(target.type().keyword()));
+        List<Block> old = blocks.stream().filter(block -> block.type == target.type()).toList();
         if (!old.isEmpty()) {
             new BlockPatch(source, tokens, edits, leftOut).apply(old.getFirst(), target);
         } else if (!target.isInitial()) {

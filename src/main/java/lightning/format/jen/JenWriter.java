@@ -22,6 +22,7 @@ public final class JenWriter {
         header.removeIf(BlockContent::isInitial);
         var out = new StringBuilder("jen 1\n");
         section(out, header);
+        section(out, scene.cameras().stream().map(BlockContent::of).toList());
         section(out, scene.world().named().stream().map(BlockContent::of).toList());
         section(out, scene.materials().stream().map(BlockContent::of).toList());
         section(out, scene.nodes().stream().map(BlockContent::of).toList());

@@ -100,7 +100,7 @@ final class Parser {
             position++;
             skipToBlock();
         } else {
-            blocks.add(parseBlock(type, 0));
+            blocks.add(parseBlock(type == BlockTypes.CAMERA && tokens.isName(position + 1) ? BlockTypes.NAMED_CAMERA : type, 0));
         }
     }
 

@@ -2,6 +2,7 @@ package lightning.format.jen;
 
 import static java.util.Objects.requireNonNull;
 
+import lightning.scene.NamedCamera;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
@@ -97,6 +98,7 @@ final class SceneBuilder {
         List<Block> otherBlocks = blocks.stream().filter(b -> !BlockTypes.NODE_KEYWORDS.contains(b.type.keyword())).toList();
         Optional<PictureSettings> picture = single(otherBlocks, BlockTypes.PICTURE);
         Optional<Camera> camera = single(otherBlocks, BlockTypes.CAMERA);
+        List<NamedCamera> cameras = cameras(blocksOfType(otherBlocks, BlockTypes.NAMED_CAMERA));
         Optional<World> world = single(otherBlocks, BlockTypes.WORLD);
         single(otherBlocks, BlockTypes.SHOT);
         List<Material> materials = materials(blocksOfType(otherBlocks, BlockTypes.MATERIAL));
@@ -116,7 +118,7 @@ final class SceneBuilder {
             lights.forEach(light -> checkPlace(light, stage, groups));
         }
         return problems.isEmpty() ? Optional.of(new Scene(picture.orElse(PictureSettings.DEFAULT), camera.orElse(Camera.DEFAULT),
-                world.orElse(World.DEFAULT).withNamed(domes), stage, rig)) : Optional.empty();
+                world.orElse(World.DEFAULT).withNamed(domes), stage, rig, cameras)) : Optional.empty();
     }
 
     private static List<Block> blocksOfType(List<Block> blocks, BlockType<?> type) {
@@ -127,6 +129,17 @@ final class SceneBuilder {
         List<Block> matching = blocksOfType(blocks, type);
         matching.stream().skip(1).forEach(b -> problem(b, b.title() + " must be written once, found it again"));
         return matching.isEmpty() ? Optional.empty() : buildRecord(matching.getFirst(), type, List.of());
+    }
+
+    private List<NamedCamera> cameras(List<Block> blocks) {
+        List<NamedCamera> cameras = new ArrayList<>();
+        Map<String, Block> blocksByCamera = new HashMap<>();
+        for (Block block : blocks) {
+            checkUnique(blocksByCamera, block);
+            buildRecord(block, BlockTypes.NAMED_CAMERA, List.of()).ifPresent(cameras::add);
+        }
+        checkCount(blocks, SceneLimits.MAX_CAMERAS, "named cameras");
+        return cameras;
     }
 
     private List<Material> materials(List<Block> blocks) {

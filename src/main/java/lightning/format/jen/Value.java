@@ -39,7 +39,7 @@ sealed interface Value {
     record Quoted(String file) implements Value {
         @Override
         public String text() {
-            return '"' + file + '"';
+            return NameSyntax.quote(file);
         }
     }
 

@@ -32,6 +32,7 @@ public final class SceneLimits {
     public static final int MAX_LIGHTS = 1000;
     public static final int MAX_LIGHT_GROUPS = 1000;
     public static final int MAX_DOMES = 16;
+    public static final int MAX_CAMERAS = 1000;
     /** Number of shapes and groups in one link of a light. */
     public static final int MAX_LINKS = 1000;
     public static final int MAX_SHAPES = 1_000_000;

@@ -211,19 +211,19 @@ class DockedPanelsTest extends EditorFixture {
     }
 
     @Test
-    void controlF6_visitsEveryPart() {
+    void nextPanel_visitsEveryPart() {
         run(Command.MIXER);
         run(Command.HISTORY_PANEL);
         robot.interact(() -> preview().requestFocus());
         List<String> visited = new ArrayList<>();
         for (int i = 0; i < 5; i++) {
-            robot.push(KeyCode.CONTROL, KeyCode.F6);
+            robot.push(KeyCode.CONTROL, KeyCode.ALT, KeyCode.P);
             FastRobot.settle();
             visited.add(Stream.of("lists", "side", "dock-left", "dock-below", "preview").filter(id -> isIn(focusOwner(), id)).findFirst()
                     .orElse("none"));
         }
         assertThat(visited).containsExactly("lists", "side", "dock-left", "dock-below", "preview");
-        robot.push(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.F6);
+        robot.push(KeyCode.CONTROL, KeyCode.ALT, KeyCode.SHIFT, KeyCode.P);
         assertThat(isIn(focusOwner(), "dock-below")).isTrue();
     }
 

@@ -3,6 +3,8 @@ package lightning.format.exchange;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import lightning.scene.Scene;
+import lightning.scene.NamedCamera;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.OptionalDouble;
@@ -42,8 +44,11 @@ class GltfCamerasTest {
     }
 
     @Test
-    void otherCameras_areNoted() throws Exception {
-        assertThat(read(ImportOptions.DEFAULT.withCamera("side")).notes()).containsEntry("additional cameras: 'front', 'lens'", 2);
+    void allCameras_areKeptUnderTheirNames() throws Exception {
+        Scene scene = read(ImportOptions.DEFAULT.withCamera("side")).scene();
+        assertThat(scene.cameras()).extracting(NamedCamera::name).containsExactly("front", "side", "lens");
+        assertThat(scene.cameras().get(1).camera()).isEqualTo(scene.camera());
+        assertThat(scene.cameras().get(2).camera().from()).isEqualTo(new Vec3(0, 7, 0));
     }
 
     @Test

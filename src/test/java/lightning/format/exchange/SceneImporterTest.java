@@ -132,7 +132,7 @@ class SceneImporterTest {
     void cameraExtras_areNoted() throws Exception {
         String rich = SCENE.replace("{'yfov': 1}", "{'yfov': 1, 'aspectRatio': 1.5, 'znear': 0.1, 'zfar': 100}");
         assertThat(read(Files.write(from.resolve("a.glb"), GltfFixtures.binary(rich, GltfFixtures.SQUARE))).notes())
-                .containsEntry("znear of cameras", 1).containsEntry("zfar of cameras", 1);
+                .containsEntry("clipping distances of cameras (znear)", 1).containsEntry("clipping distances of cameras (zfar)", 1);
     }
 
     @ParameterizedTest

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.data.Offset.offset;
 
+import lightning.scene.NamedCamera;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -136,8 +137,11 @@ class UsdChoiceTest {
     }
 
     @Test
-    void otherCameras_areNoted() throws Exception {
-        assertThat(imported("", CAMERAS, PLAIN).notes()).containsEntry("additional cameras: '/a/side', '/a/top', '/b/top'", 3);
+    void allCameras_areKeptUnderTheirNames() throws Exception {
+        Scene scene = imported("", CAMERAS, PLAIN).scene();
+        assertThat(scene.cameras()).extracting(NamedCamera::name).containsExactly("front", "side", "top", "top 2");
+        assertThat(scene.cameras().getFirst().camera()).isEqualTo(scene.camera());
+        assertThat(scene.cameras().getLast().camera().from()).isEqualTo(new Vec3(0, 6, 0));
     }
 
     @Test

@@ -54,6 +54,13 @@ class LeftOutFilesTest {
         assertThat(edited.withScene(document.scene()).text()).isEqualTo(MISSING);
     }
 
+    /** A mesh whose file no scene can have stays in the scene, so an editor must be able to write it. */
+    @Test
+    void meshWithImpossibleFile_isWrittenAgain() throws Exception {
+        Scene scene = read("jen 1 mesh m { file \"C:\\\\chair.obj\" }").scene();
+        assertThat(read(JenWriter.write(scene)).scene()).isEqualTo(scene);
+    }
+
     private static Scene withDiffuse(Scene scene, Rgb diffuse) {
         Material material = scene.materials().getFirst().withDiffuse(diffuse);
         return scene.withMaterials(List.of(material, scene.materials().getLast()));

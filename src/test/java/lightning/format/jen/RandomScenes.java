@@ -12,6 +12,7 @@ import lightning.scene.Camera;
 import lightning.scene.Dome;
 import lightning.scene.IndirectSettings;
 import lightning.scene.PictureSettings;
+import lightning.scene.NamedCamera;
 import lightning.scene.Scene;
 import lightning.scene.ViewCurve;
 import lightning.scene.ViewSettings;
@@ -74,7 +75,11 @@ final class RandomScenes {
         List<SceneNode> nodes = list(4, () -> node(materials, 0));
         List<Light> lights = list(5, this::light);
         Scene scene = new Scene(picture(), camera(), world(), materials, nodes, lights);
-        return withLightGroups(scene.withRig(LightRig.of(lights, list(2, () -> lightGroup(name())))));
+        return withLightGroups(scene.withRig(LightRig.of(lights, list(2, () -> lightGroup(name())))).withCameras(cameras()));
+    }
+
+    private List<NamedCamera> cameras() {
+        return list(2, () -> new NamedCamera(name(), camera()));
     }
 
     /** Returns the scene after a few random edits: values, names, order, additions, deletions. */
@@ -84,9 +89,10 @@ final class RandomScenes {
         scene.lights().forEach(l -> names.add(l.name()));
         scene.rig().lightGroups().forEach(b -> names.add(b.name()));
         scene.world().named().forEach(d -> names.add(d.name()));
+        scene.cameras().forEach(c -> names.add(c.name()));
         Scene s = scene;
         for (int i = random.nextInt(4); i >= 0; i--) {
-            s = switch (random.nextInt(8)) {
+            s = switch (random.nextInt(9)) {
                 case 0 -> s.withPicture(switch (random.nextInt(3)) {
                     case 0 -> picture();
                     case 1 -> s.picture().withIndirect(indirect()).withDepth(random.nextInt(11));
@@ -98,6 +104,8 @@ final class RandomScenes {
                 case 4 -> s.withMaterials(editedMaterials(s));
                 case 5 -> withLightGroups(s);
                 case 6 -> s.withRig(withEditedGroup(s.rig()));
+                case 7 -> s.withCameras(changed(s.cameras(), () -> new NamedCamera(name(), camera()),
+                        c -> new NamedCamera(c.name(), camera())));
                 default -> s.withLights(changed(s.lights(), this::light, this::light));
             };
         }

@@ -106,7 +106,7 @@ public final class EditorModel implements AutoCloseable {
         commands.setToggle(Command.LIVE, editor.liveProperty());
         commands.setToggle(Command.KEEP_PICTURES, keepsPictures);
         commands.setToggle(Command.HIDE_PANELS, layout.panelsHiddenProperty());
-        layout.registerPresets(commands);
+        layout.register(commands);
         commands.setToggle(Command.TIMELINE, layout.timelineShownProperty());
         commands.setToggle(Command.FILM_STRIP, layout.filmStripShownProperty(), () -> {
             var shown = layout.filmStripShownProperty();

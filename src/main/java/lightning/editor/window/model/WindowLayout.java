@@ -21,6 +21,7 @@ public final class WindowLayout {
     private static final CanvasLayout INITIAL_CANVASES = CanvasLayout.PICTURE_LARGE;
 
     private final ObjectProperty<CanvasLayout> canvasLayout = new SimpleObjectProperty<>(INITIAL_CANVASES);
+    private final ObjectProperty<InsetPlace> insetPlace = new SimpleObjectProperty<>(InsetPlace.INITIAL);
     private final BooleanProperty panelsHidden = new SimpleBooleanProperty();
 
     private final BooleanProperty welcomeAtStart = new SimpleBooleanProperty(true);
@@ -72,8 +73,10 @@ public final class WindowLayout {
         });
     }
 
-    /** Makes the commands apply their presets. */
-    void registerPresets(CommandRegistry commands) {
+    /** Makes the commands show the inset and apply their presets. */
+    void register(CommandRegistry commands) {
+        commands.setToggle(Command.PREVIEW_INSET, canvasLayout.map(CanvasLayout::hasInset), () -> canvasLayout
+                .set(canvasLayout.get().hasInset() ? CanvasLayout.PICTURE_ALONE : CanvasLayout.PICTURE_LARGE));
         for (ArrangementPreset preset : ArrangementPreset.values()) {
             commands.setAction(preset.command(), () -> preset.apply(this));
         }
@@ -91,6 +94,11 @@ public final class WindowLayout {
 
     public ObjectProperty<CanvasLayout> canvasLayoutProperty() {
         return canvasLayout;
+    }
+
+    /** Place of the preview when it is an inset. */
+    public ObjectProperty<InsetPlace> insetPlaceProperty() {
+        return insetPlace;
     }
 
     /** True if lists, properties and the tool bar are hidden. */
@@ -126,6 +134,8 @@ public final class WindowLayout {
     /** Restores the arrangement. Panels are always shown at startup; the timeline is if the document has a shot. */
     public void restore(Preferences preferences) {
         canvasLayout.set(preferences.enumValue("arrangement", INITIAL_CANVASES));
+        insetPlace.set(new InsetPlace(preferences.enumValue("inset.corner", InsetPlace.INITIAL.corner()),
+                preferences.number("inset.size", InsetPlace.MIN_SIZE, 1, InsetPlace.INITIAL.size())));
         welcomeAtStart.set(!preferences.hasValue("welcome", "false"));
         dockSizes.forEach((dock, size) -> size.set(preferences.number("dock." + dock.name(), 0, MAX_DOCK_SIZE, 0)));
         PanelArrangement stored = PanelArrangement.parse(preferences.text("panels", ""));
@@ -135,6 +145,8 @@ public final class WindowLayout {
     /** Stores the arrangement. */
     public void save(Preferences preferences) {
         preferences.set("arrangement", canvasLayout.get().name());
+        preferences.set("inset.corner", insetPlace.get().corner().name());
+        preferences.set("inset.size", insetPlace.get().size());
         preferences.set("welcome", welcomeAtStart.get());
         dockSizes.forEach((dock, size) -> preferences.set("dock." + dock.name(), size.get()));
         preferences.set("panels", panels.get().format());

@@ -88,7 +88,7 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         editor.editorStateProperty().subscribe(update);
         settings.cameraProperty().subscribe(update);
         settings.shadowsProperty().subscribe(update);
-        StackPane.setAlignment(caption, Pos.BOTTOM_LEFT);
+        StackPane.setAlignment(caption, Pos.BOTTOM_CENTER);
         return caption;
     }
 

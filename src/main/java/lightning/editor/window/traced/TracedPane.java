@@ -31,6 +31,7 @@ import lightning.editor.window.model.StatusText;
 import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.model.TracedRaster;
 import lightning.editor.window.model.ViewActions;
+import lightning.editor.window.model.WindowLayout;
 import lightning.editor.window.widget.DelayedMessage;
 import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.PaneHeader;
@@ -53,19 +54,13 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     /** Empty report with its two lines, so that the picture keeps its size. */
     private static final String NO_PIXEL = " \n ";
 
-    /** Width of the inset as a share of the pane's. */
-    private static final double INSET_SHARE = 0.3;
-    /** Largest share of the picture that the inset covers. */
-    private static final double MAX_COVERED = 0.2;
-    /** Width in which an inset beside the picture is large enough, pixels. */
-    private static final double ENOUGH_BESIDE = 140;
-
     /** Gap between the progress and the card above it, pixels. */
     private static final double CARD_GAP = 4;
 
     private final StackPane stage = new StackPane();
     /** Pane in the corner of the picture; null if there is none. */
-    private @Nullable Region inset;
+    private @Nullable PictureInset inset;
+    private final WindowLayout layout;
     private final SceneEditor editor;
     private final TracedPicture traced;
     private final CommandRegistry commands;
@@ -118,7 +113,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         pendingBadge = new Badge("pending", scheduler);
         mirrorsBadge = new Badge("mirrors", scheduler);
         lookBadge = new Badge("look", scheduler);
-        model.layout().setPictureArea(picture::area);
+        layout = model.layout();
+        layout.setPictureArea(picture::area);
         setId("traced");
         getStyleClass().add("canvas-pane");
         mouse = new TracedMouse(model, picture, this::showPixel);
@@ -203,36 +199,17 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         picture.showNote("");
     }
 
-    /**
-     * Shows a pane in the picture's upper right corner, at the picture's aspect ratio; beside the picture where there is room.
-     *
-     * @param pane pane of the preview
-     */
+    /** Shows a pane as an inset of the picture, or none. */
     public void setInset(@Nullable Region pane) {
         if (inset != null) {
-            inset.maxWidthProperty().unbind();
-            inset.maxHeightProperty().unbind();
-            inset.setMaxSize(Region.USE_COMPUTED_SIZE, Region.USE_COMPUTED_SIZE);
             stage.getChildren().remove(inset);
+            inset = null;
         }
-        inset = pane;
         if (pane != null) {
-            var aspect = Bindings.createDoubleBinding(() -> aspect(editor.scene().picture()), editor.sceneProperty());
-            var width = Bindings.createDoubleBinding(() -> insetWidth(stage.getWidth(), stage.getHeight(), aspect.get()),
-                    stage.widthProperty(), stage.heightProperty(), aspect);
-            pane.maxWidthProperty().bind(width);
-            pane.maxHeightProperty().bind(width.divide(aspect));
-            StackPane.setAlignment(pane, Pos.TOP_RIGHT);
-            stage.getChildren().add(stage.getChildren().indexOf(lookBadge), pane);
+            inset = new PictureInset(pane, stage, editor.sceneProperty().map(scene -> aspect(scene.picture())), layout.insetPlaceProperty(),
+                    commands);
+            stage.getChildren().add(stage.getChildren().indexOf(mouse.overlay()) + 1, inset);
         }
-    }
-
-    /** Returns the width of an inset for a pane of some size, with a picture of some ratio of width and height in its middle. */
-    static double insetWidth(double width, double height, double aspect) {
-        double shown = Math.min(width, height * aspect);
-        double beside = (width - shown) / 2;
-        double largest = Math.min(INSET_SHARE * width, Math.sqrt(MAX_COVERED) * shown);
-        return beside >= ENOUGH_BESIDE ? Math.min(largest, beside) : largest;
     }
 
     private static double aspect(PictureSettings picture) {

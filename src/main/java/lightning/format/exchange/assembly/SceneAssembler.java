@@ -1,5 +1,6 @@
 package lightning.format.exchange.assembly;
 
+import lightning.scene.NamedCamera;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
@@ -70,6 +71,8 @@ public final class SceneAssembler {
     public final Set<String> rawGlows = new HashSet<>();
     public final Bounds bounds = new Bounds();
     public Optional<Camera> camera = Optional.empty();
+    /** All cameras of the file, if it has several. */
+    public List<NamedCamera> cameras = List.of();
     public PictureSettings picture = new PictureSettings(800, 600, PictureSettings.DEPTH.initial());
     public World world = World.DEFAULT;
     /** Assumed units of the lights' numbers, if the file does not define them. */
@@ -259,8 +262,10 @@ public final class SceneAssembler {
                 lights.add(defaultLight(view));
             }
             Stage stage = new Stage(List.copyOf(materials), List.copyOf(nodes));
+            notes.add("named cameras above the limit", Math.max(0, cameras.size() - SceneLimits.MAX_CAMERAS));
             Scene scene = new FileRenaming(images.fit()).applyTo(new Scene(picture, view, world, stage,
-                    LightRig.of(lights.stream().map(light -> withValidLinks(light, stage)).toList(), lightGroups)));
+                    LightRig.of(lights.stream().map(light -> withValidLinks(light, stage)).toList(), lightGroups),
+                    cameras.subList(0, Math.min(cameras.size(), SceneLimits.MAX_CAMERAS))));
             return new ImportedScene(scene, shot.map(s -> withValidTracks(s, scene)), Set.copyOf(restoredLights), Set.copyOf(rawGlows),
                     units,
                     List.copyOf(comments), sceneFile,

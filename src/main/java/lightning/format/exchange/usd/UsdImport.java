@@ -2,6 +2,8 @@ package lightning.format.exchange.usd;
 
 import static java.util.Objects.requireNonNull;
 
+import lightning.scene.NamedCamera;
+import lightning.format.mesh.UniqueNames;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -92,6 +94,7 @@ public final class UsdImport {
         JsonValue cameras = root.get("cameras");
         if (cameras.size() > 0) {
             importCamera(cameras.element(0));
+            importOtherCameras(cameras.element(0), root.get("other_cameras"));
         }
         importResolution();
         if (hasShot()) {
@@ -220,6 +223,27 @@ public final class UsdImport {
         } catch (RefusalException | ArithmeticException e) {
             assembler.notes.add("cameras that cannot be placed");
         }
+    }
+
+    /** Keeps all cameras under their names if there are several. Exposures of the others are those of the shown one, as there is one picture. */
+    private void importOtherCameras(JsonValue shown, JsonValue others) throws MeshException {
+        var unique = new UniqueNames();
+        List<NamedCamera> named = new ArrayList<>();
+        if (assembler.camera.isPresent()) {
+            named.add(new NamedCamera(unique.unique(shown.get("name").text().orElse(""), "camera"), assembler.camera.get()));
+        }
+        for (int i = 0; i < others.size(); i++) {
+            JsonValue in = others.element(i);
+            boolean isShifted = LensShift.isValid(shift(in, "offset_x", "width"), shift(in, "offset_y", "height"));
+            assembler.notes.add(SceneExtras.INVALID_SHIFT, isShifted ? 0 : 1);
+            assembler.notes.add("exposures of additional cameras", in.get("exposure").number(0) == shown.get("exposure").number(0) ? 0 : 1);
+            try {
+                named.add(new NamedCamera(unique.unique(in.get("name").text().orElse(""), "camera"), camera(in, isShifted)));
+            } catch (RefusalException | ArithmeticException e) {
+                assembler.notes.add("cameras that cannot be placed");
+            }
+        }
+        assembler.cameras = named.size() < 2 ? List.of() : List.copyOf(named);
     }
 
     /** Sets the size of the picture by the render settings of the stage. */

@@ -27,7 +27,7 @@ class ContributionPaneTest extends EditorFixture {
         robot.interact(() -> model().editor().edit(s -> LightEdits.add(s, addedLight)));
         robot.interact(() -> model().commands().run(Command.GO));
         waitForPicture();
-        robot.push(KeyCode.CONTROL, KeyCode.F9);
+        robot.push(KeyCode.SHIFT, KeyCode.F5);
         waitFor("the contributions are shown", () -> text("contribution-summary").contains("displayed pixel")
                 || text("contribution-summary").startsWith("Every"));
         return model().editor().scene();

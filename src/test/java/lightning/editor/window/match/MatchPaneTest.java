@@ -35,7 +35,7 @@ class MatchPaneTest extends EditorFixture {
     private Path folder;
 
     private MatchPane open() {
-        robot.push(KeyCode.CONTROL, KeyCode.F7);
+        robot.push(KeyCode.SHIFT, KeyCode.F6);
         waitFor("the panel is open", () -> robot.lookup("#match").tryQuery().isPresent());
         // Tests of a class share their editor.
         if (robot.lookup("#match-close").<Button>query().isVisible()) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Optional;
 import javafx.scene.Node;
+import javafx.scene.control.Button;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
@@ -61,6 +62,22 @@ class WorldPaneTest extends EditorFixture {
         waitFor("the world is shown", () -> robot.lookup("#side").tryQuery().isEmpty());
         click("shapes-tab");
         assertThat(robot.lookup("#side").tryQuery()).isPresent();
+    }
+
+    @Test
+    void camera_isSavedChosenAndDeleted() {
+        robot.interact(() -> robot.lookup("#camera-name").<TextField>query().setText("front"));
+        robot.interact(() -> robot.lookup("#save-camera").<Button>query().fire());
+        Scene saved = scene();
+        assertThat(saved.namedCamera("front")).contains(saved.camera());
+        type("camera-fov", "20");
+        ComboBox<String> list = robot.lookup("#cameras").query();
+        assertThat(list.getValue()).isNull();
+        robot.interact(() -> list.setValue("front"));
+        assertThat(scene()).isEqualTo(saved);
+        robot.interact(() -> robot.lookup("#delete-camera").<Button>query().fire());
+        assertThat(scene().cameras()).isEmpty();
+        assertThat(scene().camera()).isEqualTo(saved.camera());
     }
 
     @Test

@@ -8,6 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
+import javafx.event.Event;
+import javafx.event.EventType;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.Node;
@@ -19,6 +21,7 @@ import javafx.scene.control.Slider;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.HBox;
 import lightning.base.math.Vec3;
 import lightning.document.AttributeNumber;
@@ -30,6 +33,7 @@ import lightning.editor.window.FastRobot;
 import lightning.editor.window.OwnEditor;
 import lightning.editor.window.ScreenBounds;
 import lightning.editor.window.model.AccuracyMode;
+import lightning.editor.window.model.InsetPlace;
 import lightning.editor.window.model.WindowLayout.CanvasLayout;
 import lightning.editor.window.widget.PictureView;
 import lightning.editor.window.widget.TextTyping;
@@ -496,9 +500,56 @@ class TracedPaneTest extends EditorFixture {
 
     @Test
     void inset_isBesideTheSquarePicture_andNeverCoversMoreThanAFifth() {
-        assertThat(TracedPane.insetWidth(1000, 570, 1)).as("beside").isEqualTo(215);
-        assertThat(TracedPane.insetWidth(1000, 570, 4 / 3.0)).as("no room beside").isEqualTo(300);
-        double alone = TracedPane.insetWidth(500, 900, 1);
+        assertThat(PictureInset.largestWidth(1000, 570, 1)).as("beside").isEqualTo(215);
+        assertThat(PictureInset.largestWidth(1000, 570, 4 / 3.0)).as("no room beside").isEqualTo(300);
+        double alone = PictureInset.largestWidth(500, 900, 1);
         assertThat(alone * alone).isLessThanOrEqualTo(0.2 * 500 * 500);
+    }
+
+    /** Drags a handle of the inset to a place, in shares of the pane. */
+    private void drag(String handle, double x, double y) {
+        robot.interact(() -> model().layout().canvasLayoutProperty().set(CanvasLayout.PICTURE_LARGE));
+        FastRobot.settle();
+        Node at = robot.lookup("#" + handle).query();
+        Node area = robot.lookup("#traced-picture").query().getParent();
+        robot.interact(() -> {
+            // Not by the robot, because the headless platform sends drags to the node under the mouse.
+            send(at, MouseEvent.MOUSE_PRESSED, at.localToScene(0, 0));
+            Point2D to = area.localToScene(x * area.getLayoutBounds().getWidth(), y * area.getLayoutBounds().getHeight());
+            send(at, MouseEvent.MOUSE_DRAGGED, to);
+            send(at, MouseEvent.MOUSE_RELEASED, to);
+        });
+    }
+
+    private static void send(Node node, EventType<MouseEvent> type, Point2D at) {
+        Event.fireEvent(node, new MouseEvent(type, at.getX(), at.getY(), 0, 0, MouseButton.PRIMARY, 1, false, false, false, false, true,
+                false, false, false, false, true, null));
+    }
+
+    @Test
+    void dragOfHandle_movesInsetToNearestCorner() {
+        robot.interact(() -> model().layout().insetPlaceProperty().set(InsetPlace.INITIAL));
+        drag("inset-move", 0.2, 0.9);
+        assertThat(model().layout().insetPlaceProperty().get()).isEqualTo(new InsetPlace(InsetPlace.Corner.BOTTOM_LEFT, 1));
+        drag("inset-move", 0.6, 0.1);
+        assertThat(model().layout().insetPlaceProperty().get()).isEqualTo(InsetPlace.INITIAL);
+    }
+
+    @Test
+    void dragOfInnerCorner_makesInsetSmaller() {
+        robot.interact(() -> model().layout().insetPlaceProperty().set(InsetPlace.INITIAL));
+        drag("inset-size", 0.9, 0.1);
+        assertThat(model().layout().insetPlaceProperty().get().corner()).isEqualTo(InsetPlace.Corner.TOP_RIGHT);
+        assertThat(model().layout().insetPlaceProperty().get().size()).isLessThan(0.9);
+        robot.interact(() -> model().layout().insetPlaceProperty().set(InsetPlace.INITIAL));
+    }
+
+    @Test
+    void oneKey_hidesInsetAndShowsItAgain() {
+        robot.interact(() -> model().layout().canvasLayoutProperty().set(CanvasLayout.PICTURE_LARGE));
+        robot.push(KeyCode.F12);
+        assertThat(model().layout().canvasLayoutProperty().get()).isEqualTo(CanvasLayout.PICTURE_ALONE);
+        robot.push(KeyCode.F12);
+        assertThat(model().layout().canvasLayoutProperty().get()).isEqualTo(CanvasLayout.PICTURE_LARGE);
     }
 }
