@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import lightning.base.math.Rgb;
 import lightning.scene.Contribution;
 import lightning.scene.FaderValues;
 import lightning.scene.Scene;
@@ -110,6 +111,12 @@ public sealed interface MixerChannel {
     /** Returns a light's color temperature in kelvin; empty for other channels. */
     default Optional<Double> temperature(Scene scene) {
         return lightName().map(name -> LightEdits.light(scene, name).emission().temperature());
+    }
+
+    /** Returns the color that stands for the channel: of a light with the hue of its temperature; empty for environments. */
+    default Optional<Rgb> shownColor(Scene scene) {
+        return lightName().map(name -> LightEdits.light(scene, name)).map(light -> light.emission().tinted(light.color()))
+                .or(() -> values(scene).color());
     }
 
     /** Returns the scene with another color temperature of a light; unchanged for other channels. Throws as {@link #with}. */

@@ -92,6 +92,13 @@ public final class ReviewPage {
         Rgb color = light.color();
         to.put("group", light.lightGroup()).put("intensity", light.intensity());
         to.putArray("color").add(color.r()).add(color.g()).add(color.b());
+        putWhite(light, to);
+    }
+
+    /** Adds the color of the light if its own color is white: that of its temperature. */
+    public static void putWhite(Light light, ObjectNode to) {
+        Rgb white = light.emission().tinted(Rgb.WHITE);
+        to.putArray("white").add(white.r()).add(white.g()).add(white.b());
     }
 
     /** Returns a page that asks its server for a picture, and follows it ({@code live/}). */

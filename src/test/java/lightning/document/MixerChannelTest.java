@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import lightning.base.math.Rgb;
 import lightning.scene.Dome;
 import lightning.scene.Scene;
 import lightning.scene.SceneElement;
@@ -12,6 +13,7 @@ import lightning.scene.World;
 import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
 import lightning.scene.light.Light;
+import lightning.scene.light.LightAttribute;
 import lightning.scene.light.LightType;
 import org.junit.jupiter.api.Test;
 
@@ -53,6 +55,16 @@ class MixerChannelTest {
     @Test
     void intensityOfADarkEnvironment_leavesItsGain() {
         assertThat(ENVIRONMENT.with(scene(0, 0.5), v -> v.withIntensity(3)).world()).isEqualTo(scene(3, 0.5).world());
+    }
+
+    /** As in the light list. */
+    @Test
+    void shownColorOfALight_hasTheHueOfItsTemperature() {
+        Light candle = LightAttribute.TEMPERATURE.with(Light.of("candle", LightType.POINT), 1900.0);
+        Rgb shown = MixerChannel.ofLight("candle").shownColor(scene(1, 1).withLights(List.of(candle))).orElseThrow();
+        assertThat(shown.r()).isEqualTo(1);
+        assertThat(shown.b()).isLessThan(0.1);
+        assertThat(ENVIRONMENT.shownColor(scene(1, 1))).isEmpty();
     }
 
     /** A light may have the name of the environment. */

@@ -55,32 +55,24 @@ final class EditorMenu extends MenuBar {
                 SEPARATOR,
                 Command.COPY_SETTINGS,
                 Command.PASTE_SETTINGS, SEPARATOR, Command.PICK_MATERIAL, Command.EDIT_WORLD);
-        Menu light =
-                menu(Messages.tr("Light"), Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, SEPARATOR,
-                        Command.NEW_LIGHT_GROUP,
-                        Command.DELETE_LIGHT_GROUP, SEPARATOR, Command.RENAME_LIGHT,
-                        Command.SWITCH_ON, Command.SOLO, Command.LOOK_THROUGH_LIGHT, SEPARATOR, Command.AIM, Command.PLACE_HIGHLIGHT,
-                        Command.PLACE_DIFFUSE, Command.PLACE_RIM, Command.PLACE_SHADOW, Command.PLACE_FLAG, SEPARATOR,
-                        Command.MIXER,
-                        Command.LIGHT_LINKS,
-                        Command.CONTRIBUTIONS, Command.MATCH_REFERENCE,
-                        Command.LOOKS,
-                        Command.MAKE_ANIMATION, SEPARATOR);
-        Menu rig = menu(Messages.tr("Light Rig"), Command.LOAD_RIG, Command.ADD_RIG, Command.SAVE_RIG);
-        rig.setGraphic(new FontIcon("mdi2f-file-outline"));
-        light.getItems().add(rig);
+        Menu place = submenu(Messages.tr("Place Light"), "mdi2t-target", Command.AIM, Command.PLACE_HIGHLIGHT, Command.PLACE_DIFFUSE, Command.PLACE_RIM,
+                Command.PLACE_SHADOW, Command.PLACE_FLAG);
+        Menu group = submenu(Messages.tr("Light Group"), "mdi2l-lightbulb-group-outline", Command.NEW_LIGHT_GROUP, Command.DELETE_LIGHT_GROUP);
+        Menu rig = submenu(Messages.tr("Light Rig"), "mdi2f-file-outline", Command.LOAD_RIG, Command.ADD_RIG, Command.SAVE_RIG);
+        Menu light = menu(Messages.tr("Light"), Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, Command.RENAME_LIGHT, SEPARATOR,
+                Command.SWITCH_ON, Command.SOLO, Command.LOOK_THROUGH_LIGHT);
+        light.getItems().addAll(place, group, rig);
+        add(light, SEPARATOR, Command.MIXER, Command.LIGHT_LINKS, Command.CONTRIBUTIONS, Command.MATCH_REFERENCE, Command.LOOKS,
+                Command.MAKE_ANIMATION);
         Menu shape = menu(Messages.tr("Object"), Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, SEPARATOR,
                 Command.SHOW_SHAPE, Command.ADD_BLOCKER, Command.MAKE_LIGHT, Command.LIGHTS_OF_GLOW);
-        Menu shot =
-                menu(Messages.tr("Shot"), Command.TIMELINE, Command.FILM_STRIP, Command.SEQUENCE, SEPARATOR, Command.NEW_SHOT,
-                        Command.DELETE_SHOT, SEPARATOR,
-                        Command.PLAY_SHOT,
-                        Command.FIRST_FRAME,
-                        Command.PREVIOUS_FRAME, Command.NEXT_FRAME, Command.LAST_FRAME, Command.PREVIOUS_KEY, Command.NEXT_KEY, SEPARATOR,
-                        Command.SET_KEY,
-                        Command.DELETE_KEYS, Command.LINEAR_KEYS, Command.SMOOTH_KEYS, Command.STEPPED_KEYS, SEPARATOR, Command.WAY_TO_KEYS,
-                        Command.KEYS_TO_WAY, SEPARATOR,
-                        Command.EXPORT_SHOT);
+        Menu shot = menu(Messages.tr("Shot"), Command.TIMELINE, Command.FILM_STRIP, Command.SEQUENCE, SEPARATOR, Command.NEW_SHOT,
+                Command.DELETE_SHOT, Command.EXPORT_SHOT, SEPARATOR, Command.PLAY_SHOT);
+        shot.getItems().add(submenu(Messages.tr("Go to Frame"), "mdi2s-skip-next-outline", Command.FIRST_FRAME, Command.PREVIOUS_FRAME, Command.NEXT_FRAME,
+                Command.LAST_FRAME, SEPARATOR, Command.PREVIOUS_KEY, Command.NEXT_KEY));
+        add(shot, SEPARATOR, Command.SET_KEY, Command.DELETE_KEYS);
+        shot.getItems().addAll(submenu(Messages.tr("Interpolation"), "mdi2c-chart-bell-curve-cumulative", Command.LINEAR_KEYS, Command.SMOOTH_KEYS, Command.STEPPED_KEYS),
+                submenu(Messages.tr("Motion Path"), "mdi2v-vector-polyline", Command.WAY_TO_KEYS, Command.KEYS_TO_WAY));
         Menu render =
                 menu(Messages.tr("Render"), Command.GO, Command.LIVE, Command.UPDATE_REFLECTIONS, Command.VERIFY, Command.CANCEL, SEPARATOR,
                         Command.UPDATES_PANEL, Command.ACCURACY_PANEL, Command.COMPARE_SETTINGS, Command.EFFECTS_PANEL,
@@ -125,6 +117,12 @@ final class EditorMenu extends MenuBar {
         return menu;
     }
 
+    private Menu submenu(String title, String icon, @Nullable Command... commands) {
+        Menu menu = menu(title, commands);
+        menu.setGraphic(new FontIcon(icon));
+        return menu;
+    }
+
     private void add(Menu menu, @Nullable Command... commands) {
         for (Command command : commands) {
             menu.getItems().add(command == SEPARATOR ? new SeparatorMenuItem() : items.item(command));
@@ -150,13 +148,15 @@ final class EditorMenu extends MenuBar {
         model.commands().setToggle(Command.LIGHT_THEME, light);
         Menu view = menu(Messages.tr("View"), Command.ONLY_SELECTED, Command.SCOPES);
         view.getItems().add(
-                new Menu(Messages.tr("View Options"), null,
+                new Menu(Messages.tr("View Options"), new FontIcon("mdi2e-eye-settings-outline"),
                         ViewMenuItems.of(model.viewActions(), items).toArray(MenuItem[]::new)));
-        add(view, SEPARATOR, Command.TRACED_FIT, Command.TRACED_ONE_TO_ONE, Command.TRACED_ZOOM_IN, Command.TRACED_ZOOM_OUT, Command.REGION,
-                SEPARATOR, Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z, Command.VIEW_ALL, Command.USE_VIEW, Command.MOVE_CAMERA);
-        view.getItems().addAll(cameras(), new SeparatorMenuItem());
-        view.getItems().addAll(PreviewMenuItems.of(model.previewSettings(), items));
-        view.getItems().addAll(new SeparatorMenuItem(), canvases(), arrangement());
+        Menu preview = submenu(Messages.tr("Preview"), "mdi2e-eye-outline", Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z, Command.VIEW_ALL, SEPARATOR);
+        preview.getItems().addAll(PreviewMenuItems.of(model.previewSettings(), items));
+        Menu camera = submenu(Messages.tr("Camera"), "mdi2c-camera-outline", Command.MOVE_CAMERA, Command.USE_VIEW);
+        camera.getItems().add(cameras());
+        add(view, SEPARATOR, Command.REGION);
+        view.getItems().addAll(submenu(Messages.tr("Zoom"), "mdi2m-magnify", Command.TRACED_FIT, Command.TRACED_ONE_TO_ONE, Command.TRACED_ZOOM_IN,
+                Command.TRACED_ZOOM_OUT), camera, preview, new SeparatorMenuItem(), canvases(), arrangement());
         add(view, Command.PREVIEW_INSET, Command.HIDE_PANELS, Command.FULL_SCREEN, SEPARATOR, Command.LIGHT_THEME);
         view.getItems().add(languages());
         return view;
@@ -178,7 +178,7 @@ final class EditorMenu extends MenuBar {
     }
 
     private Menu arrangement() {
-        return menu(Messages.tr("Arrangement"), Command.ARRANGE_LIGHT, Command.ARRANGE_COMPARE, Command.ARRANGE_SHOT, SEPARATOR,
+        return submenu(Messages.tr("Arrangement"), "mdi2v-view-dashboard-outline", Command.ARRANGE_LIGHT, Command.ARRANGE_COMPARE, Command.ARRANGE_SHOT, SEPARATOR,
                 Command.NEXT_PANEL, Command.PREVIOUS_PANEL, SEPARATOR, Command.FLOAT_PANEL, Command.MOVE_PANEL, Command.CLOSE_PANEL);
     }
 

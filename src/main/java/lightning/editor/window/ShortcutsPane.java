@@ -45,7 +45,7 @@ final class ShortcutsPane extends GridPane {
             new Row(Messages.key("Hide or show light handles"), Messages.key("cone button"), "G"));
     private static final List<Row> PICTURE = List.of(
             new Row(Messages.key("Inspect a pixel"), Messages.key("hover"), ""),
-            new Row(Messages.key("Select the light that contributes most there"), Messages.key("click"), ""),
+            new Row(Messages.key("Select the object, or the light that shines most there"), Messages.key("click, double click"), ""),
             new Row(Messages.key("Open the menu of a pixel: its lights, placements, object"), Messages.key("right click"),
                     Messages.key("Menu, or Shift + F10")),
             new Row(Messages.key("Open an object's menu in the preview"), Messages.key("right click"), ""),

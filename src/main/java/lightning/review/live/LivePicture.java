@@ -46,6 +46,8 @@ record LivePicture(byte[] data, Map<String, byte[]> layers) {
             node.put("group", light == null ? "" : light.lightGroup());
             if (light == null) {
                 node.put("environment", ReviewPage.environment(part.light()));
+            } else {
+                ReviewPage.putWhite(light, node);
             }
             node.put("intensity", part.light().values(base).intensity() * (light == null ? 1 : LightWeights.groupIntensity(base, light)));
             node.putArray("color").add(color.r()).add(color.g()).add(color.b());

@@ -36,7 +36,8 @@ function strip(item, isGroup) {
   });
   row.append(label, fader, value, toggle("S", tr("Solo {0}", item.name), item, "solo"), toggle("M", tr("Mute {0}", item.name), item, "mute"));
   if (item.color) {
-    const base = normalized(item.color);
+    // The hue of the temperature stays, as in the editor.
+    const base = normalized(item.color.map((v, c) => v * item.white[c]));
     const name = tr("Color of {0}", item.name);
     const chip = element("input", { type: "color", title: name });
     chip.setAttribute("aria-label", name);

@@ -87,7 +87,7 @@ async function load() {
         const from = (start || value).intensity || 1;
         const group = groups.get(part.group);
         const scale = part.color.map((c) => from * (group ? group.from : 1) / (part.intensity * c));
-        return item(find(lights, part.name), value, start, { group: part.group, scale, ...(part.environment ? { environment: part.environment } : { color: [1, 1, 1] }) });
+        return item(find(lights, part.name), value, start, { group: part.group, scale, ...(part.environment ? { environment: part.environment } : { color: [1, 1, 1], white: part.white }) });
       });
       state.groups = groups;
       fresh.view.exposure = fresh.start.exposure;

@@ -219,7 +219,7 @@ final class MixerStrip extends VBox {
         }
         solo.setSelected(values.solo());
         mute.setSelected(!values.on());
-        values.color().ifPresent(c -> color.setStyle("-fx-background-color: " + DisplayColors.css(c) + ";"));
+        channel.shownColor(scene).ifPresent(c -> color.setStyle("-fx-background-color: " + DisplayColors.css(c) + ";"));
         pseudoClassStateChanged(DARK, !channel.isShining(scene));
         String title = channel.title(scene);
         name.setText(title);

@@ -114,7 +114,7 @@ record PixelReport(int x, int y, String shape, String face, @Nullable Vec3 point
         if (!environmentLights.isEmpty()) {
             long litCount =
                     environmentLights.stream().filter(environmentLight -> environmentLight.state() == LightReport.State.LIT).count();
-            lines.add(Messages.tr("environment  {0}, {1} of {2} samples", percent(environmentBrightness(), total), litCount,
+            lines.add(Messages.tr("environment  {0}, {1} of its {2} bright parts are visible", percent(environmentBrightness(), total), litCount,
                     environmentLights.size()));
         }
         if (indirect != null) {
@@ -146,9 +146,9 @@ record PixelReport(int x, int y, String shape, String face, @Nullable Vec3 point
         return light.gain() == 1 ? "" : Messages.tr(", gain {0}", ShapeGains.formatPercent(light.gain()));
     }
 
-    /** Returns the number of a light's visible samples; empty if all are visible. */
+    /** Returns how many of a light's points are visible; empty if all are. */
     private static String samplesText(LightReport light) {
         return light.visibleSamples() == light.samples() ? ""
-                : Messages.tr(", {0} of {1} samples", light.visibleSamples(), light.samples());
+                : Messages.tr(", {0} of its {1} points are visible", light.visibleSamples(), light.samples());
     }
 }

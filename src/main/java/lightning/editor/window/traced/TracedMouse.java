@@ -45,7 +45,7 @@ import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Mouse handler of the traced picture: inspects pixels, selects the light that contributes most, runs the {@link LightPlacer}, frames a
+ * Mouse handler of the traced picture: inspects pixels, selects objects and lights, runs the {@link LightPlacer}, frames a
  * region, and pans the picture.
  */
 final class TracedMouse implements AutoCloseable {
@@ -71,7 +71,7 @@ final class TracedMouse implements AutoCloseable {
     private final CameraMover cameraMover;
     private final TracedGizmo gizmo;
     private final StackPane overlay;
-    /** Receives the pixel of the next click; null if a click selects a light. */
+    /** Receives the pixel of the next click; null if a click selects what it hits. */
     private @Nullable Consumer<PixelReport> onPick;
     private String pickHint = "";
     private boolean isPanning;
@@ -423,7 +423,7 @@ final class TracedMouse implements AutoCloseable {
         }
         picture.pixel(e.getX(), e.getY()).ifPresent(p -> clickInspector.request(frame, p.x(), p.y(), report -> {
             if (onPick == null) {
-                report.strongest().ifPresent(editor.selection()::selectLight);
+                select(report, e.getClickCount() > 1);
             } else if (report.point() == null) {
                 editor.message().show(Messages.tr("No object here"));
             } else {
@@ -432,6 +432,15 @@ final class TracedMouse implements AutoCloseable {
                 listener.accept(report);
             }
         }));
+    }
+
+    /** Selects the light that contributes most, or what is seen: the face of a light, or an object. */
+    private void select(PixelReport report, boolean isLight) {
+        if (isLight || !report.face().isEmpty()) {
+            report.strongest().ifPresent(editor.selection()::selectLight);
+        } else if (!report.shape().isEmpty()) {
+            editor.selection().selectNode(report.shape());
+        }
     }
 
     /** Gives a material to the shape at a point of the picture's node. */

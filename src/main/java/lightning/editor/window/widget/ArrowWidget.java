@@ -26,6 +26,7 @@ public final class ArrowWidget extends VBox implements ValueWidget<Double> {
     public ArrowWidget(String label, String title, NumberSetting setting) {
         field = new NumberField(title, setting);
         Label name = new FieldLabel(label, setting, field);
+        name.setMinWidth(USE_PREF_SIZE);
         name.setMaxWidth(Double.MAX_VALUE);
         HBox.setHgrow(name, Priority.ALWAYS);
         StepRange steps = setting.steps();

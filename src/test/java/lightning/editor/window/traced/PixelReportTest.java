@@ -28,7 +28,7 @@ class PixelReportTest {
         IntStream.range(0, 48).forEach(i -> sky.add(light("environment " + i, i < 12 ? LightReport.State.LIT : LightReport.State.SHADOWED,
                 i < 12 ? 0.0625f : 0)));
         var report = report(List.of(light("key", LightReport.State.LIT, 2.25f), light("rim", LightReport.State.AWAY, 0)), sky);
-        assertThat(report.lightLines()).containsExactly("key  75 %", "rim  backfacing", "environment  25 %, 12 of 48 samples");
+        assertThat(report.lightLines()).containsExactly("key  75 %", "rim  backfacing", "environment  25 %, 12 of its 48 bright parts are visible");
     }
 
     @Test

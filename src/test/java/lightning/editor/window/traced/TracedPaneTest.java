@@ -122,13 +122,21 @@ class TracedPaneTest extends EditorFixture {
     }
 
     @Test
-    void click_selectsStrongestLight() {
+    void doubleClick_selectsStrongestLight() {
         robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "stage", 50)));
         click("go");
         waitForPicture();
         robot.interact(() -> model().editor().selection().selectLight("sun"));
-        robot.clickOn(pixel(36, 22));
-        waitFor("the light is selected", () -> model().editor().selection().light().name().equals("stage"));
+        robot.doubleClickOn(pixel(36, 22));
+        waitFor("the light is selected", () -> model().editor().selection().light() != null && model().editor().selection().light().name().equals("stage"));
+    }
+
+    @Test
+    void click_selectsTheObject() {
+        robot.interact(() -> model().editor().selection().selectLight("sun"));
+        robot.clickOn(pixel(32, 24));
+        waitFor("the object is selected", () -> model().editor().selection().node().filter(node -> node.name().equals("ball")).isPresent());
+        assertThat(model().editor().selection().light()).isNull();
     }
 
     @Test
