@@ -3,8 +3,9 @@ package lightning.base.file;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 
-/** Scenes shipped with the program, in its installation folder: the system property {@code lightning.home}. */
+/** Scenes and images shipped with the program, in its installation folder: the system property {@code lightning.home}. */
 public final class ShippedFile {
     /** Folder of the scenes. */
     public static final Path SCENES = Path.of("scenes");
@@ -22,6 +23,11 @@ public final class ShippedFile {
         }
         Path shipped = Path.of(home).resolve(name);
         return Files.exists(shipped) ? shipped : name;
+    }
+
+    /** Returns the installation's folder with images for scenes; empty in a process without an installation. */
+    public static Optional<Path> textures() {
+        return Optional.ofNullable(System.getProperty("lightning.home")).map(home -> Path.of(home).resolve("textures"));
     }
 
     /** Returns whether a file is in the scene folder of the installation. Such files are never overwritten. */

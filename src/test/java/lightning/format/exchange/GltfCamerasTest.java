@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import lightning.scene.Scene;
+import lightning.scene.ViewCurve;
 import lightning.scene.NamedCamera;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -49,6 +50,12 @@ class GltfCamerasTest {
         assertThat(scene.cameras()).extracting(NamedCamera::name).containsExactly("front", "side", "lens");
         assertThat(scene.cameras().get(1).camera()).isEqualTo(scene.camera());
         assertThat(scene.cameras().get(2).camera().from()).isEqualTo(new Vec3(0, 7, 0));
+    }
+
+    /** A glTF file does not say how its picture looks. */
+    @Test
+    void highlightsOfImports_doNotClip() throws Exception {
+        assertThat(read(ImportOptions.DEFAULT).scene().picture().view().curve()).isEqualTo(ViewCurve.AGX);
     }
 
     @Test

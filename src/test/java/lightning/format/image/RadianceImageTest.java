@@ -103,8 +103,9 @@ class RadianceImageTest {
     }
 
     @Test
-    void texturesFolder_hasTheGeneratedEnvironment() {
-        assertThat(Path.of("textures/evening_sky.hdr")).hasBinaryContent(EnvironmentMaker.evening());
+    void texturesFolder_hasTheGeneratedEnvironments() {
+        assertThat(EnvironmentMaker.NAMES).hasSize(4)
+                .allSatisfy(name -> assertThat(Path.of("textures", name)).hasBinaryContent(EnvironmentMaker.map(name)));
     }
 
     /** A run of 2, then one of 1 · 256 pixels. */

@@ -11,11 +11,11 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
+import lightning.base.file.ShippedFile;
 import lightning.base.text.Messages;
 import lightning.editor.Command;
 import lightning.editor.window.command.CommandMenuItems;
@@ -64,15 +64,25 @@ final class FileMenu extends MenuButton {
         importer.files().runConcurrently(() -> findFiles(folder), this::showFiles, _ -> showFiles(List.of()));
     }
 
-    /** Menu entry of a file. */
-    private record FileItem(String name, Optional<FileThumbnail> thumbnail) {}
+    /**
+     * Menu entry of a file.
+     *
+     * @param shipped file of the program that the scene does not have yet; empty for a file next to the scene
+     */
+    private record FileItem(String name, Optional<Path> shipped, Optional<FileThumbnail> thumbnail) {}
 
+    /** Returns the files next to the scene, then the program's environments that are not among them. */
     private List<FileItem> findFiles(Path folder) {
         List<String> names = kind.fileNames(folder);
-        return IntStream.range(0, names.size())
-                .mapToObj(i -> new FileItem(names.get(i),
-                        i < MAX_THUMBNAILS ? FileThumbnail.of(kind, folder, names.get(i)) : Optional.empty()))
-                .toList();
+        List<FileItem> items = new ArrayList<>();
+        for (String name : names) {
+            items.add(new FileItem(name, Optional.empty(),
+                    items.size() < MAX_THUMBNAILS ? FileThumbnail.of(kind, folder, name) : Optional.empty()));
+        }
+        ShippedFile.textures().filter(_ -> kind == FileKind.ENVIRONMENT).ifPresent(textures -> kind.fileNames(textures).stream()
+                .filter(name -> !names.contains(name)).forEach(name -> items
+                        .add(new FileItem(name, Optional.of(textures.resolve(name)), FileThumbnail.of(kind, textures, name)))));
+        return items;
     }
 
     private void showFiles(List<FileItem> fileItems) {
@@ -100,7 +110,9 @@ final class FileMenu extends MenuButton {
     }
 
     private MenuItem item(FileItem found) {
-        MenuItem item = item(found.name(), found.name());
+        MenuItem item = found.shipped().isEmpty() ? item(found.name(), found.name())
+                : CommandMenuItems.forMenu(commands).value(command, found.name(),
+                        () -> importer.importFile(kind, found.shipped().get(), setter.get(), onRefused));
         found.thumbnail().ifPresent(p -> item.setGraphic(p.view()));
         return item;
     }

@@ -33,6 +33,8 @@ import lightning.scene.Dome;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
+import lightning.scene.ViewCurve;
+import lightning.scene.ViewSettings;
 import lightning.scene.World;
 import lightning.scene.asset.Texture;
 import lightning.scene.asset.TextureMap;
@@ -73,7 +75,9 @@ public final class SceneAssembler {
     public Optional<Camera> camera = Optional.empty();
     /** All cameras of the file, if it has several. */
     public List<NamedCamera> cameras = List.of();
-    public PictureSettings picture = new PictureSettings(800, 600, PictureSettings.DEPTH.initial());
+    /** With a view in which highlights do not clip, since a file does not say how its picture looks. */
+    public PictureSettings picture = new PictureSettings(800, 600, PictureSettings.DEPTH.initial())
+            .withView(ViewSettings.DEFAULT.withCurve(ViewCurve.AGX));
     public World world = World.DEFAULT;
     /** Assumed units of the lights' numbers, if the file does not define them. */
     public Optional<LightUnits> units = Optional.empty();

@@ -42,7 +42,7 @@ public final class PictureJson {
             if (size.size() == 2) {
                 result = result.withSize(size.get(0).asInt(0), size.get(1).asInt(0));
             }
-            result = result.withView(view(in)).withDepth(in.path("depth").asInt(result.depth()))
+            result = result.withView(in.isMissingNode() ? result.view() : view(in)).withDepth(in.path("depth").asInt(result.depth()))
                     .withReflectionRays(in.path("reflection_rays").asInt(result.reflectionRays()));
             if (in.has("antialias") || in.has("samples")) {
                 result = result.withSampling(new SamplingSettings(AntialiasMode.of(in.path("antialias").asString("off")),

@@ -6,6 +6,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -89,6 +90,19 @@ class EnvironmentFieldTest extends EditorFixture {
         choose("b.hdr");
         waitFor("the file is read", () -> choiceText().equals("b.hdr"));
         assertThat(world().own().lightCount()).isEqualTo(20);
+    }
+
+    @Test
+    void studioOfTheProgram_isCopiedNextToTheScene() throws IOException {
+        Files.createDirectories(folder.resolve("textures"));
+        System.setProperty("lightning.home", Path.of("").toAbsolutePath().toString());
+        try {
+            choose("studio_ring.hdr");
+            waitFor("the file is read", () -> choiceText().equals("studio_ring.hdr"));
+        } finally {
+            System.clearProperty("lightning.home");
+        }
+        assertThat(folder.resolve("textures/studio_ring.hdr")).hasSameBinaryContentAs(Path.of("textures/studio_ring.hdr"));
     }
 
     private Tab tab(String id) {
