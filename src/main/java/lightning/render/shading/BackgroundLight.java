@@ -74,7 +74,7 @@ public record BackgroundLight(Rgb color, List<Layer> layers, Rgb seen) {
     }
 
     /**
-     * Writes the light of the cells of the sky that reflections see.
+     * Writes the light of the cells of the sky that reflections see: of the finest ones at their centers, of others the mean of their parts.
      *
      * @param first number of the first cell
      */
@@ -82,12 +82,21 @@ public record BackgroundLight(Rgb color, List<Layer> layers, Rgb seen) {
         double[] direction = new double[3];
         double[] radiance = new double[3];
         double[] sum = new double[3];
-        for (int cell = 0; cell < SkyCells.COUNT; cell++) {
+        for (int cell = 0; cell < SkyCells.FINEST_COUNT; cell++) {
             if (!layers.isEmpty()) {
                 SkyCells.writeCenter(cell, direction);
                 writeSum(direction[0], direction[1], direction[2], radiance, sum, to.values(), to.at(first + cell, film));
             } else {
                 to.set(first + cell, film, (float) seen.r(), (float) seen.g(), (float) seen.b());
+            }
+        }
+        for (int cell = SkyCells.FINEST_COUNT; cell < SkyCells.COUNT; cell++) {
+            for (int c = 0; c < 3; c++) {
+                float parts = 0;
+                for (int part = 0; part < 4; part++) {
+                    parts += 0.25f * to.values()[to.at(first + SkyCells.part(cell, part), film) + c];
+                }
+                to.values()[to.at(first + cell, film) + c] = parts;
             }
         }
     }

@@ -1,33 +1,74 @@
 package lightning.render.gather.cell;
 
-/** Small cells of directions, for reflections of the environment: those of {@link DirectionCells}, divided. */
+/**
+ * Cells of directions, for reflections of the environment: those of {@link DirectionCells}, divided, and coarser levels, each with a quarter of
+ * the cells of the one before.
+ */
 public final class SkyCells {
-    private static final int SIDE = 128;
-    private static final int HALF = SIDE * SIDE;
-    /** Number of cells. */
-    public static final int COUNT = 2 * HALF;
+    /** Cells along a side of the grid of the finest level, and of the coarsest. */
+    private static final int FINEST = 128;
+    private static final int COARSEST = 4;
+    /** Number of cells of the finest level, which have the first numbers. */
+    public static final int FINEST_COUNT = 2 * FINEST * FINEST;
+    /** Number of cells of all levels. */
+    public static final int COUNT = first(COARSEST / 2);
 
     private SkyCells() {}
 
-    /**
-     * Returns the cell of a direction, 0 … {@link #COUNT} − 1.
-     *
-     * @param x direction of any length but 0, with {@code y} upward and {@code z}
-     */
-    public static int of(double x, double y, double z) {
-        return DirectionCells.of(x, y, z, SIDE);
+    /** Returns the number of the first cell of the level with a side. */
+    private static int first(int side) {
+        int first = 0;
+        for (int finer = FINEST; finer > side; finer /= 2) {
+            first += 2 * finer * finer;
+        }
+        return first;
     }
 
-    /** Writes the unit direction at the center of a cell: x, y, z. */
+    /**
+     * Returns the cell of a direction, 0 … {@link #COUNT} − 1: of the coarsest level whose cells are not larger than a solid angle, or of the
+     * finest.
+     *
+     * @param x direction of any length but 0, with {@code y} upward and {@code z}
+     * @param solidAngle in steradians
+     */
+    public static int of(double x, double y, double z, double solidAngle) {
+        int side = FINEST;
+        int first = 0;
+        while (side > COARSEST && solidAngle * side * side >= 8 * Math.PI) {
+            first += 2 * side * side;
+            side /= 2;
+        }
+        return first + DirectionCells.of(x, y, z, side);
+    }
+
+    /** Writes the unit direction at the center of a cell of the finest level: x, y, z. */
     public static void writeCenter(int cell, double[] to) {
-        double u = (cell % HALF / SIDE + 0.5) * 2 / SIDE - 1;
-        double v = (cell % SIDE + 0.5) * 2 / SIDE - 1;
+        double u = (cell % (FINEST_COUNT / 2) / FINEST + 0.5) * 2 / FINEST - 1;
+        double v = (cell % FINEST + 0.5) * 2 / FINEST - 1;
         double x = (u + v) / 2;
         double z = (u - v) / 2;
         double y = Math.max(0, 1 - Math.abs(x) - Math.abs(z));
         double length = Math.sqrt(x * x + y * y + z * z);
         to[0] = x / length;
-        to[1] = (cell < HALF ? y : -y) / length;
+        to[1] = (cell < FINEST_COUNT / 2 ? y : -y) / length;
         to[2] = z / length;
+    }
+
+    /**
+     * Returns one of the four cells of the next finer level that a cell consists of.
+     *
+     * @param cell {@link #FINEST_COUNT} … {@link #COUNT} − 1
+     * @param number 0…3
+     */
+    public static int part(int cell, int number) {
+        int side = FINEST / 2;
+        while (cell >= first(side / 2)) {
+            side /= 2;
+        }
+        int inLevel = cell - first(side);
+        int half = inLevel / (side * side);
+        int row = 2 * (inLevel % (side * side) / side) + number / 2;
+        int column = 2 * (inLevel % side) + number % 2;
+        return first(2 * side) + 2 * side * (2 * side * half + row) + column;
     }
 }

@@ -37,6 +37,9 @@ public final class ReflectionCaster {
     /** Width of a surfel's cell relative to that of the lobe where it meets the surfel. */
     private static final double DETAIL = 0.5;
 
+    /** Share of the solid angle of a ray: neighboring points have rays in other parts of it, and are mixed ({@link ReflectionFilter}). */
+    private static final double SEEN_SHARE = 0.125;
+
     private final ReflectionDirections directions;
     private final @Nullable RoughLobes[] lobes;
     private final CellKeys keys;
@@ -157,12 +160,26 @@ public final class ReflectionCaster {
             boolean counts = ray % rays < directions.rays || batch.primitive(ray) >= 0;
             links.setWeights(linked, counts ? color[ray] : 0, counts ? white[ray] : 0);
             if (batch.primitive(ray) < 0) {
-                links.setMiss(linked, SkyCells.of(batch.directionX[ray], batch.directionY[ray], batch.directionZ[ray]));
+                links.setMiss(linked, SkyCells.of(batch.directionX[ray], batch.directionY[ray], batch.directionZ[ray],
+                        solidAngle(points, selected[from + ray / rays], ray, ray % rays)));
             }
         }
         for (int i = from; i < to && batch.isTinted(); i++) {
             links.setTints(selected[i] * rays, rays, batch.tint, (i - from) * rays);
         }
+    }
+
+    /**
+     * Returns the solid angle over which a ray of a lobe sees the mean of the environment, steradians: a share of what it stands for
+     * (J. Křivánek and M. Colbert, Real-time Shading with Filtered Importance Sampling, 2008). Few rays of the outer part of a lobe would meet
+     * a lamp, as bright dots. 0 where the density is unknown.
+     */
+    private double solidAngle(ReflectionPoints points, int p, int ray, int k) {
+        if (density[ray] == 0 || k >= directions.rays) {
+            return 0;
+        }
+        RoughLobes its = requireNonNull(lobes[points.material[p]]);
+        return SEEN_SHARE / (its.rays(kind(its, k), directions.side) * density[ray]);
     }
 
     /**
