@@ -1,17 +1,17 @@
 package lightning.document;
 
-import lightning.base.text.Quote;
 import java.util.ArrayList;
 import java.util.List;
-import lightning.format.mesh.UniqueNames;
-import lightning.scene.NamedCamera;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
+import lightning.base.text.Quote;
 import lightning.base.text.RefusalException;
 import lightning.document.manipulation.PreviewCamera;
 import lightning.document.manipulation.ViewFocus;
+import lightning.format.mesh.UniqueNames;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
+import lightning.scene.NamedCamera;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.value.Lens;

@@ -55,7 +55,8 @@ class RenderCommandTest {
         Files.writeString(scene, Files.readString(scene) + "camera side { from 8 3 0  to 0 1 0 }\n");
         CliResult.run("render", scene, "-o", picture, "--camera", "side").assertSuccess();
         Scene read = JenReader.read(scene).scene();
-        assertThat(ImageFile.read(picture).hasSameBits(new ReferenceTracer(read.withCamera(read.namedCamera("side").orElseThrow())).trace()))
+        assertThat(
+                ImageFile.read(picture).hasSameBits(new ReferenceTracer(read.withCamera(read.namedCamera("side").orElseThrow())).trace()))
                 .isTrue();
     }
 

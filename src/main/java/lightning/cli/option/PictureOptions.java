@@ -1,13 +1,13 @@
 package lightning.cli.option;
 
-import lightning.base.text.Quote;
-import lightning.scene.Camera;
-import lightning.scene.NamedCamera;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import lightning.base.text.Quote;
 import lightning.scene.AntialiasMode;
+import lightning.scene.Camera;
 import lightning.scene.IndirectSettings;
+import lightning.scene.NamedCamera;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;

@@ -55,11 +55,14 @@ final class EditorMenu extends MenuBar {
                 SEPARATOR,
                 Command.COPY_SETTINGS,
                 Command.PASTE_SETTINGS, SEPARATOR, Command.PICK_MATERIAL, Command.EDIT_WORLD);
-        Menu place = submenu(Messages.tr("Place Light"), "mdi2t-target", Command.AIM, Command.PLACE_HIGHLIGHT, Command.PLACE_DIFFUSE, Command.PLACE_RIM,
+        Menu place = submenu(Messages.tr("Place Light"), "mdi2t-target", Command.AIM, Command.PLACE_HIGHLIGHT, Command.PLACE_DIFFUSE,
+                Command.PLACE_RIM,
                 Command.PLACE_SHADOW, Command.PLACE_FLAG);
-        Menu group = submenu(Messages.tr("Light Group"), "mdi2l-lightbulb-group-outline", Command.NEW_LIGHT_GROUP, Command.DELETE_LIGHT_GROUP);
+        Menu group =
+                submenu(Messages.tr("Light Group"), "mdi2l-lightbulb-group-outline", Command.NEW_LIGHT_GROUP, Command.DELETE_LIGHT_GROUP);
         Menu rig = submenu(Messages.tr("Light Rig"), "mdi2f-file-outline", Command.LOAD_RIG, Command.ADD_RIG, Command.SAVE_RIG);
-        Menu light = menu(Messages.tr("Light"), Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, Command.RENAME_LIGHT, SEPARATOR,
+        Menu light = menu(Messages.tr("Light"), Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, Command.RENAME_LIGHT,
+                SEPARATOR,
                 Command.SWITCH_ON, Command.SOLO, Command.LOOK_THROUGH_LIGHT);
         light.getItems().addAll(place, group, rig);
         add(light, SEPARATOR, Command.MIXER, Command.LIGHT_LINKS, Command.CONTRIBUTIONS, Command.MATCH_REFERENCE, Command.LOOKS,
@@ -68,11 +71,15 @@ final class EditorMenu extends MenuBar {
                 Command.SHOW_SHAPE, Command.ADD_BLOCKER, Command.MAKE_LIGHT, Command.LIGHTS_OF_GLOW);
         Menu shot = menu(Messages.tr("Shot"), Command.TIMELINE, Command.FILM_STRIP, Command.SEQUENCE, SEPARATOR, Command.NEW_SHOT,
                 Command.DELETE_SHOT, Command.EXPORT_SHOT, SEPARATOR, Command.PLAY_SHOT);
-        shot.getItems().add(submenu(Messages.tr("Go to Frame"), "mdi2s-skip-next-outline", Command.FIRST_FRAME, Command.PREVIOUS_FRAME, Command.NEXT_FRAME,
-                Command.LAST_FRAME, SEPARATOR, Command.PREVIOUS_KEY, Command.NEXT_KEY));
+        shot.getItems()
+                .add(submenu(Messages.tr("Go to Frame"), "mdi2s-skip-next-outline", Command.FIRST_FRAME, Command.PREVIOUS_FRAME,
+                        Command.NEXT_FRAME,
+                        Command.LAST_FRAME, SEPARATOR, Command.PREVIOUS_KEY, Command.NEXT_KEY));
         add(shot, SEPARATOR, Command.SET_KEY, Command.DELETE_KEYS);
-        shot.getItems().addAll(submenu(Messages.tr("Interpolation"), "mdi2c-chart-bell-curve-cumulative", Command.LINEAR_KEYS, Command.SMOOTH_KEYS, Command.STEPPED_KEYS),
-                submenu(Messages.tr("Motion Path"), "mdi2v-vector-polyline", Command.WAY_TO_KEYS, Command.KEYS_TO_WAY));
+        shot.getItems()
+                .addAll(submenu(Messages.tr("Interpolation"), "mdi2c-chart-bell-curve-cumulative", Command.LINEAR_KEYS, Command.SMOOTH_KEYS,
+                        Command.STEPPED_KEYS),
+                        submenu(Messages.tr("Motion Path"), "mdi2v-vector-polyline", Command.WAY_TO_KEYS, Command.KEYS_TO_WAY));
         Menu render =
                 menu(Messages.tr("Render"), Command.GO, Command.LIVE, Command.UPDATE_REFLECTIONS, Command.VERIFY, Command.CANCEL, SEPARATOR,
                         Command.UPDATES_PANEL, Command.ACCURACY_PANEL, Command.COMPARE_SETTINGS, Command.EFFECTS_PANEL,
@@ -150,13 +157,15 @@ final class EditorMenu extends MenuBar {
         view.getItems().add(
                 new Menu(Messages.tr("View Options"), new FontIcon("mdi2e-eye-settings-outline"),
                         ViewMenuItems.of(model.viewActions(), items).toArray(MenuItem[]::new)));
-        Menu preview = submenu(Messages.tr("Preview"), "mdi2e-eye-outline", Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z, Command.VIEW_ALL, SEPARATOR);
+        Menu preview = submenu(Messages.tr("Preview"), "mdi2e-eye-outline", Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z,
+                Command.VIEW_ALL, SEPARATOR);
         preview.getItems().addAll(PreviewMenuItems.of(model.previewSettings(), items));
         Menu camera = submenu(Messages.tr("Camera"), "mdi2c-camera-outline", Command.MOVE_CAMERA, Command.USE_VIEW);
         camera.getItems().add(cameras());
         add(view, SEPARATOR, Command.REGION);
-        view.getItems().addAll(submenu(Messages.tr("Zoom"), "mdi2m-magnify", Command.TRACED_FIT, Command.TRACED_ONE_TO_ONE, Command.TRACED_ZOOM_IN,
-                Command.TRACED_ZOOM_OUT), camera, preview, new SeparatorMenuItem(), canvases(), arrangement());
+        view.getItems()
+                .addAll(submenu(Messages.tr("Zoom"), "mdi2m-magnify", Command.TRACED_FIT, Command.TRACED_ONE_TO_ONE, Command.TRACED_ZOOM_IN,
+                        Command.TRACED_ZOOM_OUT), camera, preview, new SeparatorMenuItem(), canvases(), arrangement());
         add(view, Command.PREVIEW_INSET, Command.HIDE_PANELS, Command.FULL_SCREEN, SEPARATOR, Command.LIGHT_THEME);
         view.getItems().add(languages());
         return view;
@@ -169,7 +178,8 @@ final class EditorMenu extends MenuBar {
             List<MenuItem> named = CameraEdits.names(model.editor().scene()).stream().map(name -> items.value(Command.CHOOSE_CAMERA, name,
                     () -> model.editor().editAndRenderOrReport(scene -> CameraEdits.choose(scene, name), null))).toList();
             menu.getItems().setAll(named.isEmpty()
-                    ? List.of(CommandMenuItems.placeholder(Command.CHOOSE_CAMERA, Messages.tr("No Named Cameras: World > Camera saves them")))
+                    ? List.of(
+                            CommandMenuItems.placeholder(Command.CHOOSE_CAMERA, Messages.tr("No Named Cameras: World > Camera saves them")))
                     : named);
         };
         menu.setOnShowing(_ -> fill.run());
@@ -178,7 +188,8 @@ final class EditorMenu extends MenuBar {
     }
 
     private Menu arrangement() {
-        return submenu(Messages.tr("Arrangement"), "mdi2v-view-dashboard-outline", Command.ARRANGE_LIGHT, Command.ARRANGE_COMPARE, Command.ARRANGE_SHOT, SEPARATOR,
+        return submenu(Messages.tr("Arrangement"), "mdi2v-view-dashboard-outline", Command.ARRANGE_LIGHT, Command.ARRANGE_COMPARE,
+                Command.ARRANGE_SHOT, SEPARATOR,
                 Command.NEXT_PANEL, Command.PREVIOUS_PANEL, SEPARATOR, Command.FLOAT_PANEL, Command.MOVE_PANEL, Command.CLOSE_PANEL);
     }
 

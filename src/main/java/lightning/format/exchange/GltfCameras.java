@@ -1,19 +1,19 @@
 package lightning.format.exchange;
 
 import static java.util.Objects.requireNonNull;
-import java.util.function.UnaryOperator;
-import lightning.scene.Camera;
-import lightning.scene.NamedCamera;
-import lightning.format.mesh.UniqueNames;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.UnaryOperator;
 import lightning.base.text.Quote;
 import lightning.format.gltf.GltfFile;
 import lightning.format.gltf.GltfNode;
-import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
+import lightning.format.mesh.UniqueNames;
+import lightning.scene.Camera;
+import lightning.scene.NamedCamera;
 
 /**
  * Cameras of a glTF file, of which a scene shows one and keeps all, if there are several. A camera has the name of its node, or its own if the
@@ -63,6 +63,7 @@ final class GltfCameras {
     List<NamedCamera> named(UnaryOperator<Camera> finished) {
         var unique = new UniqueNames();
         return placed.size() < 2 ? List.of() : placed.entrySet().stream()
-                .map(e -> new NamedCamera(unique.unique(requireNonNull(names.get(e.getKey())), "camera"), finished.apply(e.getValue()))).toList();
+                .map(e -> new NamedCamera(unique.unique(requireNonNull(names.get(e.getKey())), "camera"), finished.apply(e.getValue())))
+                .toList();
     }
 }

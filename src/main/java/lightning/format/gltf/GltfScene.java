@@ -254,7 +254,8 @@ public final class GltfScene {
         JsonValue perspective = json.get("perspective");
         JsonValue orthographic = json.get("orthographic");
         for (String plane : List.of("znear", "zfar")) {
-            notes.add("clipping distances of cameras (" + plane + ")", perspective.get(plane).isPresent() || orthographic.get(plane).isPresent() ? 1 : 0);
+            notes.add("clipping distances of cameras (" + plane + ")",
+                    perspective.get(plane).isPresent() || orthographic.get(plane).isPresent() ? 1 : 0);
         }
         JsonValue yfov = perspective.get("yfov");
         return new GltfCamera(yfov.isPresent() ? Optional.of(yfov.number()) : Optional.empty(),

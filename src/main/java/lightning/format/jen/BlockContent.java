@@ -2,10 +2,10 @@ package lightning.format.jen;
 
 import static java.util.Objects.requireNonNull;
 
-import lightning.scene.NamedCamera;
 import java.util.List;
 import java.util.Map;
 import lightning.scene.Dome;
+import lightning.scene.NamedCamera;
 import lightning.scene.Scene;
 import lightning.scene.SceneElement;
 import lightning.scene.light.Light;

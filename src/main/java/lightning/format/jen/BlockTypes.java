@@ -2,7 +2,6 @@ package lightning.format.jen;
 
 import static java.util.Objects.requireNonNull;
 
-import lightning.scene.NamedCamera;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -13,6 +12,7 @@ import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
 import lightning.scene.Dome;
 import lightning.scene.IndirectSettings;
+import lightning.scene.NamedCamera;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;

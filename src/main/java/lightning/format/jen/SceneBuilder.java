@@ -2,7 +2,6 @@ package lightning.format.jen;
 
 import static java.util.Objects.requireNonNull;
 
-import lightning.scene.NamedCamera;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
@@ -26,6 +25,7 @@ import lightning.format.jen.asset.ProfileFolder;
 import lightning.format.jen.asset.TextureFolder;
 import lightning.scene.Camera;
 import lightning.scene.Dome;
+import lightning.scene.NamedCamera;
 import lightning.scene.OverflowCheck;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;

@@ -14,7 +14,8 @@ import org.jspecify.annotations.Nullable;
  * @param colorLinear     the pixel in the film
  * @param displayed       the pixel as displayed, 0 to 255
  */
-public record ExplainReport(int x, int y, int widthPixels, int heightPixels, Point center, Rays rays, @Nullable Indirect indirect, int samplesPerPixel,
+public record ExplainReport(int x, int y, int widthPixels, int heightPixels, Point center, Rays rays, @Nullable Indirect indirect,
+        int samplesPerPixel,
         float[] colorLinear, int[] displayed) {
     /**
      * A point that a ray hits.

@@ -3,9 +3,6 @@ package lightning.format.exchange;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import lightning.scene.Scene;
-import lightning.scene.ViewCurve;
-import lightning.scene.NamedCamera;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.OptionalDouble;
@@ -14,6 +11,9 @@ import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.gltf.GltfFixtures;
 import lightning.format.mesh.MeshException;
+import lightning.scene.NamedCamera;
+import lightning.scene.Scene;
+import lightning.scene.ViewCurve;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.data.Offset.offset;
 
-import lightning.scene.NamedCamera;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -15,6 +14,7 @@ import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.mesh.MeshException;
 import lightning.sample.PythonPrograms;
+import lightning.scene.NamedCamera;
 import lightning.scene.Scene;
 import lightning.scene.node.Mesh;
 import lightning.scene.node.Solid;

@@ -35,7 +35,8 @@ final class NamedCameraField extends VBox {
         delete.setId("delete-camera");
         delete.setMinWidth(Region.USE_PREF_SIZE);
         delete.setTooltip(new Tooltip(Messages.tr("Delete the chosen camera; the picture stays")));
-        delete.setOnAction(_ -> Optional.ofNullable(list.box().getValue()).ifPresent(camera -> edit(scene -> CameraEdits.delete(scene, camera))));
+        delete.setOnAction(
+                _ -> Optional.ofNullable(list.box().getValue()).ifPresent(camera -> edit(scene -> CameraEdits.delete(scene, camera))));
         chosen = new HBox(list, delete);
         chosen.getStyleClass().add("header-row");
         name.setId("camera-name");

@@ -78,7 +78,8 @@ final class WorldPane extends AttributeForm<World> {
                 SectionLayout.section(Messages.tr("Domes"), new DomeForm(model, visibleState)),
                 SectionLayout.section(Messages.tr("Fog"), fog()),
                 SectionLayout.section(Messages.tr("Indirect Light"), new IndirectForm(model, visibleState)),
-                SectionLayout.section(Messages.tr("Camera"), new NamedCameraField(editor, visibleState), CameraForm.view(model, visibleState)),
+                SectionLayout.section(Messages.tr("Camera"), new NamedCameraField(editor, visibleState),
+                        CameraForm.view(model, visibleState)),
                 SectionLayout.section(Messages.tr("Depth of Field"), CameraForm.lens(model, visibleState)),
                 SectionLayout.section(Messages.tr("View"), SectionLayout.caption(Messages.tr("View Transform")), curve, exposure, lut));
         setVgrow(scroll, Priority.ALWAYS);

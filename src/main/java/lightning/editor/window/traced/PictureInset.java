@@ -71,7 +71,7 @@ final class PictureInset extends StackPane {
         closer.setOnMouseClicked(_ -> commands.run(Command.PREVIEW_INSET));
         var outer = new HBox(mover, closer);
         outer.setMaxSize(USE_PREF_SIZE, USE_PREF_SIZE);
-        for (Node handle : new Node[]{outer, sizer}) {
+        for (Node handle : new Node[] {outer, sizer}) {
             handle.visibleProperty().bind(hoverProperty().or(handle.pressedProperty()));
         }
         getChildren().setAll(pane, outer, sizer);

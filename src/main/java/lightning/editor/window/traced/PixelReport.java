@@ -114,7 +114,8 @@ record PixelReport(int x, int y, String shape, String face, @Nullable Vec3 point
         if (!environmentLights.isEmpty()) {
             long litCount =
                     environmentLights.stream().filter(environmentLight -> environmentLight.state() == LightReport.State.LIT).count();
-            lines.add(Messages.tr("environment  {0}, {1} of its {2} bright parts are visible", percent(environmentBrightness(), total), litCount,
+            lines.add(Messages.tr("environment  {0}, {1} of its {2} bright parts are visible", percent(environmentBrightness(), total),
+                    litCount,
                     environmentLights.size()));
         }
         if (indirect != null) {

@@ -1,6 +1,5 @@
 package lightning.format.exchange.assembly;
 
-import lightning.scene.NamedCamera;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
@@ -30,6 +29,7 @@ import lightning.format.mesh.MeshException;
 import lightning.format.mesh.UniqueNames;
 import lightning.scene.Camera;
 import lightning.scene.Dome;
+import lightning.scene.NamedCamera;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.Stage;

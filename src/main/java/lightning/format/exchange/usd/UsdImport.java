@@ -2,8 +2,6 @@ package lightning.format.exchange.usd;
 
 import static java.util.Objects.requireNonNull;
 
-import lightning.scene.NamedCamera;
-import lightning.format.mesh.UniqueNames;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -22,9 +20,11 @@ import lightning.format.exchange.json.SceneExtras;
 import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
+import lightning.format.mesh.UniqueNames;
 import lightning.format.usd.StageChoice;
 import lightning.format.usd.UsdStage;
 import lightning.scene.Camera;
+import lightning.scene.NamedCamera;
 import lightning.scene.SceneElement;
 import lightning.scene.ViewSettings;
 import lightning.scene.light.Light;

@@ -52,7 +52,8 @@ public record LightReport(Light light, State state, int blocker, int visibleSamp
 
     /** Returns this report of a light with a weight, if it is that of weight 1. */
     LightReport times(LightWeight weight) {
-        return new LightReport(light, state, blocker, visibleSamples, samples, rays, samplesBelowSurface, cosine, specular, grazing, falloff,
+        return new LightReport(light, state, blocker, visibleSamples, samples, rays, samplesBelowSurface, cosine, specular, grazing,
+                falloff,
                 times(weight, diffuse), times(weight, highlight), times(weight, sheen), tint, face, gain);
     }
 

@@ -443,7 +443,8 @@ public final class PixelExplainer {
             state = blocker < 0 ? LightReport.State.LIT : LightReport.State.SHADOWED;
         }
         if (state != LightReport.State.LIT) {
-            return new LightReport(light.light(), state, blocker, 0, 1, state == LightReport.State.SHADOWED ? 1 : 0, below, cosine, 0, 0, 0, ZERO, ZERO, ZERO, ONE, ONE,
+            return new LightReport(light.light(), state, blocker, 0, 1, state == LightReport.State.SHADOWED ? 1 : 0, below, cosine, 0, 0, 0,
+                    ZERO, ZERO, ZERO, ONE, ONE,
                     light.gain(hit.primitive()));
         }
         Bsdf.Terms terms = Bsdf.of(materials.material(hit.material())).terms(equation, hit, cosine, factor);

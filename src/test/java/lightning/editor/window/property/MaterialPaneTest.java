@@ -24,12 +24,12 @@ import javafx.scene.input.MouseButton;
 import javax.imageio.ImageIO;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.document.EditOutcome;
 import lightning.editor.Command;
 import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.TextTyping;
 import lightning.scene.Scene;
 import lightning.scene.SceneElement;
-import lightning.document.EditOutcome;
 import lightning.scene.asset.TexturePlacement;
 import lightning.scene.material.Material;
 import lightning.scene.material.MaterialAttribute;
@@ -303,7 +303,8 @@ class MaterialPaneTest extends EditorFixture {
         assertThat(section("diffuse").isExpanded()).isTrue();
         assertThat(section("transparency").isExpanded()).isFalse();
         robot.interact(() -> model().editor()
-                .edit(scene -> EditOutcome.edit(scene, new SceneElement.OfMaterial("matt"), material -> MaterialAttribute.TRANSMISSION_COLOR.with(material, Rgb.WHITE))));
+                .edit(scene -> EditOutcome.edit(scene, new SceneElement.OfMaterial("matt"),
+                        material -> MaterialAttribute.TRANSMISSION_COLOR.with(material, Rgb.WHITE))));
         assertThat(section("transparency").isExpanded()).isTrue();
         robot.interact(() -> model().materials().choose("mirror"));
         assertThat(section("transparency").isExpanded()).isFalse();

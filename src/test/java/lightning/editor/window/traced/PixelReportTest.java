@@ -28,7 +28,8 @@ class PixelReportTest {
         IntStream.range(0, 48).forEach(i -> sky.add(light("environment " + i, i < 12 ? LightReport.State.LIT : LightReport.State.SHADOWED,
                 i < 12 ? 0.0625f : 0)));
         var report = report(List.of(light("key", LightReport.State.LIT, 2.25f), light("rim", LightReport.State.AWAY, 0)), sky);
-        assertThat(report.lightLines()).containsExactly("key  75 %", "rim  backfacing", "environment  25 %, 12 of its 48 bright parts are visible");
+        assertThat(report.lightLines()).containsExactly("key  75 %", "rim  backfacing",
+                "environment  25 %, 12 of its 48 bright parts are visible");
     }
 
     @Test
@@ -63,8 +64,9 @@ class PixelReportTest {
 
     @Test
     void lightBelowSurface_isReported() {
-        var light = new LightReport(Light.of("key", LightType.POINT), LightReport.State.SHADOWED, 0, 0, 1, 1, 1, 0.5f, 0, 0, 0, new float[3],
-                new float[3], new float[3], new float[] {1, 1, 1}, new float[] {1, 1, 1}, 1);
+        var light =
+                new LightReport(Light.of("key", LightType.POINT), LightReport.State.SHADOWED, 0, 0, 1, 1, 1, 0.5f, 0, 0, 0, new float[3],
+                        new float[3], new float[3], new float[] {1, 1, 1}, new float[] {1, 1, 1}, 1);
         assertThat(report(List.of(light), List.of()).lightLines()).containsExactly("key  below the horizon");
     }
 

@@ -128,7 +128,8 @@ class TracedPaneTest extends EditorFixture {
         waitForPicture();
         robot.interact(() -> model().editor().selection().selectLight("sun"));
         robot.doubleClickOn(pixel(36, 22));
-        waitFor("the light is selected", () -> model().editor().selection().light() != null && model().editor().selection().light().name().equals("stage"));
+        waitFor("the light is selected",
+                () -> model().editor().selection().light() != null && model().editor().selection().light().name().equals("stage"));
     }
 
     @Test
