@@ -19,4 +19,15 @@ record BenchPart(String where, double predictedMs, Measurement work) {
          */
         void measure(Progress progress) throws IOException, InterruptedException;
     }
+
+    /** Creates a part that needs another program: its failure becomes a failed measurement. */
+    static BenchPart ofProgram(String where, double predictedMs, ResultCollector ledger, Measurement work) {
+        return new BenchPart(where, predictedMs, progress -> {
+            try {
+                work.measure(progress);
+            } catch (IOException e) {
+                ledger.addUnmeasured(where, e.getMessage());
+            }
+        });
+    }
 }

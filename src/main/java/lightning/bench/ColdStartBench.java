@@ -2,8 +2,6 @@ package lightning.bench;
 
 import static java.util.Objects.requireNonNull;
 
-import java.io.IOException;
-import lightning.bench.result.MeasurementFailure;
 import lightning.format.pov.PovRayRunner;
 import lightning.format.pov.PovSampling;
 
@@ -17,15 +15,9 @@ record ColdStartBench(BenchSettings settings, ResultCollector ledger) {
     BenchPart part(ResultCollector.SceneCollector collector, NamedScene scene, PictureSize size, TraceThroughput throughput) {
         String title = scene.name() + " at " + size + ", from cold";
         double processMs = START_MS + COLD_SLOWDOWN * throughput.fullMs(size);
-        return new BenchPart(title, (settings.processes() + 1) * processMs * (PovRayRunner.find().isPresent() ? 2 : 1), progress -> {
-            try {
-                var meter = new ColdStartMeter(settings.threads(), settings.processes(), Double.POSITIVE_INFINITY);
-                collector.setColdStart(
-                        meter.measure(requireNonNull(scene.file()), scene.scene(), size, scene.renderOptions(), PovSampling.NONE,
-                                progress));
-            } catch (IOException e) {
-                ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, title, e.getMessage()));
-            }
-        });
+        double predictedMs = (settings.processes() + 1) * processMs * (PovRayRunner.find().isPresent() ? 2 : 1);
+        var meter = new ColdStartMeter(settings.threads(), settings.processes(), Double.POSITIVE_INFINITY);
+        return BenchPart.ofProgram(title, predictedMs, ledger, progress -> collector.setColdStart(meter.measure(
+                requireNonNull(scene.file()), scene.scene(), size, scene.renderOptions(), PovSampling.NONE, progress)));
     }
 }

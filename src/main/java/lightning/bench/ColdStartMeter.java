@@ -5,7 +5,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.CancellationException;
 import lightning.base.file.TemporaryFolder;
 import lightning.base.work.Progress;
 import lightning.bench.result.ColdStart;
@@ -46,9 +45,7 @@ record ColdStartMeter(int threads, int processes, double maxMs) {
             RenderProcess.render(file, WARM_UP_SIZE, threads, options, picture, folder);
             long start = System.nanoTime();
             for (int i = 0; i < processes && (i == 0 || System.nanoTime() - start < maxMs * 1e6); i++) {
-                if (progress.isCanceled()) {
-                    throw new CancellationException("canceled after " + i + " of " + processes + " processes");
-                }
+                progress.checkCanceled("canceled after " + i + " of " + processes + " processes");
                 ours.measure(() -> RenderProcess.render(file, size, threads, options, picture, folder));
                 if (povRay.isPresent()) {
                     povRay.get().runWrapped(exported, size.width(), size.height(), threads, sampling,

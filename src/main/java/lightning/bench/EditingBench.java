@@ -3,7 +3,6 @@ package lightning.bench;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.CancellationException;
 import java.util.function.IntFunction;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
@@ -106,9 +105,7 @@ record EditingBench(BenchSettings settings, ResultCollector ledger) {
     private static TimeSamples samples(int times, Progress progress, IntFunction<Double> sample) {
         List<Double> ms = new ArrayList<>();
         for (int i = 0; i < times; i++) {
-            if (progress.isCanceled()) {
-                throw new CancellationException("canceled after " + i + " of " + times + " samples");
-            }
+            progress.checkCanceled("canceled after " + i + " of " + times + " samples");
             ms.add(sample.apply(i));
         }
         return TimeSamples.of(new Timing(ms));

@@ -8,7 +8,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.DisplayError;
@@ -115,9 +114,7 @@ record ErrorBench(BenchSettings settings) {
             List<Double> times = new ArrayList<>();
             double totalMs = 0;
             while (times.isEmpty() || times.size() < REPETITIONS && totalMs < REPEAT_MS) {
-                if (progress.isCanceled()) {
-                    throw new CancellationException("canceled while measuring errors");
-                }
+                progress.checkCanceled("canceled while measuring errors");
                 Trace trace = task.getValue().trace();
                 film = trace.film();
                 times.add(trace.ms());

@@ -9,7 +9,6 @@ import lightning.base.work.Progress;
 import lightning.bench.accuracy.UpdateSaving;
 import lightning.bench.accuracy.UpdateSavingMeter;
 import lightning.bench.result.GrowthPoint;
-import lightning.bench.result.MeasurementFailure;
 import lightning.bench.result.TimeSamples;
 import lightning.render.RenderOptions;
 import lightning.render.relight.MemoryEstimate;
@@ -111,8 +110,7 @@ final class GrowthBench {
         if (saving.isVerified()) {
             edits.add(new GrowthPoint.EditTime(name, TimeSamples.of(saving.time())));
         } else {
-            ledger.addProblem(
-                    new MeasurementFailure(MeasurementFailure.Kind.BROKEN, title + ", " + name, "the image differs from a full trace"));
+            ledger.addBroken(title + ", " + name, "the image differs from a full trace");
         }
     }
 }

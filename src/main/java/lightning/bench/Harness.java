@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
+import lightning.base.work.ProgressPart;
 import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.MemoryBandwidth;
 import lightning.bench.result.BenchResults;
@@ -128,8 +129,7 @@ public final class Harness {
                     measurable.add(new Measurable(scene, size));
                 } catch (PictureTooLargeException e) {
                     tooLarge = e;
-                    ledger.addProblem(
-                            new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, scene.name() + " at " + size, e.getMessage()));
+                    ledger.addUnmeasured(scene.name() + " at " + size, e.getMessage());
                 }
             }
         }
@@ -189,8 +189,9 @@ public final class Harness {
         for (PartGroup group : groups) {
             try (AutoCloseable _ = group.shared()) {
                 for (BenchPart part : group.parts()) {
-                    measure(part, new PartProgress(progress, doneMs / predictedMs, part.predictedMs() / predictedMs));
+                    double startMs = doneMs;
                     doneMs += part.predictedMs();
+                    measure(part, new ProgressPart(progress, startMs / predictedMs, doneMs / predictedMs));
                     listener.partMeasured(part.where(), results(false));
                 }
             } catch (IOException | InterruptedException | RuntimeException e) {
@@ -207,12 +208,11 @@ public final class Harness {
         try {
             part.work().measure(progress);
         } catch (GuaranteeViolation e) {
-            ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.BROKEN, part.where(), e.getMessage()));
+            ledger.addBroken(part.where(), e.getMessage());
         } catch (PictureTooLargeException e) {
-            ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, part.where(), e.getMessage()));
+            ledger.addUnmeasured(part.where(), e.getMessage());
         } catch (OutOfMemoryError e) {
-            ledger.addProblem(
-                    new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, part.where(), "not enough memory"));
+            ledger.addUnmeasured(part.where(), "not enough memory");
         }
     }
 

@@ -12,7 +12,6 @@ import lightning.bench.accuracy.ModernCases;
 import lightning.bench.result.IndirectAbsence;
 import lightning.bench.result.IndirectAccuracy;
 import lightning.bench.result.IndirectCost;
-import lightning.bench.result.MeasurementFailure;
 import lightning.bench.result.TimeSamples;
 import lightning.render.RenderOptions;
 import lightning.render.measure.IndirectErrorMeter;
@@ -146,8 +145,7 @@ final class IndirectBench {
             edits.add(new IndirectCost.Edit(cases.get(i).name(), cases.get(i).value(), TimeSamples.of(with.edits().get(i)),
                     TimeSamples.of(without.edits().get(i)), with.equal().get(i)));
             if (!with.equal().get(i)) {
-                ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.BROKEN,
-                        named.name() + ", indirect light, " + cases.get(i).name(), "the image is not equal to a full trace"));
+                ledger.addBroken(named.name() + ", indirect light, " + cases.get(i).name(), "the image is not equal to a full trace");
             }
         }
         ledger.indirect().add(new IndirectCost(named.name(), size.width(), size.height(), scene.lights().size(),
@@ -162,8 +160,8 @@ final class IndirectBench {
         HiddenEffectCost cost = HiddenEffectCost.of(scene.withoutIndirect(), scene, RenderEffect.INDIRECT, options,
                 settings.isWarm() ? 3 * settings.repetitions() : 1, progress);
         if (!cost.equal()) {
-            ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.BROKEN, named.name() + ", without indirect light",
-                    "the image differs from that with hidden indirect light"));
+            ledger.addBroken(named.name() + ", without indirect light",
+                    "the image differs from that with hidden indirect light");
         }
         ledger.indirect().add(new IndirectAbsence(named.name(), size.width(), size.height(), cost.bytes() - cost.hiddenBytes(),
                 cost.rays() - cost.hiddenRays(), cost.equal(), TimeSamples.of(cost.absent()), TimeSamples.of(cost.hidden())));

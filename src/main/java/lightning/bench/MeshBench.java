@@ -3,14 +3,12 @@ package lightning.bench;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.bench.mesh.BumpySphere;
 import lightning.bench.mesh.Embree;
 import lightning.bench.mesh.LaneMeshTracer;
 import lightning.bench.mesh.RaySet;
 import lightning.bench.mesh.RaySetGenerator;
-import lightning.bench.result.MeasurementFailure;
 import lightning.bench.result.MeshPoint;
 import lightning.bench.result.RayThroughput;
 import lightning.bench.result.TimeSamples;
@@ -39,11 +37,9 @@ record MeshBench(BenchSettings settings, ResultCollector ledger) {
         PictureSize size = settings.quick() ? new PictureSize(160, 120) : new PictureSize(1920, 1080);
         String title = "mesh of " + triangles + " triangles";
         double predictedMs = settings.repetitions() * (TRIANGLE_MS * triangles + RAY_MS * size.pixels());
-        return new BenchPart(title, predictedMs, progress -> {
+        return BenchPart.ofProgram(title, predictedMs, ledger, progress -> {
             try (Embree embree = settings.peers() ? Embree.start().orElse(null) : null) {
                 ledger.addMesh(measure(triangles, size, embree, progress));
-            } catch (IOException e) {
-                ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, title, e.getMessage()));
             }
         });
     }
@@ -57,7 +53,7 @@ record MeshBench(BenchSettings settings, ResultCollector ledger) {
             embree.setMesh(mesh);
         }
         for (int i = settings.isWarm() ? -1 : 0; i < settings.repetitions(); i++) {
-            checkCanceled(progress);
+            progress.checkCanceled("canceled while measuring meshes");
             double ms = timedTree(mesh);
             Embree.TreeBuild tree = embree == null ? null : embree.build(settings.threads());
             if (i >= 0) {
@@ -99,7 +95,7 @@ record MeshBench(BenchSettings settings, ResultCollector ledger) {
             embree.setRays(set);
         }
         for (int i = settings.isWarm() ? -WARM_UP : 0; i < settings.repetitions(); i++) {
-            checkCanceled(progress);
+            progress.checkCanceled("canceled while measuring meshes");
             double ms = tracer.traceMs(set);
             Embree.TraceResult rivalTrace = embree == null ? null : embree.trace(set.kind());
             if (i >= 0) {
@@ -113,11 +109,5 @@ record MeshBench(BenchSettings settings, ResultCollector ledger) {
         TimeSamples rival = embree == null ? null : TimeSamples.of(new Timing(rivalMs));
         return new RayThroughput(set.kind().label(), set.count(), time, rival,
                 rival == null ? Double.NaN : 100 * rival.median() / time.median());
-    }
-
-    private static void checkCanceled(Progress progress) {
-        if (progress.isCanceled()) {
-            throw new CancellationException("canceled while measuring meshes");
-        }
     }
 }

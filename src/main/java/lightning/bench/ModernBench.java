@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.base.work.Progress;
-import lightning.bench.result.MeasurementFailure;
 import lightning.bench.result.ModernSampling;
 import lightning.format.pov.PovRayRunner;
 import lightning.format.pov.PovScene;
@@ -40,12 +39,6 @@ final class ModernBench {
         collector = ledger.addModern(scene.name(), PovScene.of(scene.scene(), "scene").losses());
     }
 
-    /** Measurement that may fail because of another program. */
-    @FunctionalInterface
-    private interface ProgramMeasurement {
-        void measure(Progress progress) throws IOException, InterruptedException;
-    }
-
     /** Returns the parts to measure. */
     List<BenchPart> parts(TraceThroughput throughput) {
         List<BenchPart> parts = new ArrayList<>();
@@ -56,26 +49,17 @@ final class ModernBench {
             parts.add(
                     new BenchPart(title + ", edits", edits.predictedMs(), progress -> edits.measure(collector, scene, sampling, progress)));
             if (settings.processes() > 0 && scene.file() != null) {
-                parts.add(part(title + ", from cold", PROCESSES * (2 * START_MS + Math.min(2 * coldMs, COLD_MS)),
+                parts.add(BenchPart.ofProgram(title + ", from cold", PROCESSES * (2 * START_MS + Math.min(2 * coldMs, COLD_MS)), ledger,
                         progress -> measureCold(sampling, progress)));
             }
         }
         ErrorBench errors = new ErrorBench(settings);
         parts.add(new BenchPart(scene.name() + ", time against error", errors.predictedMs(throughput),
                 progress -> collector.addCurve(errors.ours(scene.scene(), progress))));
-        PovRayRunner.find().ifPresent(povRay -> parts.add(part(scene.name() + ", time against error of " + PovRayBench.PROGRAM,
-                errors.predictedMs(throughput), progress -> collector.addCurve(errors.povRay(povRay, scene.scene(), progress)))));
+        PovRayRunner.find().ifPresent(povRay -> parts.add(BenchPart.ofProgram(
+                scene.name() + ", time against error of " + PovRayBench.PROGRAM, errors.predictedMs(throughput), ledger,
+                progress -> collector.addCurve(errors.povRay(povRay, scene.scene(), progress)))));
         return parts;
-    }
-
-    private BenchPart part(String title, double predictedMs, ProgramMeasurement measurement) {
-        return new BenchPart(title, predictedMs, progress -> {
-            try {
-                measurement.measure(progress);
-            } catch (IOException e) {
-                ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, title, e.getMessage()));
-            }
-        });
     }
 
     private PictureSize coldSize() {

@@ -9,7 +9,6 @@ import lightning.bench.accuracy.ModernCases;
 import lightning.bench.accuracy.UpdateSaving;
 import lightning.bench.accuracy.UpdateSavingMeter;
 import lightning.bench.result.FirstPassResult;
-import lightning.bench.result.MeasurementFailure;
 import lightning.bench.result.ModernEdit;
 import lightning.bench.result.ModernSampling;
 import lightning.render.RenderOptions;
@@ -45,9 +44,8 @@ record ModernEditBench(BenchSettings settings, ResultCollector ledger, double by
             for (int i = 0; i < cases.size(); i++) {
                 edits.add(ModernEdit.of(cases.get(i), savings.get(i)));
                 if (!edits.getLast().equal()) {
-                    ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.BROKEN,
-                            named.name() + ", anti-aliasing " + sampling.label() + ", " + cases.get(i).name(),
-                            "the image is not equal to a full trace"));
+                    ledger.addBroken(named.name() + ", anti-aliasing " + sampling.label() + ", " + cases.get(i).name(),
+                            "the image is not equal to a full trace");
                 }
             }
             double savedMs = edits.stream().mapToDouble(edit -> edit.fullTrace().median() - edit.time().median()).average().orElse(0);

@@ -6,7 +6,6 @@ import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.RivalTiming;
 import lightning.bench.accuracy.UpdateSavingMeter;
-import lightning.bench.result.MeasurementFailure;
 import lightning.bench.result.PeerResult;
 import lightning.bench.result.TimeSamples;
 import lightning.format.pov.PovRayRunner;
@@ -38,13 +37,8 @@ record PovRayBench(PovRayRunner povRay) {
             PictureSize size, TraceThroughput throughput) {
         int traces = REPETITIONS + EXTRA_TRACES;
         String title = scene.name() + " at " + size + ", " + PROGRAM;
-        return new BenchPart(title, traces * (SLOWDOWN * throughput.fullMs(size) + START_MS), progress -> {
-            try {
-                collector.setPeer(measure(size.of(scene.scene()), settings.threads(), progress.cancellationOnly()));
-            } catch (IOException e) {
-                ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, title, e.getMessage()));
-            }
-        });
+        return BenchPart.ofProgram(title, traces * (SLOWDOWN * throughput.fullMs(size) + START_MS), ledger,
+                progress -> collector.setPeer(measure(size.of(scene.scene()), settings.threads(), progress.cancellationOnly())));
     }
 
     private PeerResult measure(Scene scene, int threads, Progress progress) throws IOException, InterruptedException {

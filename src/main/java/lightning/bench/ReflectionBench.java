@@ -11,7 +11,7 @@ import lightning.render.measure.SweptEffect;
 import lightning.scene.PictureSettings;
 
 /** Benchmark of blurred reflections: time against error on scenes that have some. */
-final class ReflectionBench {
+record ReflectionBench(BenchSettings settings, ResultCollector ledger) {
     private static final PictureSize SIZE = new PictureSize(960, 540);
     private static final PictureSize QUICK_SIZE = new PictureSize(48, 27);
     private static final int PIXELS = 4000;
@@ -20,14 +20,6 @@ final class ReflectionBench {
     /** Predicted milliseconds of a scene. */
     private static final double MS = 90_000;
     private static final double QUICK_MS = 2000;
-
-    private final BenchSettings settings;
-    private final ResultCollector ledger;
-
-    ReflectionBench(BenchSettings settings, ResultCollector ledger) {
-        this.settings = settings;
-        this.ledger = ledger;
-    }
 
     /** Returns the parts to measure for these scenes. */
     List<BenchPart> parts(List<NamedScene> scenes) {

@@ -125,6 +125,14 @@ final class ResultCollector {
         problems.add(problem);
     }
 
+    void addUnmeasured(String where, @Nullable String what) {
+        addProblem(new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, where, what));
+    }
+
+    void addBroken(String where, @Nullable String what) {
+        addProblem(new MeasurementFailure(MeasurementFailure.Kind.BROKEN, where, what));
+    }
+
     /** Returns all results of a run. */
     BenchResults results(BenchRun run) {
         return new BenchResults(run, scenes.stream().map(SceneCollector::result).toList(), drifts, List.copyOf(growths.values()), editing,

@@ -12,7 +12,6 @@ import lightning.base.work.Progress;
 import lightning.bench.accuracy.UpdateSavingMeter;
 import lightning.bench.result.EditResult;
 import lightning.bench.result.EffectResult;
-import lightning.bench.result.MeasurementFailure;
 import lightning.bench.result.SweepPointResult;
 import lightning.bench.result.TimeSamples;
 import lightning.bench.result.UpdateWork;
@@ -82,9 +81,8 @@ final class SceneBench implements AutoCloseable {
         EffectCosts costs = EffectCosts.of(scene, after, RenderOptions.DEFAULT.withThreads(settings.threads()),
                 settings.isWarm() ? EFFECT_PASSES * settings.repetitions() : 1, progress);
         collector.setEffects(costs.effects().stream().filter(EffectCost::measured).map(EffectResult::of).toList());
-        costs.effectsOverMemory().forEach(effect -> ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED,
-                name + " at " + scene.picture().width() + "x" + scene.picture().height() + ", effects",
-                "not enough memory for " + effect.title())));
+        String where = name + " at " + scene.picture().width() + "x" + scene.picture().height() + ", effects";
+        costs.effectsOverMemory().forEach(effect -> ledger.addUnmeasured(where, "not enough memory for " + effect.title()));
     }
 
     /** Returns the cases by name, with each value that changes the scene. */

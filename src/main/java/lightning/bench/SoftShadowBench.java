@@ -13,7 +13,7 @@ import lightning.scene.Scene;
 import lightning.scene.light.Light;
 
 /** Benchmark of area lights: time against error on scenes that have some, and on a generated room whose lights are balls. */
-final class SoftShadowBench {
+record SoftShadowBench(BenchSettings settings, ResultCollector ledger) {
     private static final PictureSize SIZE = new PictureSize(960, 540);
     private static final PictureSize QUICK_SIZE = new PictureSize(48, 27);
     /** Predicted milliseconds of a scene. */
@@ -21,14 +21,6 @@ final class SoftShadowBench {
     private static final double QUICK_MS = 2000;
     /** Radius of the room's lights, scene units. */
     private static final double RADIUS = 0.15;
-
-    private final BenchSettings settings;
-    private final ResultCollector ledger;
-
-    SoftShadowBench(BenchSettings settings, ResultCollector ledger) {
-        this.settings = settings;
-        this.ledger = ledger;
-    }
 
     /** Returns the parts to measure for these scenes and a generated room. */
     List<BenchPart> parts(List<NamedScene> scenes) {

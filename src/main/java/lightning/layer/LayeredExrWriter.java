@@ -159,9 +159,7 @@ public final class LayeredExrWriter {
         checkMemory(memory, workers);
         prepare(workers, progress);
         // Rendering may have been canceled, and then tiles are incomplete.
-        if (progress.isCanceled()) {
-            throw new CancellationException();
-        }
+        progress.checkCanceled("canceled while it was prepared");
         int bands = LayerBand.count(crop);
         var writers = tileWriters(1).getFirst();
         long bytes = compressedBytes(writers, bands / 3);

@@ -11,6 +11,7 @@ import lightning.base.math.Rgb;
 import lightning.base.text.HtmlPage;
 import lightning.base.text.Language;
 import lightning.base.work.Progress;
+import lightning.base.work.ProgressPart;
 import lightning.render.RenderOptions;
 import lightning.render.relight.Renderer;
 import lightning.scene.Contribution;
@@ -53,9 +54,9 @@ public final class ReviewPage {
             ArrayNode pictures = data.putArray("pictures");
             var writer = new PagePictures(renderer, options, new LayerBlocks(out), content.hasThumbnails());
             int count = content.pictures().size();
+            var whole = new ProgressPart(progress, 0, 1);
             for (int i = 0; i < count; i++) {
-                pictures.add(writer.write(content.pictures().get(i), new PartProgress(progress, 2 * i, 2 * count),
-                        new PartProgress(progress, 2 * i + 1, 2 * count)));
+                pictures.add(writer.write(content.pictures().get(i), whole.section(2 * i, 2 * count), whole.section(2 * i + 1, 2 * count)));
             }
             out.write(withData(frame.substring(at + LAYERS.length()), data).getBytes(StandardCharsets.UTF_8));
         });

@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.CancellationException;
 import lightning.base.file.ParentFolder;
 import lightning.base.file.ShippedFile;
 import lightning.base.work.Progress;
@@ -83,9 +82,7 @@ final class SceneSource {
             if (importReader == null || !importReader.folder().equals(ParentFolder.of(output))) {
                 importReader = new CachingJenReader(ParentFolder.of(output));
             }
-            if (progress.isCanceled()) {
-                throw new CancellationException("canceled after the import");
-            }
+            progress.checkCanceled("canceled after the import");
             OpenDocument document = OpenDocument.openContent(output, imported.document(importReader));
             notes = imported.notes().keySet().stream().sorted().toList();
             return document;

@@ -49,9 +49,7 @@ public final class ConverterProcess {
                 try {
                     return result.get(POLL_MILLISECONDS, TimeUnit.MILLISECONDS);
                 } catch (TimeoutException e) {
-                    if (progress.isCanceled()) {
-                        throw new CancellationException("canceled while another program converted the file");
-                    }
+                    progress.checkCanceled("canceled while another program converted the file");
                     boolean isOverCpu = process.info().totalCpuDuration().filter(used -> used.compareTo(cpuLimit) > 0).isPresent();
                     if (isOverCpu || System.nanoTime() - end > 0) {
                         throw e;

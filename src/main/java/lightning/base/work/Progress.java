@@ -1,5 +1,6 @@
 package lightning.base.work;
 
+import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
 /** Listener for the progress of a long task, which can also cancel it. Called from any worker thread. */
@@ -9,6 +10,18 @@ public interface Progress {
 
     /** Returns whether the task must stop; polled before every tile and between the lights of a tile. */
     boolean isCanceled();
+
+    /**
+     * Ends a task that must stop.
+     *
+     * @param message says at what time, for developers
+     * @throws CancellationException if the task must stop
+     */
+    default void checkCanceled(String message) {
+        if (isCanceled()) {
+            throw new CancellationException(message);
+        }
+    }
 
     /**
      * Reports a finished tile of a full render before the image is complete.

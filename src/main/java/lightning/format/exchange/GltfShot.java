@@ -5,7 +5,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.CancellationException;
 import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import lightning.base.math.Rgb;
@@ -165,9 +164,7 @@ final class GltfShot {
     }
 
     private <T> List<T> states(IntFunction<T> stateAt) {
-        if (progress.isCanceled()) {
-            throw new CancellationException("canceled while the animation was imported");
-        }
+        progress.checkCanceled("canceled while the animation was imported");
         List<T> states = new ArrayList<>();
         for (int frame = animation.first(); frame <= animation.last(); frame++) {
             states.add(stateAt.apply(frame));

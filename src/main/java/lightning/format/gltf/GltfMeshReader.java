@@ -8,7 +8,6 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CancellationException;
 import lightning.base.text.RefusalException;
 import lightning.base.work.HeapBudget;
 import lightning.format.mesh.ConversionNotes;
@@ -78,9 +77,7 @@ public final class GltfMeshReader {
             JsonValue primitives = meshes.element(i).get("primitives");
             String name = meshes.element(i).get("name").text().orElse("");
             for (int j = 0; j < primitives.size(); j++) {
-                if (file.progress().isCanceled()) {
-                    throw new CancellationException("canceled after " + parts.size() + " parts");
-                }
+                file.progress().checkCanceled("canceled after " + parts.size() + " parts");
                 try {
                     readPrimitive(i, j, name, primitives.element(j), primitives.size() > 1);
                 } catch (LimitException e) {

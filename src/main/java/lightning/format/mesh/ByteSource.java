@@ -9,7 +9,6 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.concurrent.CancellationException;
 import lightning.base.file.RegularFile;
 import lightning.base.work.Progress;
 
@@ -181,9 +180,7 @@ public final class ByteSource implements AutoCloseable {
         if (limit - position >= bytes) {
             return true;
         }
-        if (progress.isCanceled()) {
-            throw new CancellationException("canceled after " + offset() + " of " + size + " bytes");
-        }
+        progress.checkCanceled("canceled after " + offset() + " of " + size + " bytes");
         System.arraycopy(block, position, block, 0, limit - position);
         blockOffset += position;
         limit -= position;

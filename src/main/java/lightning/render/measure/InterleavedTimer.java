@@ -103,9 +103,7 @@ public record InterleavedTimer(int repetitions, double maxWarmUpMs, double stead
     }
 
     private static <X extends Exception> double runTask(TimedTask<X> task, Progress progress) throws X {
-        if (progress.isCanceled()) {
-            throw new CancellationException("canceled while measuring");
-        }
+        progress.checkCanceled("canceled while measuring");
         return task.runMs();
     }
 

@@ -38,9 +38,7 @@ public final class FrameSequenceRenderer {
         try (var _ = new DelayedLanes(); var renderer = new Renderer(options)) {
             for (int frame : frames) {
                 UpdateResult update = renderer.renderOrClear(scene.apply(frame), progress);
-                if (progress.isCanceled()) {
-                    throw new CancellationException();
-                }
+                progress.checkCanceled("canceled while a frame was rendered");
                 listener.frameRendered(frame, renderer.cache(), update);
             }
         }

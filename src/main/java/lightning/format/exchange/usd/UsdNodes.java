@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CancellationException;
 import lightning.base.math.Transform;
 import lightning.base.work.Progress;
 import lightning.format.exchange.assembly.FrameTracks;
@@ -107,9 +106,7 @@ final class UsdNodes {
         if (!shows[index]) {
             return List.of();
         }
-        if (progress.isCanceled()) {
-            throw new CancellationException("canceled while the stage was imported");
-        }
+        progress.checkCanceled("canceled while the stage was imported");
         if (depth > MAX_DEPTH) {
             assembler.notes.add("objects nested more than " + MAX_DEPTH + " deep");
             return List.of();

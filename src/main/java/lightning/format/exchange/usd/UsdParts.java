@@ -8,7 +8,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.CancellationException;
 import lightning.base.math.Transform;
 import lightning.base.text.RefusalException;
 import lightning.base.work.Progress;
@@ -69,9 +68,7 @@ final class UsdParts {
         long triangles = 0;
         for (int i = 0; i < nodes.size(); i++) {
             JsonValue node = nodes.element(i);
-            if (progress.isCanceled()) {
-                throw new CancellationException("canceled while the meshes of the stage were read");
-            }
+            progress.checkCanceled("canceled while the meshes of the stage were read");
             if (node.get("mesh").isPresent() && !meshes.containsKey(key(node))) {
                 List<Part> parts = parts(node, names);
                 meshes.put(key(node), parts);
