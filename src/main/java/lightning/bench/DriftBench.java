@@ -18,24 +18,12 @@ import lightning.render.relight.paper.Accuracy;
 import lightning.scene.Scene;
 
 /** Benchmark of image error after 1, 10, 100, … edits, at each accuracy. */
-final class DriftBench {
-    private final NamedScene named;
-    private final Scene scene;
-    private final int threads;
-    private final long seed;
-
-    DriftBench(NamedScene named, PictureSize size, int threads, long seed) {
-        this.named = named;
-        scene = size.of(named.scene());
-        this.threads = threads;
-        this.seed = seed;
-    }
-
+record DriftBench(NamedScene named, PictureSize size, int threads, long seed) {
     /** @param editCount number of edits at the end */
     DriftCurve measure(int editCount, Progress progress) {
         RandomEdits edits = new RandomEdits(seed);
         List<DriftPoint> points = new ArrayList<>();
-        Scene target = scene;
+        Scene target = size.of(named.scene());
         List<Renderer> renderers = Arrays.stream(Accuracy.values())
                 .map(accuracy -> new Renderer(RenderOptions.DEFAULT.withAccuracy(accuracy).withThreads(threads))).toList();
         int[] refreshes = new int[renderers.size()];
@@ -67,6 +55,6 @@ final class DriftBench {
         } finally {
             renderers.forEach(Renderer::close);
         }
-        return new DriftCurve(named.name(), scene.picture().width(), scene.picture().height(), seed, points);
+        return new DriftCurve(named.name(), size.width(), size.height(), seed, points);
     }
 }

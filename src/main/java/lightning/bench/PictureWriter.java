@@ -9,18 +9,15 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import org.jspecify.annotations.Nullable;
 
-/** Writer of a run's images, downscaled for a web page. */
-final class PictureWriter {
+/**
+ * Writer of a run's images, downscaled for a web page.
+ *
+ * @param resultsFolder folder of the results
+ */
+record PictureWriter(Path resultsFolder) {
     /** Maximum width of an image, in pixels. */
     static final int MAX_WIDTH = 480;
     private static final String FOLDER = "pictures";
-
-    private final Path resultsFolder;
-
-    /** @param results folder of the results */
-    PictureWriter(Path results) {
-        this.resultsFolder = results;
-    }
 
     /** Writes an image as displayed; returns its name, relative to the results. */
     String writePicture(String name, Film film) throws IOException {

@@ -15,7 +15,9 @@ interface ChannelSource {
     List<ExrChannel> channels();
 
     /** Returns the header's attributes that describe them. */
-    Map<String, ExrAttribute> attributes();
+    default Map<String, ExrAttribute> attributes() {
+        return Map.of();
+    }
 
     /**
      * Computes what all writers need, before the first is created.

@@ -1,9 +1,7 @@
 package lightning.layer;
 
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Stream;
-import lightning.format.exr.ExrAttribute;
 import lightning.format.exr.ExrChannel;
 import lightning.format.exr.ExrPrimaries;
 import lightning.format.exr.ExrType;
@@ -19,11 +17,6 @@ record FilmChannels(Film film, ExrType type, ExrPrimaries primaries) implements 
     @Override
     public List<ExrChannel> channels() {
         return Stream.of("R", "G", "B").map(name -> new ExrChannel(name, type)).toList();
-    }
-
-    @Override
-    public Map<String, ExrAttribute> attributes() {
-        return Map.of();
     }
 
     @Override

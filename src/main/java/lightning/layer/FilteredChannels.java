@@ -5,9 +5,7 @@ import static java.util.Objects.requireNonNull;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.function.Function;
-import lightning.format.exr.ExrAttribute;
 import lightning.format.exr.ExrChannel;
 import lightning.format.exr.ExrType;
 import lightning.render.cache.CachedTile;
@@ -21,23 +19,16 @@ import lightning.render.image.Film;
  * surface, faces of lights included. Normals and colors are means over all samples, with 0 for the background, as denoisers expect.
  * Positions and depths are means over the samples that hit a surface, because the background has none. All come from stored rows; no ray is
  * cast.
+ *
+ * @param colorType type of alpha, normals and colors; all other channels are FLOAT
  */
-final class FilteredChannels implements ChannelSource {
+record FilteredChannels(PixelCache cache, ExrType colorType) implements ChannelSource {
     private static final String SUFFIX = "_filtered";
     /** Channels of normals, positions and the others; alpha comes first. */
     private static final int NORMAL = 1;
     private static final int POSITION = NORMAL + SurfaceValues.POSITION;
     private static final int DEPTH = NORMAL + SurfaceValues.DEPTH;
     private static final int COLOR = NORMAL + SurfaceValues.COLOR;
-
-    private final PixelCache cache;
-    private final ExrType colorType;
-
-    /** @param colorType type of alpha, normals and colors; all other channels are FLOAT */
-    FilteredChannels(PixelCache cache, ExrType colorType) {
-        this.cache = cache;
-        this.colorType = colorType;
-    }
 
     /** Returns whether any pixel has several samples: else averages equal the surface data of its center. */
     private boolean hasAverages() {
@@ -51,11 +42,6 @@ final class FilteredChannels implements ChannelSource {
             channels.addAll(SurfaceValues.channels(SUFFIX, "Z" + SUFFIX + ".Z", colorType));
         }
         return channels;
-    }
-
-    @Override
-    public Map<String, ExrAttribute> attributes() {
-        return Map.of();
     }
 
     @Override

@@ -16,19 +16,7 @@ import tools.jackson.databind.node.JsonNodeFactory;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Renders the pictures of a page, one after the other, and writes their layers. */
-final class PagePictures {
-    private final Renderer renderer;
-    private final RenderOptions options;
-    private final LayerBlocks blocks;
-    private final boolean hasThumbnails;
-
-    PagePictures(Renderer renderer, RenderOptions options, LayerBlocks blocks, boolean hasThumbnails) {
-        this.renderer = renderer;
-        this.options = options;
-        this.blocks = blocks;
-        this.hasThumbnails = hasThumbnails;
-    }
-
+record PagePictures(Renderer renderer, RenderOptions options, LayerBlocks blocks, boolean hasThumbnails) {
     /** Layers of one size. */
     private record Layers(ArrayNode ids) {
         static Layers in(ObjectNode node, int width, int height) {

@@ -17,21 +17,13 @@ import org.jspecify.annotations.Nullable;
  * lock of a process that ends. The lock file exists meanwhile only; one that a killed process left is used again. On a network file system it
  * holds between machines if the mount shares locks; where files cannot be locked, threads of this process exclude each other only.
  */
-final class ReplaceLock implements AutoCloseable {
+record ReplaceLock(Path file, @Nullable FileChannel channel) implements AutoCloseable {
     private static final String FILE = ".lightning-replace.lock";
     /** Content of a removed lock file. */
     private static final byte[] REMOVED = {1};
     /** Each try but the last fails because another process finished in between. */
     private static final int MAX_TRIES = 10_000;
     private static final ReentrantLock THREADS = new ReentrantLock();
-
-    private final Path file;
-    private final @Nullable FileChannel channel;
-
-    private ReplaceLock(Path file, @Nullable FileChannel channel) {
-        this.file = file;
-        this.channel = channel;
-    }
 
     /** Waits for the lock of a folder. */
     static ReplaceLock of(Path folder) {

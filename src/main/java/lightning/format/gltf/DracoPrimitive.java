@@ -14,7 +14,7 @@ import lightning.format.mesh.MeshLimits;
 import tools.jackson.databind.JsonNode;
 
 /** Decoder of compressed primitives (KHR_draco_mesh_compression). */
-final class DracoPrimitive {
+record DracoPrimitive(GltfFile file, AccessorReader accessors) {
     private static final String EXTENSION = "KHR_draco_mesh_compression";
     private static final byte[] MAGIC = "DRACO".getBytes(StandardCharsets.US_ASCII);
     /** Bytes before the data of the connectivity: magic, version, type, method, flags. */
@@ -26,14 +26,6 @@ final class DracoPrimitive {
     /** Time limit of all primitives of a file, and what each adds to it: on a slow machine, a million faces take 3 s. */
     static final Duration TIME = Duration.ofSeconds(4);
     private static final Duration TIME_PER_FACE = Duration.ofNanos(20_000);
-
-    private final GltfFile file;
-    private final AccessorReader accessors;
-
-    DracoPrimitive(GltfFile file, AccessorReader accessors) {
-        this.file = file;
-        this.accessors = accessors;
-    }
 
     /**
      * Decodes a primitive if it is compressed: its accessors then have values.

@@ -21,18 +21,8 @@ import lightning.scene.shot.TrackRetargeting;
  * <p>A block matches an element with the same name and type. An unmatched block and an unmatched element at the same
  * position in their lists (from the front or the back) are treated as renamed. Reordered blocks are swapped in place.
  */
-final class DocumentPatch {
+record DocumentPatch(SourceText source, TokenList tokens, Set<LeftOutFile> leftOut) {
     private static final int VERSION_TOKEN = 1;
-
-    private final SourceText source;
-    private final TokenList tokens;
-    private final Set<LeftOutFile> leftOut;
-
-    private DocumentPatch(SourceText source, TokenList tokens, Set<LeftOutFile> leftOut) {
-        this.source = source;
-        this.tokens = tokens;
-        this.leftOut = leftOut;
-    }
 
     /**
      * Returns the patched text.

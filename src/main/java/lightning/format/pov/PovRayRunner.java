@@ -15,14 +15,8 @@ import lightning.format.image.ImageFile;
 import lightning.render.image.Film;
 
 /** Runs the installed POV-Ray to measure its trace time and to get its image. */
-public final class PovRayRunner {
+public record PovRayRunner(Path program) {
     private static final Pattern TRACE_TIME = Pattern.compile("Trace Time:.*\\(([0-9.]+) seconds\\)");
-
-    private final Path program;
-
-    private PovRayRunner(Path program) {
-        this.program = program;
-    }
 
     /** Finds POV-Ray on the search path. */
     public static Optional<PovRayRunner> find() {

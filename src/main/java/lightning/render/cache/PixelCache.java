@@ -15,37 +15,16 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>The first level and the reflection levels may show different scenes, because reflections are updated on demand (paper
  * §4.8). Layers of lights that are off may be older than the scene: the stamp of each light identifies their inputs.
+ *
+ * @param geometry        geometry with the materials of the first level
+ * @param tiles           pixel centers; empty if all pixels have several samples
+ * @param fineTiles       finer samples of each tile; empty without anti-aliasing
+ * @param shown           scene of the film and the first level
+ * @param mirrored        scene of the reflection levels and Cr
+ * @param containsWeights whether layers and gathered light contain the weights of lights, as the method of 1998 stores them
  */
-public final class PixelCache {
-    private final Geometry geometry;
-    private final CachedTile[] tiles;
-    private final FineTile[] fineTiles;
-    private final CachedScene shown;
-    private final CachedScene mirrored;
-    private final boolean containsWeights;
-
-    /**
-     * @param tiles pixel centers; empty if all pixels have several samples
-     * @param fineTiles finer samples of each tile; empty without anti-aliasing
-     * @param shown scene of the film and the first level
-     * @param mirrored scene of the reflection levels and Cr
-     * @param containsWeights whether layers and gathered light contain the weights of lights, as the method of 1998 stores them
-     */
-    public PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fineTiles, CachedScene shown, CachedScene mirrored,
-            boolean containsWeights) {
-        this.geometry = geometry;
-        this.tiles = tiles;
-        this.fineTiles = fineTiles;
-        this.shown = shown;
-        this.mirrored = mirrored;
-        this.containsWeights = containsWeights;
-    }
-
-    /** Returns the geometry with the materials of the first level. */
-    public Geometry geometry() {
-        return geometry;
-    }
-
+public record PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fineTiles, CachedScene shown, CachedScene mirrored,
+        boolean containsWeights) {
     /** Returns the geometry with the materials of the reflection levels. */
     public Geometry mirroredGeometry() {
         return geometry.withMaterialsOf(mirrored.scene());
@@ -98,16 +77,6 @@ public final class PixelCache {
             tile.blocks().map(SampleBlock::rows).forEach(result::add);
         }
         return result;
-    }
-
-    /** Returns the scene of the film and of the first level. */
-    public CachedScene shown() {
-        return shown;
-    }
-
-    /** Returns the scene of the reflections. */
-    public CachedScene mirrored() {
-        return mirrored;
     }
 
     /** Returns the scene of the film. */

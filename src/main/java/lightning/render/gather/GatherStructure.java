@@ -32,45 +32,22 @@ import org.jspecify.annotations.Nullable;
  * Immutable.
  *
  * <p>A surfel is a small part of a surface. It is lit at one place, its row, like every other row.
+ *
+ * @param pointLinks    surfels that the rays of gather points hit
+ * @param rims          what additional rays of gather points meet, through the rims of openings
+ * @param surfelLinks   surfels that the rays of the first surfels hit; later surfels have no rays
+ * @param surfelNormals normals of the surfaces of surfels that cast rays
+ * @param glow          paths from small glowing objects
+ * @param kept          for each surfel before an edit its number now, −1 if its row is not the same; null if this structure contains
+ *                      all rows, as after a first build; otherwise it lacks those of these surfels
+ * @param reflections   paths of blurred reflections; null for none
+ * @param isIndirect    whether surfels send light to gather points
+ * @param bounces       diffuse bounces between a light and a gather point, or 1 if surfels send light to reflections only
+ * @param rays          rays that were cast to build it
  */
-public final class GatherStructure {
-    private final GatherPoints points;
-    private final RayLinks pointLinks;
-    private final RimLinks rims;
-    private final RayLinks surfelLinks;
-    private final SurfelRows surfels;
-    /** Normals of the surfaces of surfels that cast rays. */
-    private final TiltedFacets surfelNormals;
-    private final GlowPaths glow;
-    private final int @Nullable [] kept;
-    private final @Nullable ReflectionPaths reflections;
-    private final boolean isIndirect;
-    private final int bounces;
-    private final GatherRays rays;
-
-    /**
-     * @param kept        for each surfel before an edit its number now, −1 if its row is not the same; null after a first build
-     * @param reflections paths of blurred reflections; null for none
-     * @param isIndirect  whether surfels send light to gather points
-     */
-    public GatherStructure(GatherPoints points, RayLinks pointLinks, RimLinks rims, RayLinks surfelLinks, SurfelRows surfels,
-            TiltedFacets surfelNormals,
-            GlowPaths glow, int @Nullable [] kept, @Nullable ReflectionPaths reflections, boolean isIndirect, int bounces,
-            GatherRays rays) {
-        this.reflections = reflections;
-        this.isIndirect = isIndirect;
-        this.glow = glow;
-        this.points = points;
-        this.pointLinks = pointLinks;
-        this.rims = rims;
-        this.surfelLinks = surfelLinks;
-        this.surfels = surfels;
-        this.surfelNormals = surfelNormals;
-        this.kept = kept;
-        this.bounces = bounces;
-        this.rays = rays;
-    }
-
+public record GatherStructure(GatherPoints points, RayLinks pointLinks, RimLinks rims, RayLinks surfelLinks, SurfelRows surfelRows,
+        TiltedFacets surfelNormals, GlowPaths glow, int @Nullable [] kept, @Nullable ReflectionPaths reflections, boolean isIndirect,
+        int bounces, GatherRays rays) {
     /**
      * Cells and objects to which stored paths refer.
      *
@@ -106,7 +83,7 @@ public final class GatherStructure {
         pointLinks.writeTo(out);
         rims.writeTo(out);
         surfelLinks.writeTo(out);
-        surfels.writeTo(out);
+        surfelRows.writeTo(out);
         surfelNormals.writeTo(out);
         glow.writeTo(out);
         out.writeInt(reflections == null ? 0 : 1);
@@ -139,20 +116,8 @@ public final class GatherStructure {
      * @param numbers surfel of each parent in each block
      */
     public GatherStructure withSurfels(HitRows[] rows, int[][] numbers) {
-        return new GatherStructure(points, pointLinks, rims, surfelLinks, new SurfelRows(rows, numbers, surfels.near(), surfels.count()),
+        return new GatherStructure(points, pointLinks, rims, surfelLinks, new SurfelRows(rows, numbers, surfelRows.near(), surfelRows.count()),
                 surfelNormals, glow, null, reflections, isIndirect, bounces, rays);
-    }
-
-    /**
-     * Returns for each surfel before an edit its number now, −1 if its row is not the same. Null if this structure contains all rows;
-     * otherwise it lacks those of these surfels.
-     */
-    public int @Nullable [] kept() {
-        return kept;
-    }
-
-    public GatherPoints points() {
-        return points;
     }
 
     public int pointCount() {
@@ -160,32 +125,17 @@ public final class GatherStructure {
     }
 
     public int surfelCount() {
-        return surfels.count();
-    }
-
-    /** Returns the paths of blurred reflections; null for none. */
-    public @Nullable ReflectionPaths reflections() {
-        return reflections;
-    }
-
-    /** Returns whether surfels send light to gather points; otherwise only to reflections. */
-    public boolean isIndirect() {
-        return isIndirect;
-    }
-
-    /** Returns the diffuse bounces between a light and a gather point, or 1 if surfels send light to reflections only. */
-    public int bounces() {
-        return bounces;
+        return surfelRows.count();
     }
 
     /** Returns the rows of the surfels in blocks of at most 1024; {@code parent} is an index of {@link #numbers}. */
     public HitRows[] surfels() {
-        return surfels.blocks().clone();
+        return surfelRows.blocks().clone();
     }
 
     /** Returns the surfel of each parent in a block. Callers must not modify it. */
     public int[] numbers(int block) {
-        return surfels.numbers()[block];
+        return surfelRows.numbers()[block];
     }
 
     /** Returns the points that the surfels are, with their places given. */
@@ -197,27 +147,7 @@ public final class GatherStructure {
 
     /** Returns whether the cell of a surfel is small. */
     public boolean isNear(int surfel) {
-        return surfels.near().get(surfel);
-    }
-
-    /** Returns the surfels that the rays of gather points hit. */
-    public RayLinks pointLinks() {
-        return pointLinks;
-    }
-
-    /** Returns what additional rays of gather points meet, through the rims of openings. */
-    public RimLinks rims() {
-        return rims;
-    }
-
-    /** Returns the surfels that the rays of the first surfels hit; later surfels have no rays. */
-    public RayLinks surfelLinks() {
-        return surfelLinks;
-    }
-
-    /** Returns the paths from small glowing objects. */
-    public GlowPaths glow() {
-        return glow;
+        return surfelRows.near().get(surfel);
     }
 
     /**
@@ -259,11 +189,6 @@ public final class GatherStructure {
         return light;
     }
 
-    /** Returns the rays that were cast to build it. */
-    public GatherRays rays() {
-        return rays;
-    }
-
     /** Returns the bytes of all columns. */
     public long bytes() {
         return pointBytes() + surfelBytes() + (reflections == null ? 0 : reflections.bytes());
@@ -288,6 +213,6 @@ public final class GatherStructure {
     }
 
     private long surfelBytes() {
-        return surfelLinks.bytes() + surfels.bytes() + surfelNormals.bytes() + glow.surfelBytes();
+        return surfelLinks.bytes() + surfelRows.bytes() + surfelNormals.bytes() + glow.surfelBytes();
     }
 }

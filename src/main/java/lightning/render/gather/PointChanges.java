@@ -11,24 +11,12 @@ import org.jspecify.annotations.Nullable;
 /**
  * Difference between the gather points before and after an edit. Points with the same place, normal, radius and barriers are unchanged if they
  * also keep their order, which breaks ties between equal weights. Rows that no changed point reaches keep their weights. Thread-safe.
+ *
+ * @param newNumber new number of each old point; −1 for a changed one
+ * @param removed   changed points before
+ * @param added     changed points after
  */
-public final class PointChanges {
-    private final GatherStructure before;
-    private final GatherStructure after;
-    /** New number of each old point; −1 for a changed one. */
-    private final int[] newNumber;
-    /** Changed points, before and after. */
-    private final PointGroups removed;
-    private final PointGroups added;
-
-    private PointChanges(GatherStructure before, GatherStructure after, int[] newNumber, PointGroups removed, PointGroups added) {
-        this.before = before;
-        this.after = after;
-        this.newNumber = newNumber;
-        this.removed = removed;
-        this.added = added;
-    }
-
+public record PointChanges(GatherStructure before, GatherStructure after, int[] newNumber, PointGroups removed, PointGroups added) {
     /** Returns the difference between two structures, whose pictures have the same camera and settings. */
     public static PointChanges between(GatherStructure before, GatherStructure after) {
         return between(before, after, new KnownRays(before.points().sources(), before.pointLinks()));

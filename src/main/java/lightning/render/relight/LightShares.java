@@ -21,20 +21,11 @@ import lightning.scene.light.LightRig;
  * Shares of the contributions in a picture: the luminance of a contribution divided by that of the picture, both summed over all pixels, with
  * reflections and indirect light. The share of an environment includes its visible background. This is the only measure of shares: the light
  * mixer and the report of light contributions show it.
+ *
+ * @param totals sum of the pixels of each film, without its weight: red, green and blue
+ * @param other  luminance of what belongs to no film: mirrors that show an earlier scene
  */
-public final class LightShares {
-    private final FilmParts parts;
-    /** Sum of the pixels of each film, without its weight: red, green and blue. */
-    private final double[][] totals;
-    /** Luminance of what belongs to no film: mirrors that show an earlier scene. */
-    private final double other;
-
-    private LightShares(FilmParts parts, double[][] totals, double other) {
-        this.parts = parts;
-        this.totals = totals;
-        this.other = other;
-    }
-
+public record LightShares(FilmParts parts, double[][] totals, double other) {
     /**
      * Computes the shares in a picture. Casts no ray.
      *

@@ -27,8 +27,16 @@ import lightning.scene.value.SceneLimits;
  *
  * <p>An editor that renders centers first forecasts in two steps: the centers before the first pass, and their edge samples once
  * the bytes of the centers are known.
+ *
+ * @param bytesPerCenter     bytes per pixel center in a picture of any size
+ * @param filmBytesPerCenter part of these bytes for kept films, which EVERY does not multiply by its samples
+ * @param borderBytes        additional bytes per center for a longer side of one pixel
+ * @param edgeBytes          bytes of edge samples in the small picture, at the minimum number of samples per pixel
+ * @param edgeFilmBytes      bytes of their films: a mean of each pixel's first samples, and the pixel itself
+ * @param isUpper            whether it is a forecast by {@link #upperOf}
  */
-final class MemoryForecast {
+record MemoryForecast(Scene scene, RenderOptions options, PictureParts parts, double bytesPerCenter, double filmBytesPerCenter,
+        double borderBytes, double edgeBytes, double edgeFilmBytes, double edgeExponent, boolean isUpper, IndirectEstimate indirect) {
     /** Longer side of the smaller picture, pixels; the other picture is twice as large. */
     private static final int SMALL_SIDE = 192;
     /** Factor of a tiny picture's bytes that a larger picture hardly exceeds. */
@@ -36,37 +44,6 @@ final class MemoryForecast {
     private static final int MIN_SAMPLES = SceneLimits.MIN_SAMPLES * SceneLimits.MIN_SAMPLES;
     /** Share of the pixels with samples whose first samples differ so much that they need all; rather too large. */
     private static final double REFINED_SHARE = 0.65;
-
-    private final Scene scene;
-    private final RenderOptions options;
-    private final PictureParts parts;
-    /** Bytes per pixel center in a picture of any size, and the additional bytes per center for a longer side of one pixel. */
-    private final double bytesPerCenter;
-    private final double borderBytes;
-    /** Part of these bytes for kept films, which EVERY does not multiply by its samples. */
-    private final double filmBytesPerCenter;
-    /** Bytes of edge samples in the small picture, at the minimum number of samples per pixel. */
-    private final double edgeBytes;
-    /** Bytes of their films: a mean of each pixel's first samples, and the pixel itself. */
-    private final double edgeFilmBytes;
-    private final double edgeExponent;
-    private final boolean isUpper;
-    private final IndirectEstimate indirect;
-
-    private MemoryForecast(Scene scene, RenderOptions options, PictureParts parts, double bytesPerCenter, double filmBytesPerCenter,
-            double borderBytes, double edgeBytes, double edgeFilmBytes, double edgeExponent, boolean isUpper, IndirectEstimate indirect) {
-        this.scene = scene;
-        this.options = options;
-        this.parts = parts;
-        this.bytesPerCenter = bytesPerCenter;
-        this.filmBytesPerCenter = filmBytesPerCenter;
-        this.borderBytes = borderBytes;
-        this.edgeBytes = edgeBytes;
-        this.edgeFilmBytes = edgeFilmBytes;
-        this.edgeExponent = edgeExponent;
-        this.isUpper = isUpper;
-        this.indirect = indirect;
-    }
 
     /** Renders the small pictures; takes a fraction of a second once the code is warm, unless the scene's rays are slow. */
     static MemoryForecast of(Scene scene, RenderOptions options) {
@@ -145,15 +122,6 @@ final class MemoryForecast {
         return parts == PictureParts.ALL && options.equals(otherOptions.withMemory(options.memory())) && scene.hasSameShapes(other)
                 && scene.picture().sampling().antialias() == other.picture().sampling().antialias()
                 && scene.lights().size() == other.lights().size();
-    }
-
-    /** Returns whether this is a forecast by {@link #upperOf}. */
-    boolean isUpper() {
-        return isUpper;
-    }
-
-    PictureParts parts() {
-        return parts;
     }
 
     /**

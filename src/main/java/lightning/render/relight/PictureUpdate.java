@@ -46,16 +46,16 @@ record PictureUpdate(RenderOptions options, WorkerPool workers,
 
     /** Updates a picture to a target scene; leaves out the finer samples if {@code centersOnly}. */
     Outcome run(PictureState from, PlannedUpdate planned, boolean centersOnly) {
-        long start = System.nanoTime() - planned.nanoseconds;
-        UpdatePlan plan = planned.difference;
+        long start = System.nanoTime() - planned.nanoseconds();
+        UpdatePlan plan = planned.difference();
         Step step = startFrom(from, planned);
         if (step.state().needsConversion(options.method()) && !(plan instanceof UpdatePlan.FirstPass)) {
             step = step.then(convert(step.state()));
             // Lights and rows are the same, but layers have another accuracy.
-            plan = Dispatcher.plan(step.state().picture(), planned.target, planned.updatesMirrors, options.method());
+            plan = Dispatcher.plan(step.state().picture(), planned.target(), planned.updatesMirrors(), options.method());
         }
         UpdatePlan reported = plan instanceof UpdatePlan.Nothing ? planned.update() : plan;
-        step = step.then(updateTo(step.state(), plan, planned.target, centersOnly));
+        step = step.then(updateTo(step.state(), plan, planned.target(), centersOnly));
         UpdatePlan refresh = options.method().refresh(step.state().picture(), exposure, curve);
         if (refresh instanceof UpdatePlan.Relight relight) {
             step = step.then(relight(step.state(), relight, step.state().picture().scene(), false));
@@ -90,12 +90,12 @@ record PictureUpdate(RenderOptions options, WorkerPool workers,
 
     /** Goes to the picture that an update was planned from; renders samples that could not follow the update. */
     private Step startFrom(PictureState from, PlannedUpdate planned) {
-        if (planned.base != from.newest()) {
+        if (planned.base() != from.newest()) {
             return Step.start(
-                    new Finished(requireNonNull(planned.base), from instanceof Finished picture ? picture.method() : options.method()));
+                    new Finished(requireNonNull(planned.base()), from instanceof Finished picture ? picture.method() : options.method()));
         }
-        return from instanceof CentersOnly unfinished && planned.difference instanceof UpdatePlan.Relight next
-                && !unfinished.samples().canReuseMirrors(unfinished.centers(), next, planned.target)
+        return from instanceof CentersOnly unfinished && planned.difference() instanceof UpdatePlan.Relight next
+                && !unfinished.samples().canReuseMirrors(unfinished.centers(), next, planned.target())
                         ? renderSamples(unfinished, unfinished.samples().plan(unfinished.centers()))
                         : Step.start(from);
     }

@@ -97,15 +97,15 @@ public final class Renderer implements AutoCloseable {
      */
     public PlannedUpdate planFrom(@Nullable PixelCache earlier, Scene target) {
         PlannedUpdate planned = planKeepingReflectionsCurrent(target);
-        if (earlier == null || !planned.updatesMirrors) {
+        if (earlier == null || !planned.updatesMirrors()) {
             return planned;
         }
         PixelCache newest = cache();
-        Geometry geometry = newest.geometry().canServe(planned.target) ? newest.geometry() : null;
-        UpdatePlan difference = Dispatcher.plan(earlier, planned.target, geometry, true, options.method());
+        Geometry geometry = newest.geometry().canServe(planned.target()) ? newest.geometry() : null;
+        UpdatePlan difference = Dispatcher.plan(earlier, planned.target(), geometry, true, options.method());
         boolean keepsPaths = difference instanceof UpdatePlan.Relight relight
                 && (relight.paths() == PathUpdate.KEEP || relight.paths() == PathUpdate.REPEAT);
-        return keepsPaths ? new PlannedUpdate(planned.target, true, difference, difference, earlier, newest, planned.nanoseconds) : planned;
+        return keepsPaths ? new PlannedUpdate(planned.target(), true, difference, difference, earlier, newest, planned.nanoseconds()) : planned;
     }
 
     private PlannedUpdate plan(Scene target, boolean mirrors) {
@@ -198,7 +198,7 @@ public final class Renderer implements AutoCloseable {
     }
 
     private PlannedUpdate replanIfStale(PlannedUpdate planned) {
-        return planned.isPlannedFor(state.newest()) ? planned : plan(planned.target, planned.updatesMirrors);
+        return planned.isPlannedFor(state.newest()) ? planned : plan(planned.target(), planned.updatesMirrors());
     }
 
     private PictureUpdate updateWith(Progress progress) {

@@ -14,20 +14,10 @@ import lightning.scene.light.Light;
 /**
  * The films that add up to the picture of a scene, in the order of their sum: of each light, of each environment its light and its image, of
  * ambient light, and of the rest.
+ *
+ * @param lights all lights that are rendered, with the weights that films contain; those of dark films are dark. Callers must not modify it
  */
-public final class FilmParts {
-    private final Scene scene;
-    private final FilmPart[] parts;
-    private final WeightedLight[] lights;
-    private final List<Dome> environments;
-
-    private FilmParts(Scene scene, List<Dome> environments, FilmPart[] parts, WeightedLight[] lights) {
-        this.scene = scene;
-        this.environments = environments;
-        this.parts = parts;
-        this.lights = lights;
-    }
-
+public record FilmParts(Scene scene, List<Dome> environments, FilmPart[] parts, WeightedLight[] lights) {
     /** Returns the films of a scene, each with the light of its contribution at weight 1. */
     public static FilmParts of(Scene scene) {
         return of(scene, false);
@@ -74,10 +64,6 @@ public final class FilmParts {
                 : new FilmPart(kind, index, weight, LightWeight.ONE, from, to);
     }
 
-    public Scene scene() {
-        return scene;
-    }
-
     /** Returns an environment. */
     public Dome environment(int index) {
         return environments.get(index);
@@ -95,11 +81,6 @@ public final class FilmParts {
 
     public FilmPart get(int part) {
         return parts[part];
-    }
-
-    /** Returns all lights that are rendered, with the weights that films contain; those of dark films are dark. Callers must not modify it. */
-    public WeightedLight[] lights() {
-        return lights;
     }
 
     /** Returns the numbers of all films that are not dark. */

@@ -10,18 +10,11 @@ import org.jspecify.annotations.Nullable;
 /**
  * Gains of one light on the shapes of a scene: factors of its contributions, which composition applies. An edit of a gain therefore casts no
  * ray and changes no layer.
+ *
+ * @param entries for each shape the index of its gain
+ * @param gains   gains; the first is 1, for shapes without a gain
  */
-public final class ObjectGains {
-    /** For each shape the index of its gain. */
-    private final short[] entries;
-    /** Gains; the first is 1, for shapes without a gain. */
-    private final float[] gains;
-
-    private ObjectGains(short[] entries, float[] gains) {
-        this.entries = entries;
-        this.gains = gains;
-    }
-
+public record ObjectGains(short[] entries, float[] gains) {
     /** Returns the gains of a light; null if it has none. */
     public static @Nullable ObjectGains of(Light light, Stage stage) {
         ShapeGains gains = light.influence().gains();

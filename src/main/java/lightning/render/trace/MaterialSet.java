@@ -4,14 +4,8 @@ import java.util.BitSet;
 import java.util.function.IntPredicate;
 
 /** Immutable set of materials, identified by their indices in a {@link MaterialTable}. */
-public final class MaterialSet {
+public record MaterialSet(BitSet members) {
     public static final MaterialSet NONE = new MaterialSet(new BitSet());
-
-    private final BitSet members;
-
-    private MaterialSet(BitSet members) {
-        this.members = members;
-    }
 
     /** Returns the materials among {@code 0 … count − 1} that satisfy a condition. */
     public static MaterialSet of(int count, IntPredicate condition) {
@@ -46,20 +40,5 @@ public final class MaterialSet {
             count += contains(rows.runMaterial[r]) ? rows.runEnd[r] - rows.runStart(r) : 0;
         }
         return count;
-    }
-
-    @Override
-    public boolean equals(Object o) {
-        return o instanceof MaterialSet s && members.equals(s.members);
-    }
-
-    @Override
-    public int hashCode() {
-        return members.hashCode();
-    }
-
-    @Override
-    public String toString() {
-        return members.toString();
     }
 }

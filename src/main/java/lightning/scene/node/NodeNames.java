@@ -9,15 +9,9 @@ import lightning.base.text.Quote;
 import lightning.base.text.RefusalException;
 
 /** Sorted table of the names of shapes and groups. Sorted rather than hashed, because a file could choose names whose hashes collide. */
-public final class NodeNames {
+public record NodeNames(List<String> sorted) {
     /** Maximum number of names replaced one by one. */
     private static final int MAX_INCREMENTAL = 64;
-
-    private final List<String> sorted;
-
-    private NodeNames(List<String> sorted) {
-        this.sorted = sorted;
-    }
 
     /**
      * Creates a table from names in any order.

@@ -18,8 +18,12 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.CancellationException;
 
-/** Client of the resident process; starts the process if there is none. */
-public final class ResidentClient {
+/**
+ * Client of the resident process; starts the process if there is none.
+ *
+ * @param socket path of the socket: {@link ResidentPlace}
+ */
+public record ResidentClient(Path socket, Starter starter) {
     /** Starts a resident process, which ends by itself. */
     @FunctionalInterface
     public interface Starter {
@@ -30,15 +34,6 @@ public final class ResidentClient {
     private static final Duration START_TIMEOUT = Duration.ofSeconds(30);
     private static final int POLL_MILLISECONDS = 20;
     private static final int MAX_STARTS = 2;
-
-    private final Path socket;
-    private final Starter starter;
-
-    /** @param socket path of the socket: {@link ResidentPlace} */
-    public ResidentClient(Path socket, Starter starter) {
-        this.socket = socket;
-        this.starter = starter;
-    }
 
     /**
      * Runs a command in the resident process.

@@ -65,9 +65,9 @@ class EarlierPathsTest {
         try (Renderer renderer = rendered(scene, ReflectionMode.CURRENT)) {
             PixelCache earlier = renderer.cache();
             renderer.render(moved.withoutIndirect(), Progress.NONE);
-            assertThat(renderer.planFrom(null, moved).base).isSameAs(renderer.cache());
-            assertThat(renderer.planFrom(earlier, denser).base).as("other settings").isSameAs(renderer.cache());
-            assertThat(renderer.planFrom(earlier, moved).base).isSameAs(earlier);
+            assertThat(renderer.planFrom(null, moved).base()).isSameAs(renderer.cache());
+            assertThat(renderer.planFrom(earlier, denser).base()).as("other settings").isSameAs(renderer.cache());
+            assertThat(renderer.planFrom(earlier, moved).base()).isSameAs(earlier);
         }
     }
 
@@ -77,7 +77,7 @@ class EarlierPathsTest {
         try (Renderer renderer = rendered(scene, ReflectionMode.STALE)) {
             PixelCache earlier = renderer.cache();
             renderer.render(moved.withoutIndirect(), Progress.NONE);
-            assertThat(renderer.planFrom(earlier, moved).base).isSameAs(renderer.cache());
+            assertThat(renderer.planFrom(earlier, moved).base()).isSameAs(renderer.cache());
         }
     }
 }

@@ -9,15 +9,9 @@ import lightning.scene.material.Sheen;
 import lightning.scene.value.SceneLimits;
 
 /** Converter of other programs' reflections to principled materials. */
-public final class PrincipledImport {
+public record PrincipledImport(SceneAssembler assembler) {
     /** Degrees of two half turns; materials look the same after one. */
     private static final double HALF_TURNS = 360;
-
-    private final SceneAssembler assembler;
-
-    public PrincipledImport(SceneAssembler assembler) {
-        this.assembler = assembler;
-    }
 
     /**
      * Returns a principled material.

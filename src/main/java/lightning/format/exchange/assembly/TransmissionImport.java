@@ -8,15 +8,9 @@ import lightning.scene.material.Transmission;
 import lightning.scene.value.SceneLimits;
 
 /** Converter of other programs' transparency to transmissive materials. */
-public final class TransmissionImport {
+public record TransmissionImport(SceneAssembler assembler) {
     /** Minimum reflection depth for glass: in, through, out, and one reflection. */
     private static final int MIN_DEPTH = 6;
-
-    private final SceneAssembler assembler;
-
-    public TransmissionImport(SceneAssembler assembler) {
-        this.assembler = assembler;
-    }
 
     /**
      * Returns a material with a share replaced by transmission tinted with {@code color}. The rest keeps the

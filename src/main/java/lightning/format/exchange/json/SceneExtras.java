@@ -27,20 +27,15 @@ import tools.jackson.databind.JsonNode;
 /**
  * Settings in the {@code extras} of a glTF file's root, under {@code lightning}: what glTF cannot represent. The Blender add-on writes them;
  * docs/pipeline.md describes them. Values that cannot be used are noted and left out.
+ *
+ * @param json the settings; a missing node if the file has none
  */
-public final class SceneExtras {
+public record SceneExtras(JsonNode json) {
     /** Note about a lens shift that no camera can have. */
     public static final String INVALID_SHIFT =
             "lens shifts beyond " + SceneLimits.format(SceneLimits.MAX_SHIFT) + " pictures, imported without shift";
 
     private static final Pattern SENDER = Pattern.compile("[0-9a-f]{32}");
-
-    private final JsonNode json;
-
-    /** @param json the settings; a missing node if the file has none */
-    public SceneExtras(JsonNode json) {
-        this.json = json;
-    }
 
     /** Returns the name of the active camera's node; empty for the first camera. */
     public String camera() {

@@ -20,26 +20,13 @@ import lightning.format.mesh.MeshException;
 /**
  * Search path for the files that a scene references: the scene file's folder, a subfolder with a certain name, or the folder
  * of that name in the nearest of three parent folders. No other folder is searched.
+ *
+ * @param scene folder of the scene file
+ * @param noun  name of such a file in messages
+ * @param name  name of the subfolder
  */
-public final class AssetSearchPath {
+public record AssetSearchPath(Path scene, String noun, String name) {
     private static final int MAX_PARENTS = 3;
-
-    private final Path scene;
-    private final String noun;
-    private final String name;
-
-    /**
-     * Creates a search path.
-     *
-     * @param scene folder of the scene file
-     * @param noun name of such a file in messages
-     * @param name name of the subfolder
-     */
-    public AssetSearchPath(Path scene, String noun, String name) {
-        this.scene = scene;
-        this.noun = noun;
-        this.name = name;
-    }
 
     /**
      * Returns the file for a valid name; if there is none, the only one of that name in another case.

@@ -13,34 +13,16 @@ import lightning.render.gather.ray.FilmLight;
 import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
-/** Paths of blurred reflections: from surfels and the sky to reflection points to rows. Immutable. */
-public final class ReflectionPaths {
-    private final ReflectionPoints points;
-    private final ReflectionLinks links;
-    private final ReflectionGroup[] groups;
-    private final PointFilter filter;
-    private final float[] steps;
-    /** For each part of a surfel the surfel that it belongs to. */
-    private final int[] surfelOfDetail;
-    private final PointFilter surfelFilter;
-    /** Objects that were shown glowing. */
-    private final GlowShapes glows;
-    private final ReflectionOrigins origins;
-
-    /** @param steps width of the cells of directions by material; 0 for materials that do not blur reflections */
-    public ReflectionPaths(ReflectionPoints points, ReflectionLinks links, ReflectionGroup[] groups, PointFilter filter, float[] steps,
-            GlowShapes glows, int[] surfelOfDetail, PointFilter surfelFilter, ReflectionOrigins origins) {
-        this.surfelFilter = surfelFilter;
-        this.glows = glows;
-        this.origins = origins;
-        this.points = points;
-        this.links = links;
-        this.groups = groups;
-        this.filter = filter;
-        this.steps = steps;
-        this.surfelOfDetail = surfelOfDetail;
-    }
-
+/**
+ * Paths of blurred reflections: from surfels and the sky to reflection points to rows. Immutable.
+ *
+ * @param links          what the rays meet
+ * @param steps          width of the cells of directions by material; 0 for materials that do not blur reflections
+ * @param glows          objects that were shown glowing
+ * @param surfelOfDetail for each part of a surfel the surfel that it belongs to
+ */
+public record ReflectionPaths(ReflectionPoints points, ReflectionLinks links, ReflectionGroup[] groups, PointFilter filter,
+        float[] steps, GlowShapes glows, int[] surfelOfDetail, PointFilter surfelFilter, ReflectionOrigins origins) {
     public void writeTo(ColumnWriter out) throws IOException {
         points.writeTo(out);
         links.writeTo(out);
@@ -70,32 +52,9 @@ public final class ReflectionPaths {
         return Arrays.stream(groups).map(group -> group.material).toList();
     }
 
-    /** Returns the objects that were shown glowing when the paths were built. */
-    public GlowShapes glows() {
-        return glows;
-    }
-
     /** Returns the number of reflection points without copies. */
     public int count() {
         return points.count();
-    }
-
-    ReflectionPoints points() {
-        return points;
-    }
-
-    ReflectionOrigins origins() {
-        return origins;
-    }
-
-    /** Returns what the rays meet. */
-    public ReflectionLinks links() {
-        return links;
-    }
-
-    /** Returns for each part of a surfel, which are the last surfels, the surfel that it belongs to. Callers must not modify it. */
-    public int[] surfelOfDetail() {
-        return surfelOfDetail;
     }
 
     /**

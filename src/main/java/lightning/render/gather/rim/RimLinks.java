@@ -8,28 +8,18 @@ import lightning.render.gather.ray.FilmLight;
 import lightning.render.gather.ray.RayLinks;
 import lightning.render.gather.ray.RaySums;
 
-/** Links of the additional rays of gather points, through cells of directions that contain the rim of an opening. Immutable. */
-public final class RimLinks {
+/**
+ * Links of the additional rays of gather points, through cells of directions that contain the rim of an opening. Immutable.
+ *
+ * @param firstCell   first cell of each point, and the number of all; empty if there are none
+ * @param firstRay    first ray of each point, and the number of all
+ * @param cell        cells in the grid of directions, ascending for each point
+ * @param substituted rays that hit a cell without a surfel, so that they have the number of another ray; ascending
+ */
+public record RimLinks(int[] firstCell, int[] firstRay, char[] cell, RayLinks rays, int[] substituted) {
     /** Maximum bytes of an additional ray: its number while it is found and afterwards, its tint twice, its cell, and a substitution. */
     public static final int BUILD_BYTES = 4 + 4 + 12 + 16 + 2 + 4;
     static final int NONE = -1;
-
-    /** First cell and first ray of each point, and the numbers of all; empty if there are none. */
-    private final int[] firstCell;
-    private final int[] firstRay;
-    /** Cells in the grid of directions, ascending for each point. */
-    private final char[] cell;
-    private final RayLinks rays;
-    /** Rays that hit a cell without a surfel, so that they have the number of another ray; ascending. */
-    private final int[] substituted;
-
-    public RimLinks(int[] firstCell, int[] firstRay, char[] cell, RayLinks rays, int[] substituted) {
-        this.substituted = substituted;
-        this.firstCell = firstCell;
-        this.firstRay = firstRay;
-        this.cell = cell;
-        this.rays = rays;
-    }
 
     /** Returns links without rays. */
     public static RimLinks none() {

@@ -19,17 +19,7 @@ import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
 /** Traces the rays of a grid and makes the rays that bounce from what they hit, as far as they are in the air. Runs on all threads. */
-public final class BounceTracer {
-    private final FogGrid grid;
-    private final Geometry geometry;
-    private final int depth;
-
-    private BounceTracer(FogGrid grid, Geometry geometry, int depth) {
-        this.grid = grid;
-        this.geometry = geometry;
-        this.depth = depth;
-    }
-
+public record BounceTracer(FogGrid grid, Geometry geometry, int depth) {
     /** Returns the maximum number of bounced rays for each ray of the grid. */
     static long maxPaths(Scene scene) {
         int depth = scene.picture().depth();
