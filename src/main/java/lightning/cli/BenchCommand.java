@@ -20,6 +20,7 @@ import lightning.bench.result.BaselineComparison;
 import lightning.bench.result.BenchResults;
 import lightning.bench.result.MeasurementFailure;
 import lightning.bench.result.ResultsFile;
+import lightning.cli.option.OptionRange;
 import lightning.cli.option.PictureDimensions;
 import lightning.cli.option.RepetitionsOption;
 import lightning.cli.option.ThreadsOption;
@@ -134,10 +135,7 @@ final class BenchCommand implements Callable<Integer> {
     @Option(names = "--processes", paramLabel = "N",
             description = "Cold starts per image (default: 10; 0 with --quick).")
     private void setProcesses(int value) {
-        if (value < 0 || value > MAX_PROCESSES) {
-            throw new ParameterException(command.commandLine(), "--processes must be from 0 to " + MAX_PROCESSES + ", was " + value);
-        }
-        processes = value;
+        processes = OptionRange.check(command, "--processes", value, 0, MAX_PROCESSES);
     }
 
     @Option(names = "--figure", paramLabel = "N",
@@ -150,17 +148,13 @@ final class BenchCommand implements Callable<Integer> {
 
     @Option(names = "--values", paramLabel = "N", description = "Values per edit (default: 3; 1 with --quick).")
     private void setValues(int value) {
-        if (value < 1 || value > PaperCases.VALUES) {
-            throw new ParameterException(command.commandLine(),
-                    "--values must be from 1 to " + PaperCases.VALUES + ", was " + value);
-        }
-        values = value;
+        values = OptionRange.check(command, "--values", value, 1, PaperCases.VALUES);
     }
 
     @Option(names = "--repetitions", paramLabel = "N",
             description = "Repetitions (default: 5; 3 with --quick). 1: preview without warm-up, not a measurement.")
     private void setRepetitions(int value) {
-        repetitions = RepetitionsOption.requireValid(command, value);
+        repetitions = RepetitionsOption.check(command, value);
     }
 
     BenchCommand(Console console) {

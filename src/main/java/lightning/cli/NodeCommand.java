@@ -9,6 +9,7 @@ import java.util.concurrent.CancellationException;
 import lightning.base.text.ReleaseInfo;
 import lightning.cli.option.ClusterMemberOptions;
 import lightning.cli.option.HostPortConverter;
+import lightning.cli.option.OptionRange;
 import lightning.cli.option.ThreadsOption;
 import lightning.cli.output.Console;
 import lightning.cli.output.ExitCode;
@@ -81,9 +82,7 @@ final class NodeCommand implements Callable<Integer> {
                     certificateOutput);
             return ExitCode.OK;
         }
-        if (port < 1 || port > MAX_PORT) {
-            throw new ParameterException(command.commandLine(), "--port must be from 1 to " + MAX_PORT + ", was " + port);
-        }
+        OptionRange.check(command, "--port", port, 1, MAX_PORT);
         if (memory != null && !(memory >= 0)) {
             throw new ParameterException(command.commandLine(), "--memory must be 0 or more, was " + memory);
         }

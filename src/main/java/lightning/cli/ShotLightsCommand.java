@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import lightning.cli.option.OptionRange;
 import lightning.cli.option.PictureOptions;
 import lightning.cli.option.ThreadsOption;
 import lightning.cli.output.Console;
@@ -108,9 +109,7 @@ final class ShotLightsCommand implements Callable<Integer> {
         if (every < 1) {
             throw new ParameterException(command.commandLine(), "--every must be at least 1, was " + every);
         }
-        if (steps < 0 || steps > MAX_STEPS) {
-            throw new ParameterException(command.commandLine(), "--steps must be from 0 to " + MAX_STEPS + ", was " + steps);
-        }
+        OptionRange.check(command, "--steps", steps, 0, MAX_STEPS);
         ShotParts.Parts shots = chosen.read(input.path(), picture, console);
         if (output != null) {
             PictureOutput.checkFile(output);

@@ -38,10 +38,7 @@ public final class PictureOptions {
     @Option(names = "--depth", paramLabel = "N",
             description = "Maximum reflection depth, 0 to " + SceneLimits.MAX_DEPTH + " (default: the scene's).")
     private void setDepth(int value) {
-        if (value < 0 || value > SceneLimits.MAX_DEPTH) {
-            throw new ParameterException(command.commandLine(), "--depth must be from 0 to " + SceneLimits.MAX_DEPTH + ", was " + value);
-        }
-        depth = value;
+        depth = OptionRange.check(command, "--depth", value, 0, SceneLimits.MAX_DEPTH);
     }
 
     @Option(names = "--antialias", paramLabel = "MODE",
@@ -54,11 +51,7 @@ public final class PictureOptions {
             description = "Anti-aliasing samples per pixel side, " + SceneLimits.MIN_SAMPLES + " to " + SceneLimits.MAX_SAMPLES
                     + " (default: the scene's).")
     private void setSamples(int value) {
-        if (value < SceneLimits.MIN_SAMPLES || value > SceneLimits.MAX_SAMPLES) {
-            throw new ParameterException(command.commandLine(), "--samples must be from " + SceneLimits.MIN_SAMPLES + " to "
-                    + SceneLimits.MAX_SAMPLES + ", was " + value);
-        }
-        samples = value;
+        samples = OptionRange.check(command, "--samples", value, SceneLimits.MIN_SAMPLES, SceneLimits.MAX_SAMPLES);
     }
 
     /** Choice of indirect light. */

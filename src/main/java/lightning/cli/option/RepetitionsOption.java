@@ -2,7 +2,6 @@ package lightning.cli.option;
 
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** Option {@code --repetitions}. */
@@ -16,15 +15,12 @@ public final class RepetitionsOption {
 
     @Option(names = "--repetitions", paramLabel = "N", description = "Repetitions of each measurement (default: 5).")
     private void setRepetitions(int value) {
-        repetitions = requireValid(command, value);
+        repetitions = check(command, value);
     }
 
     /** Returns the number, or throws if it is out of range. */
-    public static int requireValid(CommandSpec command, int value) {
-        if (value < 1 || value > MAX_REPETITIONS) {
-            throw new ParameterException(command.commandLine(), "--repetitions must be from 1 to " + MAX_REPETITIONS + ", was " + value);
-        }
-        return value;
+    public static int check(CommandSpec command, int value) {
+        return OptionRange.check(command, "--repetitions", value, 1, MAX_REPETITIONS);
     }
 
     public int count() {

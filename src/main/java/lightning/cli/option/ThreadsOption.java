@@ -3,7 +3,6 @@ package lightning.cli.option;
 import lightning.base.work.WorkerPool;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** Option {@code --threads}. */
@@ -18,10 +17,7 @@ public final class ThreadsOption {
     @Option(names = "--threads", paramLabel = "N",
             description = "Number of threads (default: all processors). The image is the same for any number.")
     private void setThreads(int value) {
-        if (value < 1 || value > MAX_THREADS) {
-            throw new ParameterException(command.commandLine(), "--threads must be from 1 to " + MAX_THREADS + ", was " + value);
-        }
-        threads = value;
+        threads = OptionRange.check(command, "--threads", value, 1, MAX_THREADS);
     }
 
     public int count() {
