@@ -50,9 +50,7 @@ final class B44Decoder {
     }
 
     private void require(int bytes) throws DataFormatException {
-        if (in.remaining() < bytes) {
-            throw new DataFormatException();
-        }
+        DamagedData.rejectIf(in.remaining() < bytes);
     }
 
     private void copy(int offset, int bytes) throws DataFormatException {

@@ -5,6 +5,7 @@ final class CosineTransform {
     private static final int SIDE = DwaLayout.SIDE;
     /** Value of each frequency, the row, at each place. */
     private static final float[] BASIS = basis();
+    private static final float[] TRANSPOSED_BASIS = transposedBasis();
     /** Index, line by line, of each stored value: along diagonals, in turns up and down. */
     private static final int[] DIAGONALS = diagonals();
 
@@ -19,6 +20,14 @@ final class CosineTransform {
             }
         }
         return basis;
+    }
+
+    private static float[] transposedBasis() {
+        float[] transposed = new float[DwaLayout.BLOCK];
+        for (int i = 0; i < transposed.length; i++) {
+            transposed[i % SIDE * SIDE + i / SIDE] = BASIS[i];
+        }
+        return transposed;
     }
 
     private static int[] diagonals() {
@@ -40,46 +49,30 @@ final class CosineTransform {
 
     /** Replaces values by their frequencies. */
     static void transform(float[] values) {
-        float[] across = new float[DwaLayout.BLOCK];
-        for (int y = 0; y < SIDE; y++) {
-            for (int f = 0; f < SIDE; f++) {
-                float sum = 0;
-                for (int x = 0; x < SIDE; x++) {
-                    sum += BASIS[f * SIDE + x] * values[y * SIDE + x];
-                }
-                across[y * SIDE + f] = sum;
-            }
-        }
-        for (int f = 0; f < SIDE; f++) {
-            for (int x = 0; x < SIDE; x++) {
-                float sum = 0;
-                for (int y = 0; y < SIDE; y++) {
-                    sum += BASIS[f * SIDE + y] * across[y * SIDE + x];
-                }
-                values[f * SIDE + x] = sum;
-            }
-        }
+        multiply(values, BASIS);
     }
 
     /** Replaces frequencies by the values. */
     static void invert(float[] frequencies) {
-        float[] across = new float[DwaLayout.BLOCK];
-        for (int f = 0; f < SIDE; f++) {
-            for (int x = 0; x < SIDE; x++) {
+        multiply(frequencies, TRANSPOSED_BASIS);
+    }
+
+    /** Replaces values by M·V·Mᵀ, where M is a matrix. */
+    private static void multiply(float[] values, float[] matrix) {
+        float[] half = new float[DwaLayout.BLOCK];
+        multiplyAndTranspose(values, matrix, half);
+        multiplyAndTranspose(half, matrix, values);
+    }
+
+    /** Writes M·Vᵀ, where M is a matrix and V are values. */
+    private static void multiplyAndTranspose(float[] values, float[] matrix, float[] to) {
+        for (int row = 0; row < SIDE; row++) {
+            for (int line = 0; line < SIDE; line++) {
                 float sum = 0;
-                for (int g = 0; g < SIDE; g++) {
-                    sum += BASIS[g * SIDE + x] * frequencies[f * SIDE + g];
+                for (int i = 0; i < SIDE; i++) {
+                    sum += matrix[row * SIDE + i] * values[line * SIDE + i];
                 }
-                across[f * SIDE + x] = sum;
-            }
-        }
-        for (int y = 0; y < SIDE; y++) {
-            for (int x = 0; x < SIDE; x++) {
-                float sum = 0;
-                for (int f = 0; f < SIDE; f++) {
-                    sum += BASIS[f * SIDE + y] * across[f * SIDE + x];
-                }
-                frequencies[y * SIDE + x] = sum;
+                to[row * SIDE + line] = sum;
             }
         }
     }

@@ -49,9 +49,7 @@ final class DwaBlockReader {
         Arrays.fill(to, 0);
         to[0] = Float.float16ToFloat(first);
         for (int n = 1; n < DwaLayout.BLOCK; nextAc++) {
-            if (nextAc == ac.length) {
-                throw new DataFormatException();
-            }
+            DamagedData.rejectIf(nextAc == ac.length);
             short value = ac[nextAc];
             if ((value & ZEROS) == ZEROS) {
                 int zeros = value & 0xFF;

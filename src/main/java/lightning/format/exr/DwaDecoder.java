@@ -17,9 +17,7 @@ final class DwaDecoder {
         try {
             ByteBuffer in = ByteBuffer.wrap(compressed).order(ByteOrder.LITTLE_ENDIAN);
             DwaSizes sizes = DwaSizes.read(in);
-            if (sizes.version() > DwaSizes.MAX_VERSION) {
-                throw new DataFormatException();
-            }
+            DamagedData.rejectIf(sizes.version() > DwaSizes.MAX_VERSION);
             DwaLayout layout = DwaLayout.of(block, sizes.version() < DwaSizes.MAX_VERSION ? DwaRule.LEGACY : DwaRule.read(in));
             check(sizes, layout);
             byte[] zlib = inflate(read(in, sizes.zlibStored()), sizes.zlibBytes());
@@ -41,15 +39,11 @@ final class DwaDecoder {
         boolean fits = layout.isValid() && sizes.zlibBytes() == layout.bytes(Scheme.ZLIB) && sizes.runsBytes() == layout.bytes(Scheme.RUNS)
                 && sizes.runsEncoded() <= 2L * sizes.runsBytes() && sizes.dcCount() == layout.blockCount()
                 && sizes.acCount() <= (long) (DwaLayout.BLOCK - 1) * layout.blockCount();
-        if (!fits) {
-            throw new DataFormatException();
-        }
+        DamagedData.rejectIf(!fits);
     }
 
     private static byte[] read(ByteBuffer in, int length) throws DataFormatException {
-        if (length > in.remaining()) {
-            throw new DataFormatException();
-        }
+        DamagedData.rejectIf(length > in.remaining());
         byte[] bytes = new byte[length];
         in.get(bytes);
         return bytes;

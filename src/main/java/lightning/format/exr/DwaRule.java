@@ -85,9 +85,7 @@ record DwaRule(String suffix, boolean ignoresCase, ExrType type, Scheme scheme, 
      */
     static List<DwaRule> read(ByteBuffer in) throws DataFormatException {
         int length = Short.toUnsignedInt(in.getShort()) - NUMBER_BYTES;
-        if (length < 0 || length > in.remaining()) {
-            throw new DataFormatException();
-        }
+        DamagedData.rejectIf(length < 0 || length > in.remaining());
         ByteBuffer bytes = in.slice(in.position(), length);
         in.position(in.position() + length);
         List<DwaRule> rules = new ArrayList<>();
@@ -110,9 +108,7 @@ record DwaRule(String suffix, boolean ignoresCase, ExrType type, Scheme scheme, 
         int type = in.get();
         int scheme = flags >> SCHEME_SHIFT & SCHEME_MASK;
         int color = (flags >> COLOR_SHIFT) - 1;
-        if (type < 0 || type >= ExrType.values().length || scheme >= Scheme.values().length || color > MAX_COLOR) {
-            throw new DataFormatException();
-        }
+        DamagedData.rejectIf(type < 0 || type >= ExrType.values().length || scheme >= Scheme.values().length || color > MAX_COLOR);
         return new DwaRule(name.toString(StandardCharsets.ISO_8859_1), (flags & 1) != 0, ExrType.values()[type], Scheme.values()[scheme],
                 color);
     }

@@ -39,9 +39,7 @@ record DwaSizes(int version, int zlibBytes, int zlibStored, int acStored, int dc
 
     private static int next(ByteBuffer in) throws DataFormatException {
         long value = in.getLong();
-        if (value < 0 || value > Integer.MAX_VALUE / 2) {
-            throw new DataFormatException();
-        }
+        DamagedData.rejectIf(value < 0 || value > Integer.MAX_VALUE / 2);
         return (int) value;
     }
 

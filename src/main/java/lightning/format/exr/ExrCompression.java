@@ -99,13 +99,9 @@ public enum ExrCompression {
      * @throws DataFormatException if the result has another length
      */
     byte[] decompress(byte[] compressed, ExrBlock block) throws DataFormatException {
-        if (block.byteCount() > compressed.length * maxRatio()) {
-            throw new DataFormatException();
-        }
+        DamagedData.rejectIf(block.byteCount() > compressed.length * maxRatio());
         byte[] raw = compressed.length == block.byteCount() ? compressed : decoder.decode(compressed, block);
-        if (raw.length != block.byteCount()) {
-            throw new DataFormatException();
-        }
+        DamagedData.rejectIf(raw.length != block.byteCount());
         return raw;
     }
 
@@ -140,9 +136,7 @@ public enum ExrCompression {
         byte[] bytes = new byte[length];
         try (Inflater inflater = new Inflater()) {
             inflater.setInput(compressed);
-            if (inflater.inflate(bytes) != length || inflater.inflate(new byte[1]) != 0) {
-                throw new DataFormatException();
-            }
+            DamagedData.rejectIf(inflater.inflate(bytes) != length || inflater.inflate(new byte[1]) != 0);
         }
         return bytes;
     }

@@ -57,9 +57,7 @@ final class HuffmanDecoder {
 
     private void fillTable() throws DataFormatException {
         for (int length = 1; length <= TABLE_BITS; length++) {
-            if (firstCodes[length] + codeCounts[length] > 1L << length) {
-                throw new DataFormatException();
-            }
+            DamagedData.rejectIf(firstCodes[length] + codeCounts[length] > 1L << length);
             int span = TABLE_BITS - length;
             for (int i = 0; i < codeCounts[length]; i++) {
                 int start = (int) (firstCodes[length] + i) << span;
@@ -82,14 +80,10 @@ final class HuffmanDecoder {
         in.getInt();
         int bits = in.getInt();
         in.getInt();
-        if (firstSymbol < 0 || lastSymbol < firstSymbol || lastSymbol >= MAX_SYMBOLS || bits < 0) {
-            throw new DataFormatException();
-        }
+        DamagedData.rejectIf(firstSymbol < 0 || lastSymbol < firstSymbol || lastSymbol >= MAX_SYMBOLS || bits < 0);
         byte[] lengths = new byte[lastSymbol + 1];
         readLengths(new BitReader(in, (long) in.remaining() * Byte.SIZE), lengths, firstSymbol);
-        if (bits > (long) in.remaining() * Byte.SIZE) {
-            throw new DataFormatException();
-        }
+        DamagedData.rejectIf(bits > (long) in.remaining() * Byte.SIZE);
         return new HuffmanDecoder(lengths).decode(new BitReader(in, bits), lastSymbol, count);
     }
 
@@ -98,9 +92,7 @@ final class HuffmanDecoder {
             int length = in.read(LENGTH_BITS);
             if (length >= SHORT_RUN) {
                 symbol += length == LONG_RUN ? in.read(COUNT_BITS) + MIN_LONG_RUN : length - SHORT_RUN + MIN_SHORT_RUN;
-                if (symbol > lengths.length) {
-                    throw new DataFormatException();
-                }
+                DamagedData.rejectIf(symbol > lengths.length);
             } else if (length > MAX_CODE_BITS) {
                 throw new DataFormatException();
             } else {
@@ -115,15 +107,11 @@ final class HuffmanDecoder {
         while (in.hasRemaining()) {
             int symbol = readSymbol(in);
             int repeats = symbol == repeatSymbol ? in.read(COUNT_BITS) : 1;
-            if (repeats > count - n || symbol == repeatSymbol && n == 0) {
-                throw new DataFormatException();
-            }
+            DamagedData.rejectIf(repeats > count - n || symbol == repeatSymbol && n == 0);
             Arrays.fill(numbers, n, n + repeats, symbol == repeatSymbol ? numbers[n - 1] : (short) symbol);
             n += repeats;
         }
-        if (n < count) {
-            throw new DataFormatException();
-        }
+        DamagedData.rejectIf(n < count);
         return numbers;
     }
 
@@ -170,9 +158,7 @@ final class HuffmanDecoder {
         }
 
         void skip(int count) throws DataFormatException {
-            if (count > left || count > buffered) {
-                throw new DataFormatException();
-            }
+            DamagedData.rejectIf(count > left || count > buffered);
             left -= count;
             buffer <<= count;
             buffered -= count;

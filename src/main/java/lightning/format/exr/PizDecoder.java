@@ -21,9 +21,7 @@ final class PizDecoder {
             short[] values = new short[Short.toUnsignedInt((short) -1) + 1];
             int maxIndex = readValues(in, values);
             int length = in.getInt();
-            if (length < 0 || length > in.remaining()) {
-                throw new DataFormatException();
-            }
+            DamagedData.rejectIf(length < 0 || length > in.remaining());
             short[] numbers = HuffmanDecoder.decode(in.slice(in.position(), length), (int) (block.byteCount() / Short.BYTES));
             int start = 0;
             for (ExrChannel channel : block.channels()) {
@@ -48,9 +46,7 @@ final class PizDecoder {
     private static int readValues(ByteBuffer in, short[] values) throws DataFormatException {
         int first = Short.toUnsignedInt(in.getShort());
         int last = Short.toUnsignedInt(in.getShort());
-        if (last >= SET_BYTES) {
-            throw new DataFormatException();
-        }
+        DamagedData.rejectIf(last >= SET_BYTES);
         byte[] set = new byte[SET_BYTES];
         if (first <= last) {
             in.get(set, first, last - first + 1);

@@ -23,9 +23,7 @@ final class RunLengthDecoder {
             int count = compressed[in++];
             int length = count < 0 ? -count : count + 1;
             int used = count < 0 ? length : 1;
-            if (used > compressed.length - in || length > bytes.length - out) {
-                throw new DataFormatException();
-            }
+            DamagedData.rejectIf(used > compressed.length - in || length > bytes.length - out);
             if (count < 0) {
                 System.arraycopy(compressed, in, bytes, out, length);
             } else {
@@ -34,9 +32,7 @@ final class RunLengthDecoder {
             in += used;
             out += length;
         }
-        if (out < bytes.length) {
-            throw new DataFormatException();
-        }
+        DamagedData.rejectIf(out < bytes.length);
         return bytes;
     }
 }
