@@ -78,7 +78,16 @@ public interface Tracer {
     Tracer withGeometry(Geometry geometry);
 
     /** Returns the bounds of points {@code from … to − 1}, at least one. */
-    PointBox bounds(float[] x, float[] y, float[] z, int from, int to);
+    default PointBox bounds(float[] x, float[] y, float[] z, int from, int to) {
+        PointBox box = new PointBox();
+        setRange(x, from, to, box, 0);
+        setRange(y, from, to, box, 1);
+        setRange(z, from, to, box, 2);
+        return box;
+    }
+
+    /** Sets the bounds on one axis to those of the values {@code from … to − 1}, at least one. */
+    void setRange(float[] values, int from, int to, PointBox box, int axis);
 
     /**
      * Writes the minimum and the maximum of the values {@code 0 … count − 1}, at least one, to {@code range[0]} and

@@ -294,15 +294,7 @@ class LaneTracer implements Tracer {
     }
 
     @Override
-    public PointBox bounds(float[] x, float[] y, float[] z, int from, int to) {
-        PointBox box = new PointBox();
-        setRange(x, from, to, box, 0);
-        setRange(y, from, to, box, 1);
-        setRange(z, from, to, box, 2);
-        return box;
-    }
-
-    private static void setRange(float[] v, int from, int to, PointBox box, int axis) {
+    public void setRange(float[] v, int from, int to, PointBox box, int axis) {
         FloatVector min = FloatVector.broadcast(FLOATS, v[from]);
         FloatVector max = min;
         int i = from;

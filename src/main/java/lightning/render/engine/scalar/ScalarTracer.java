@@ -191,15 +191,7 @@ final class ScalarTracer implements Tracer {
     }
 
     @Override
-    public PointBox bounds(float[] x, float[] y, float[] z, int from, int to) {
-        PointBox box = new PointBox();
-        setRange(x, from, to, box, 0);
-        setRange(y, from, to, box, 1);
-        setRange(z, from, to, box, 2);
-        return box;
-    }
-
-    private static void setRange(float[] values, int from, int to, PointBox box, int axis) {
+    public void setRange(float[] values, int from, int to, PointBox box, int axis) {
         float low = values[from];
         float high = low;
         for (int i = from + 1; i < to; i++) {

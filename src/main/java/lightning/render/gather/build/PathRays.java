@@ -8,16 +8,6 @@ import lightning.render.trace.HitRows;
 /** Rays of gather points or surfels. */
 record PathRays(RaySources sources, RayLinks links, PathCaster caster) implements SurfelRays {
     @Override
-    public int points() {
-        return links.points();
-    }
-
-    @Override
-    public int raysPerPoint() {
-        return links.raysPerPoint();
-    }
-
-    @Override
     public boolean isHit(int ray) {
         return links.isHit(ray);
     }

@@ -4,9 +4,15 @@ import lightning.render.trace.HitRows;
 
 /** Rays that find surfels: each point casts the same number. */
 public interface SurfelRays {
-    int points();
+    RayHits links();
 
-    int raysPerPoint();
+    default int points() {
+        return links().points();
+    }
+
+    default int raysPerPoint() {
+        return links().raysPerPoint();
+    }
 
     /** Returns whether a ray meets a surfel. */
     boolean isHit(int ray);

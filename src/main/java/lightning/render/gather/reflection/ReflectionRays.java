@@ -16,16 +16,6 @@ record ReflectionRays(ReflectionPoints reflecting, ReflectionLinks links, Reflec
         RepeatedPoints repeated)
         implements SurfelRays {
     @Override
-    public int points() {
-        return links.points();
-    }
-
-    @Override
-    public int raysPerPoint() {
-        return links.raysPerPoint();
-    }
-
-    @Override
     public boolean isHit(int ray) {
         return links.isHit(ray) && (!details || links.key(ray) != links.detailKey(ray));
     }

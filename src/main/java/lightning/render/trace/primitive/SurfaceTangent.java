@@ -1,5 +1,7 @@
 package lightning.render.trace.primitive;
 
+import static lightning.render.trace.primitive.TangentFrame.cross;
+
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.render.trace.mesh.TrianglePoint;
 import lightning.render.trace.solid.SolidKind;
@@ -95,10 +97,5 @@ public final class SurfaceTangent {
         to[1] = (float) (ay * unit);
         to[2] = (float) (az * unit);
         return true;
-    }
-
-    /** Returns one coordinate of the cross product of two rows. */
-    private static double cross(double[] m, int i, int a, int b, int j, int k) {
-        return m[i + a + j] * m[i + b + k] - m[i + a + k] * m[i + b + j];
     }
 }

@@ -50,7 +50,7 @@ final class TangentFrame {
     }
 
     /** Returns one coordinate of the cross product of two rows. */
-    private static double cross(double[] m, int i, int a, int b, int j, int k) {
+    static double cross(double[] m, int i, int a, int b, int j, int k) {
         return m[i + a + j] * m[i + b + k] - m[i + a + k] * m[i + b + j];
     }
 }

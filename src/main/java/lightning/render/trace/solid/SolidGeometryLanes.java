@@ -13,21 +13,13 @@ public final class SolidGeometryLanes {
             case SPHERE -> SphereLanes.distances(data, at, rays, out, from, to);
             case CYLINDER -> {
                 CylinderLanes.writeSideIntervals(data, at, rays, slab, from, to);
-                clipToHeight(data, at, out, from, to);
+                slab.hit(data[at + Frustum.CAPS] != 0, out, from, to);
             }
             case FRUSTUM -> {
                 FrustumLanes.writeSideIntervals(data, at, rays, slab, from, to);
-                clipToHeight(data, at, out, from, to);
+                slab.hit(data[at + Frustum.CAPS] != 0, out, from, to);
             }
             case PLANE -> PlaneLanes.distances(data, at, rays, out, from, to);
-        }
-    }
-
-    private void clipToHeight(double[] data, int at, double[] out, int from, int to) {
-        if (data[at + Frustum.CAPS] != 0) {
-            slab.hitWithCaps(out, from, to);
-        } else {
-            slab.hitWithoutCaps(out, from, to);
         }
     }
 

@@ -63,9 +63,7 @@ public final class Bvh {
             if (child[c] < 0) {
                 System.arraycopy(boxed.boxes(), 6 * ~child[c], boxes, 6 * c, 6);
             } else {
-                BvhBuilder.setEmpty(boxes, 6 * c);
-                BvhBuilder.grow(boxes, 6 * c, boxes, 12 * child[c]);
-                BvhBuilder.grow(boxes, 6 * c, boxes, 12 * child[c] + 6);
+                encloseChildren(c);
             }
         }
     }
@@ -119,11 +117,16 @@ public final class Bvh {
                 leafBox[~child[c]] = 6 * c;
                 System.arraycopy(source.boxes, source.leafBox[~child[c]], boxes, 6 * c, 6);
             } else {
-                BvhBuilder.setEmpty(boxes, 6 * c);
-                BvhBuilder.grow(boxes, 6 * c, boxes, 12 * child[c]);
-                BvhBuilder.grow(boxes, 6 * c, boxes, 12 * child[c] + 6);
+                encloseChildren(c);
             }
         }
+    }
+
+    /** Sets the box of an inner child to that of both children of its node. */
+    private void encloseChildren(int c) {
+        BvhBuilder.setEmpty(boxes, 6 * c);
+        BvhBuilder.grow(boxes, 6 * c, boxes, 12 * child[c]);
+        BvhBuilder.grow(boxes, 6 * c, boxes, 12 * child[c] + 6);
     }
 
     /**

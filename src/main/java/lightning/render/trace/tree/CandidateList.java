@@ -1,6 +1,5 @@
 package lightning.render.trace.tree;
 
-import java.util.Arrays;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import lightning.render.trace.primitive.PrimitiveTable;
@@ -26,23 +25,18 @@ public final class CandidateList {
 
     /** Returns all primitives of a small scene. */
     public static CandidateList fromBvh(Bvh bvh) {
-        CandidateList c = new CandidateList();
-        c.count = bvh.size();
-        c.primitive = new int[c.count];
-        Arrays.setAll(c.primitive, bvh::member);
-        c.boxes = new float[6 * c.count];
-        for (int i = 0; i < c.count; i++) {
-            System.arraycopy(bvh.boxes, bvh.leafBox[c.primitive[i]], c.boxes, 6 * i, 6);
-        }
-        c.masks = new int[c.count];
-        return c;
+        return of(bvh, IntStream.range(0, bvh.size()).map(bvh::member).toArray());
     }
 
     /** Returns the selected primitives of a small scene, whose BVH contains only these. */
     public static CandidateList fromBvh(Bvh bvh, boolean[] selected) {
+        return of(bvh, IntStream.range(0, selected.length).filter(s -> selected[s]).toArray());
+    }
+
+    private static CandidateList of(Bvh bvh, int[] primitives) {
         CandidateList c = new CandidateList();
-        c.primitive = IntStream.range(0, selected.length).filter(s -> selected[s]).toArray();
-        c.count = c.primitive.length;
+        c.primitive = primitives;
+        c.count = primitives.length;
         c.boxes = new float[6 * c.count];
         for (int i = 0; i < c.count; i++) {
             System.arraycopy(bvh.boxes, bvh.leafBox[c.primitive[i]], c.boxes, 6 * i, 6);

@@ -127,19 +127,14 @@ final class ReferenceRays implements Tracer {
     }
 
     @Override
-    public PointBox bounds(float[] x, float[] y, float[] z, int from, int to) {
-        PointBox box = new PointBox();
-        float[][] columns = {x, y, z};
-        for (int axis = 0; axis < 3; axis++) {
-            float low = columns[axis][from];
-            float high = low;
-            for (int i = from + 1; i < to; i++) {
-                low = Math.min(low, columns[axis][i]);
-                high = Math.max(high, columns[axis][i]);
-            }
-            box.set(axis, low, high);
+    public void setRange(float[] values, int from, int to, PointBox box, int axis) {
+        float low = values[from];
+        float high = low;
+        for (int i = from + 1; i < to; i++) {
+            low = Math.min(low, values[i]);
+            high = Math.max(high, values[i]);
         }
-        return box;
+        box.set(axis, low, high);
     }
 
     @Override
