@@ -8,7 +8,6 @@ import lightning.base.text.Quote;
 import lightning.base.text.RefusalException;
 import lightning.document.manipulation.PreviewCamera;
 import lightning.document.manipulation.ViewFocus;
-import lightning.format.mesh.UniqueNames;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
 import lightning.scene.NamedCamera;
@@ -64,9 +63,12 @@ public final class CameraEdits {
 
     /** Returns a name that no kept camera has. */
     public static String freeName(Scene scene) {
-        var unique = new UniqueNames();
-        names(scene).forEach(name -> unique.unique(name, ""));
-        return unique.unique("camera", "");
+        List<String> used = names(scene);
+        String name = "camera";
+        for (int number = 2; used.contains(name); number++) {
+            name = "camera " + number;
+        }
+        return name;
     }
 
     /** Returns the scene without a kept camera. Its picture stays. */
