@@ -13,6 +13,7 @@ import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.JenWriter;
 import lightning.render.RenderOptions;
+import lightning.render.measure.InterleavedTimer;
 import lightning.render.measure.Timing;
 import lightning.render.relight.Renderer;
 import lightning.render.shading.explanation.PixelExplainer;
@@ -60,22 +61,22 @@ record EditingBench(BenchSettings settings, ResultCollector ledger) {
     private EditingCost measure(Point point, Progress progress) {
         String text = JenWriter.write(GeneratedScenes.of(settings.seed(), SIZE, point.shapes(), point.lights(), DEPTH));
         int times = longSampleCount(point.shapes());
-        TimeSamples load = samples(times, progress, _ -> timeMs(() -> read(text)));
+        TimeSamples load = samples(times, progress, _ -> InterleavedTimer.timeMs(() -> read(text)));
         boolean measuresHeap = point.shapes() >= MIN_HEAP_SHAPES;
         long emptyBytes = measuresHeap ? usedHeapBytes() : 0;
         Scene scene = read(text).scene();
         long documentBytes = measuresHeap ? usedHeapBytes() : 0;
-        TimeSamples tree = samples(times, progress, _ -> timeMs(() -> Geometry.of(scene)));
+        TimeSamples tree = samples(times, progress, _ -> InterleavedTimer.timeMs(() -> Geometry.of(scene)));
         long beforeTreeBytes = measuresHeap ? usedHeapBytes() : 0;
         Geometry geometry = Geometry.of(scene);
         long treeBytes = measuresHeap ? usedHeapBytes() : 0;
         Light first = scene.lights().getFirst();
-        TimeSamples newScene = shortSamples(progress, i -> timeMs(() -> scene.withLight(first.withIntensity(2 + i))));
+        TimeSamples newScene = shortSamples(progress, i -> InterleavedTimer.timeMs(() -> scene.withLight(first.withIntensity(2 + i))));
         var explainer = new PixelExplainer(scene, geometry);
         explainer.explainPixel(SIZE.width() / 2, SIZE.height() / 2);
         TimeSamples hover = shortSamples(progress, i -> {
             Scene moved = scene.withLight(first.withPosition(first.position().plus(new Vec3(0.01 * (i + 1), 0, 0))));
-            return timeMs(() -> explainer.forScene(moved, geometry).explainPixel(SIZE.width() / 2, SIZE.height() / 2));
+            return InterleavedTimer.timeMs(() -> explainer.forScene(moved, geometry).explainPixel(SIZE.width() / 2, SIZE.height() / 2));
         });
         return new EditingCost(point.shapes(), point.lights(), load, tree, newScene, plan(scene, geometry, progress), hover,
                 measuresHeap ? (double) (documentBytes - emptyBytes) / point.shapes() : Double.NaN,
@@ -89,7 +90,7 @@ record EditingBench(BenchSettings settings, ResultCollector ledger) {
             Light first = scene.lights().getFirst();
             return shortSamples(progress, i -> {
                 Scene edited = scene.withLight(first.withIntensity(2 + i));
-                return timeMs(() -> renderer.plan(edited));
+                return InterleavedTimer.timeMs(() -> renderer.plan(edited));
             });
         }
     }
@@ -109,12 +110,6 @@ record EditingBench(BenchSettings settings, ResultCollector ledger) {
             ms.add(sample.apply(i));
         }
         return TimeSamples.of(new Timing(ms));
-    }
-
-    private static double timeMs(Runnable work) {
-        long start = System.nanoTime();
-        work.run();
-        return (System.nanoTime() - start) / 1e6;
     }
 
     private static JenDocument read(String text) {

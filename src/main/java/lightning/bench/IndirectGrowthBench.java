@@ -2,6 +2,7 @@ package lightning.bench;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 import java.util.function.ToLongFunction;
 import lightning.base.work.Progress;
 import lightning.bench.accuracy.EditTurns;
@@ -34,11 +35,6 @@ final class IndirectGrowthBench {
         this.settings = settings;
         this.ledger = ledger;
         fixedSize = settings.quick() ? QUICK_SIZE : SIZE;
-    }
-
-    /** Creates the scene of a point when it is measured: meshes of many triangles take memory. */
-    private interface SceneSource {
-        Scene create();
     }
 
     /** Returns the parts, one per point of each curve. */
@@ -76,9 +72,10 @@ final class IndirectGrowthBench {
         return new GeneratedRooms(settings.seed(), fixedSize, indirect);
     }
 
-    private void add(String along, String text, long value, PictureSize size, ToLongFunction<EditTurns> at, SceneSource scene) {
+    /** @param scene creates the scene when it is measured: meshes of many triangles take memory */
+    private void add(String along, String text, long value, PictureSize size, ToLongFunction<EditTurns> at, Supplier<Scene> scene) {
         parts.add(new BenchPart("growth of indirect light with " + along + ", " + value, 200 + MS_PER_PIXEL * size.pixels(),
-                progress -> ledger.indirect().add(along, text, point(scene.create(), size, at, progress))));
+                progress -> ledger.indirect().add(along, text, point(scene.get(), size, at, progress))));
     }
 
     private IndirectGrowth.Point point(Scene scene, PictureSize size, ToLongFunction<EditTurns> at, Progress progress) {

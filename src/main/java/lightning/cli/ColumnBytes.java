@@ -30,7 +30,7 @@ record ColumnBytes(long rowCount, long layerRowCount, Map<HitRows.ColumnGroup, L
         Map<HitRows.ColumnGroup, Long> hits = new EnumMap<>(HitRows.ColumnGroup.class);
         Map<String, Long> layers = new LinkedHashMap<>();
         for (CachedTile tile : cache.allTiles()) {
-            for (TileLevel level : tile.levels) {
+            for (TileLevel level : tile.levels()) {
                 HitRows rows = level.rows();
                 levels += level.bytes();
                 weights += level.weights() == null ? 0 : level.weights().bytes();

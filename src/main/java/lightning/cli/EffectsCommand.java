@@ -133,7 +133,7 @@ final class EffectsCommand implements Callable<Integer> {
     }
 
     private void printColumns(ColumnBytes bytes, PixelCache cache) {
-        int depth = cache.allTiles().stream().mapToInt(tile -> tile.levels.length - 1).max().orElse(0);
+        int depth = cache.allTiles().stream().mapToInt(tile -> tile.levels().length - 1).max().orElse(0);
         console.print("%s; deepest reflection that any pixel needs: bounce %d of %d", Console.count(bytes.rowCount(), "row"),
                 depth,
                 cache.scene().picture().depth());

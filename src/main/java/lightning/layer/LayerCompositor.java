@@ -47,7 +47,7 @@ final class LayerCompositor {
 
     /** Returns the colors of a layer: red, green, blue, {@code float[1024]} each; for a block of samples those of the samples. */
     float[][] colors(Layer layer, CachedTile tile, SamplePositions places) {
-        TileLevel top = tile.levels[0];
+        TileLevel top = tile.levels()[0];
         BitSet shining = parts.shining();
         switch (layer) {
             case Layer.Background _ -> recomposer.composeBackground(top, places, shining, films);
@@ -68,13 +68,13 @@ final class LayerCompositor {
             case Layer.Gathered _ -> compose(LightComponent.GATHERED, top, sets.getLast());
             case Layer.Reflections _ -> composeReflections(top, tile, places, mirrorsSets ? sets.getLast() : shining, true);
         }
-        if (tile.fog != null) {
-            fogComposer.dim(tile.fog, parts, films);
+        if (tile.fog() != null) {
+            fogComposer.dim(tile.fog(), parts, films);
             if (layer instanceof Layer.OfLights some && some.part() == LightPart.FOG) {
-                fogComposer.add(tile.fog, parts, sets.get(some.set()), parts.scene().world().fog(), films);
+                fogComposer.add(tile.fog(), parts, sets.get(some.set()), parts.scene().world().fog(), films);
             }
             if (layer instanceof Layer.Ambient) {
-                fogComposer.add(tile.fog, parts, of(new Contribution.OfRest()), parts.scene().world().fog(), films);
+                fogComposer.add(tile.fog(), parts, of(new Contribution.OfRest()), parts.scene().world().fog(), films);
             }
         }
         float[][] result = new float[3][Film.TILE_PIXELS];
@@ -96,12 +96,12 @@ final class LayerCompositor {
     private void composeReflections(TileLevel top, CachedTile tile, SamplePositions places, BitSet some, boolean isRest) {
         Set<LightComponent> bounced = EnumSet.of(LightComponent.BOUNCED);
         if (tile.storesRows() && !cache.areMirrorsOutdated()) {
-            recomposer.composeComponents(bounced, top, some, recomposer.composeImages(places, tile.levels.clone(), some), films);
+            recomposer.composeComponents(bounced, top, some, recomposer.composeImages(places, tile.levels().clone(), some), films);
             return;
         }
         recomposer.composeComponents(bounced, top, new BitSet(), null, films);
-        if (tile.images != null && isRest) {
-            recomposer.addEarlierMirrors(top, tile.images, films);
+        if (tile.images() != null && isRest) {
+            recomposer.addEarlierMirrors(top, tile.images(), films);
         }
     }
 }

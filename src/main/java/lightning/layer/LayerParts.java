@@ -78,8 +78,4 @@ record LayerParts(List<ExrHeader> headers) {
     long bytesPerLine() {
         return headers.stream().mapToLong(ExrHeader::bytesPerLine).sum();
     }
-
-    int channelCount() {
-        return headers.stream().mapToInt(header -> header.channels().size()).sum();
-    }
 }

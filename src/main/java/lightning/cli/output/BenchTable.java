@@ -93,7 +93,8 @@ public final class BenchTable {
                 .orElse(Double.NaN);
     }
 
-    private static String number(double value, int digits) {
+    /** Formats a number; empty if it is not a number. */
+    static String number(double value, int digits) {
         return Double.isNaN(value) ? "" : Console.text("%." + digits + "f", value);
     }
 

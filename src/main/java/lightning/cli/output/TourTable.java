@@ -52,9 +52,9 @@ public final class TourTable {
      */
     public void printRow(String name, double paper, UpdateSaving saving) {
         console.print(COLUMNS, name, saving.update().plan().description(), saving.update().rowsTouched(),
-                saving.update().rays().shadow(), formatNumber(saving.time().median(), 2), formatNumber(saving.full().median(), 1),
-                formatNumber(saving.percent(), 1),
-                formatNumber(paper, 0), formatNumber(saving.maxPercent(), 1),
+                saving.update().rays().shadow(), BenchTable.number(saving.time().median(), 2), BenchTable.number(saving.full().median(), 1),
+                BenchTable.number(saving.percent(), 1),
+                BenchTable.number(paper, 0), BenchTable.number(saving.maxPercent(), 1),
                 (saving.isVerified() ? "yes" : "NO") + (saving.isWarm() ? "" : ", " + NOT_WARM));
         hasColdTimes |= !saving.isWarm();
     }
@@ -66,9 +66,5 @@ public final class TourTable {
         if (hasColdTimes) {
             console.print("not warm: Java was still compiling; these times and savings are not reliable");
         }
-    }
-
-    private static String formatNumber(double value, int digits) {
-        return Double.isNaN(value) ? "" : Console.text("%." + digits + "f", value);
     }
 }

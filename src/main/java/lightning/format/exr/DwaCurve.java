@@ -1,5 +1,7 @@
 package lightning.format.exr;
 
+import java.util.function.DoubleUnaryOperator;
+
 /**
  * Curve of DWA's colors, by half bits: steps of the curve look equal. Up to 1 it is the 2.2th root, above it a logarithm with the same slope at
  * 1. Infinities and NaN become 0.
@@ -14,16 +16,12 @@ final class DwaCurve {
 
     private DwaCurve() {}
 
-    private interface Function {
-        double apply(double positive);
-    }
-
-    private static short[] table(Function function) {
+    private static short[] table(DoubleUnaryOperator function) {
         short[] table = new short[1 << Short.SIZE];
         for (int bits = 0; bits < table.length; bits++) {
             float value = Float.float16ToFloat((short) bits);
             table[bits] = (bits & EXPONENT) == EXPONENT || value == 0 ? 0
-                    : Float.floatToFloat16((float) Math.copySign(function.apply(Math.abs(value)), value));
+                    : Float.floatToFloat16((float) Math.copySign(function.applyAsDouble(Math.abs(value)), value));
         }
         return table;
     }

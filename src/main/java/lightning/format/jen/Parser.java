@@ -258,7 +258,7 @@ final class Parser {
         } while (depth > 0);
     }
 
-    private static boolean isLiteral(Kind kind) {
+    static boolean isLiteral(Kind kind) {
         return kind == Kind.NUMBER || kind == Kind.BAD_NUMBER || kind == Kind.STRING;
     }
 

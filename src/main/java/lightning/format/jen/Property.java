@@ -144,10 +144,6 @@ record Property<T>(String name, Form form, List<String> labels, double min, doub
         return new Property<>(name, form, labels, min, max, choices, initial, unit, true, valueCheck, getter);
     }
 
-    Property<T> withCheck(Consumer<Value> check) {
-        return new Property<>(name, form, labels, min, max, choices, initial, unit, isInteger, check, getter);
-    }
-
     /** Returns the count of numbers after the name; 1 for words. */
     int count() {
         return form == Form.NUMBERS ? labels.size() : 1;

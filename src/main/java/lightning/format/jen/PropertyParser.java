@@ -167,7 +167,7 @@ final class PropertyParser {
         if (!isExpectedKind) {
             String prefix = nameToken < 0 ? "" : property.name() + ": ";
             problem(token, token, block.title() + ": " + prefix + "expected " + property.expected() + ", found " + tokens.describe(token));
-            return isValue(tokens.kind(token)) ? token + 1 : token;
+            return Parser.isLiteral(tokens.kind(token)) ? token + 1 : token;
         }
         try {
             Value value = value(property, tokens.text(token));
@@ -247,7 +247,7 @@ final class PropertyParser {
     /** Returns whether a number, or a string or word in place of a number, follows instead of the next property or block. */
     private boolean isNumber(Block block, int token, boolean isMissing) {
         if (tokens.kind(token) != Kind.WORD) {
-            return isValue(tokens.kind(token));
+            return Parser.isLiteral(tokens.kind(token));
         }
         String word = tokens.text(token);
         return NON_FINITE_WORDS.contains(word.toLowerCase(Locale.ROOT))
@@ -260,14 +260,10 @@ final class PropertyParser {
 
     private int skipValue(Block block, int start) {
         int token = start;
-        while (isValue(tokens.kind(token)) || tokens.kind(token) == Kind.WORD && isUnknownWord(block, tokens.text(token))) {
+        while (Parser.isLiteral(tokens.kind(token)) || tokens.kind(token) == Kind.WORD && isUnknownWord(block, tokens.text(token))) {
             token++;
         }
         return token;
-    }
-
-    private static boolean isValue(Kind kind) {
-        return kind == Kind.NUMBER || kind == Kind.BAD_NUMBER || kind == Kind.STRING;
     }
 
     private int expected(String what, Block block, int token, int nextToken) {

@@ -46,20 +46,20 @@ public final class CacheSerializer {
     }
 
     private static void write(CachedTile tile, IndirectSerializer.Pair indirect, ColumnWriter out) throws IOException {
-        out.writeInt(tile.levels.length);
-        for (TileLevel level : tile.levels) {
+        out.writeInt(tile.levels().length);
+        for (TileLevel level : tile.levels()) {
             level.rows().writeTo(out);
             LayerSerializer.write(level.layers(), out);
             IndirectSerializer.writeWeights(level.weights(), indirect, out);
         }
-        out.writeInt(tile.hitShapes.length);
-        for (int[] shapes : tile.hitShapes) {
+        out.writeInt(tile.hitShapes().length);
+        for (int[] shapes : tile.hitShapes()) {
             out.writeArray(shapes);
         }
-        out.writeInt(tile.edges == null ? 0 : 1);
-        if (tile.edges != null) {
-            out.writeArray(tile.edges.colors());
-            write(tile.edges.images(), out);
+        out.writeInt(tile.edges() == null ? 0 : 1);
+        if (tile.edges() != null) {
+            out.writeArray(tile.edges().colors());
+            write(tile.edges().images(), out);
         }
     }
 
@@ -80,9 +80,9 @@ public final class CacheSerializer {
     }
 
     private static void writeColors(CachedTile tile, ColumnWriter out) throws IOException {
-        out.writeFloatArrays(tile.film);
-        write(tile.images, out);
-        FogSerializer.write(tile.fog, out);
+        out.writeFloatArrays(tile.film());
+        write(tile.images(), out);
+        FogSerializer.write(tile.fog(), out);
     }
 
     private static void write(@Nullable BounceImages images, ColumnWriter out) throws IOException {
@@ -154,7 +154,7 @@ public final class CacheSerializer {
 
     private static CachedTile withColors(CachedTile tile, @Nullable PictureFog fog, ColumnReader in) throws IOException {
         float[][] film = in.readOptionalFloatArrays();
-        return new CachedTile(tile.levels, tile.hitShapes, readImages(in), film, null, tile.edges, FogSerializer.read(fog, in));
+        return new CachedTile(tile.levels(), tile.hitShapes(), readImages(in), film, null, tile.edges(), FogSerializer.read(fog, in));
     }
 
     private static @Nullable BounceImages readImages(ColumnReader in) throws IOException {
@@ -190,10 +190,10 @@ public final class CacheSerializer {
     }
 
     private static boolean hasSameRows(CachedTile a, CachedTile b) {
-        boolean same = a.levels.length == b.levels.length && Arrays.deepEquals(a.hitShapes, b.hitShapes) && a.edges == b.edges;
-        for (int l = 0; same && l < a.levels.length; l++) {
-            same = a.levels[l].rows() == b.levels[l].rows() && a.levels[l].weights() == b.levels[l].weights()
-                    && a.levels[l].sharesLayers(b.levels[l]);
+        boolean same = a.levels().length == b.levels().length && Arrays.deepEquals(a.hitShapes(), b.hitShapes()) && a.edges() == b.edges();
+        for (int l = 0; same && l < a.levels().length; l++) {
+            same = a.levels()[l].rows() == b.levels()[l].rows() && a.levels()[l].weights() == b.levels()[l].weights()
+                    && a.levels()[l].sharesLayers(b.levels()[l]);
         }
         return same;
     }

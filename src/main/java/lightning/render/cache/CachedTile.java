@@ -11,43 +11,21 @@ import org.jspecify.annotations.Nullable;
 /**
  * Cached data of one tile's pixel centers, or of up to 1024 finer samples of some pixels. Arrays are never written after
  * construction.
+ *
+ * @param levels    levels in pre-order: the camera rays' hits first, then for each level its reflected subtree, then its refracted one.
+ *                  Without transparent materials, level k is seen after k reflections. All levels but the first may be missing
+ * @param hitShapes for levels that are stored only as hit shapes: per level, in the same order, the shape that each ray hit, −1 for none;
+ *                  otherwise empty
+ * @param images    colors that level 0's secondary rays show, where mirrors may show an earlier scene or its levels are not stored;
+ *                  otherwise null
+ * @param film      colors of the pixel centers or samples: red, green, blue, {@code float[1024]} each. Null for samples at accuracy exact,
+ *                  for which only the resulting pixels are stored
+ * @param films     films of the pixel centers; null if they are not kept, and for samples
+ * @param edges     colors by which edges are detected; null if they are not
+ * @param fog       fog before the first level's rows; null if the air is clear
  */
-public final class CachedTile {
-    /**
-     * Levels in pre-order: the camera rays' hits first, then for each level its reflected subtree, then its refracted one.
-     * Without transparent materials, level k is seen after k reflections. All levels but the first may be missing.
-     */
-    public final TileLevel[] levels;
-    /**
-     * For levels that are stored only as hit shapes: per level, in the same order, the shape that each ray hit, −1 for none;
-     * otherwise empty.
-     */
-    public final int[][] hitShapes;
-    /** Colors that level 0's secondary rays show, where mirrors may show an earlier scene or its levels are not stored; otherwise null. */
-    public final @Nullable BounceImages images;
-    /**
-     * Colors of the pixel centers or samples: red, green, blue, {@code float[1024]} each. Null for samples at accuracy exact,
-     * for which only the resulting pixels are stored.
-     */
-    public final float @Nullable [][] film;
-    /** Films of the pixel centers; null if they are not kept, and for samples. */
-    public final @Nullable StoredFilms films;
-    /** Colors by which edges are detected; null if they are not. */
-    public final @Nullable EdgeColors edges;
-    /** Fog before the first level's rows; null if the air is clear. */
-    public final @Nullable FogTile fog;
-
-    public CachedTile(TileLevel[] levels, int[][] hitShapes, @Nullable BounceImages images, float @Nullable [][] film,
-            @Nullable StoredFilms films, @Nullable EdgeColors edges, @Nullable FogTile fog) {
-        this.levels = levels;
-        this.hitShapes = hitShapes;
-        this.images = images;
-        this.film = film;
-        this.films = films;
-        this.edges = edges;
-        this.fog = fog;
-    }
-
+public record CachedTile(TileLevel[] levels, int[][] hitShapes, @Nullable BounceImages images, float @Nullable [][] film,
+        @Nullable StoredFilms films, @Nullable EdgeColors edges, @Nullable FogTile fog) {
     /** Returns the maximum of the stored colors, linear. */
     float maxValue() {
         float max = 0;

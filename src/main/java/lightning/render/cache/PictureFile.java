@@ -109,7 +109,7 @@ public final class PictureFile {
     /** Removes layers of lights that are off: they may show an older scene. The arrays are new, so they may be written. */
     private static void removeLayersWithoutStamp(PixelCache read, List<CachedLight> lights) {
         for (CachedTile tile : read.allTiles()) {
-            for (TileLevel level : tile.levels) {
+            for (TileLevel level : tile.levels()) {
                 removeLayers(level, lights);
             }
         }

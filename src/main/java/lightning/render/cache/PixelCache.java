@@ -116,7 +116,7 @@ public record PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fineT
         float[][] green = new float[count][];
         float[][] blue = new float[count][];
         for (int i = 0; i < count; i++) {
-            float[][] film = fineTiles.length > 0 ? fineTiles[i].film() : tiles[i].film;
+            float[][] film = fineTiles.length > 0 ? fineTiles[i].film() : tiles[i].film();
             assert film != null;
             red[i] = film[0];
             green[i] = film[1];
@@ -146,12 +146,12 @@ public record PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fineT
 
     /** Returns the bytes of the films that pixel centers keep. */
     public long centerFilmBytes() {
-        return Arrays.stream(tiles).mapToLong(tile -> tile.films == null ? 0 : tile.films.bytes()).sum();
+        return Arrays.stream(tiles).mapToLong(tile -> tile.films() == null ? 0 : tile.films().bytes()).sum();
     }
 
     /** Returns whether any tile keeps the films of its centers. */
     public boolean keepsFilms() {
-        return Arrays.stream(tiles).anyMatch(tile -> tile.films != null);
+        return Arrays.stream(tiles).anyMatch(tile -> tile.films() != null);
     }
 
     /** Returns the bytes of all rows, without colors. Visits all layers, so it takes as long as a small update. */

@@ -143,8 +143,8 @@ public final class RowWeights {
             int total = 0;
             for (int k = 0; k < count; k++, entry++) {
                 table += entry == near.endEntry(table) ? 1 : 0;
-                int whole = near.weight[entry] & 0xFF;
-                number[k] = near.firstPoint(table) + (near.index[entry] & 0xFF);
+                int whole = near.weight()[entry] & 0xFF;
+                number[k] = near.firstPoint(table) + (near.index()[entry] & 0xFF);
                 share[k] = whole * WeightedPoints.SCALE;
                 total += whole;
             }
@@ -227,7 +227,7 @@ public final class RowWeights {
         Arrays.fill(to, at, at + 3, 0);
         for (int i = first; i < first + count(row); i++) {
             int point = near.point(i);
-            int whole = near.weight[i] & 0xFF;
+            int whole = near.weight()[i] & 0xFF;
             for (int c = at; c < at + 3; c++) {
                 to[c] += whole * WeightedPoints.SCALE * light[c][point];
             }

@@ -50,7 +50,7 @@ final class SampledPixels {
     /** Returns the surfaces seen directly in the tile of a pixel. */
     static TileLevel level(PixelCache cache, int pixel) {
         int width = cache.scene().picture().width();
-        return cache.tile(pixel / width / Film.TILE_SIZE * Film.tilesAlong(width) + pixel % width / Film.TILE_SIZE).levels[0];
+        return cache.tile(pixel / width / Film.TILE_SIZE * Film.tilesAlong(width) + pixel % width / Film.TILE_SIZE).levels()[0];
     }
 
     /** Returns the row of a pixel among those of its tile; −1 if it has none. */

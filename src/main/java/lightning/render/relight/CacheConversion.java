@@ -166,26 +166,26 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
 
         /** Converts a tile, whose films are then in {@link #films}. */
         CachedTile convert(SamplePositions places, CachedTile old, boolean stores, LevelLights top, LevelLights mirrors) {
-            TileLevel[] levels = new TileLevel[old.levels.length];
+            TileLevel[] levels = new TileLevel[old.levels().length];
             for (int k = 0; k < levels.length; k++) {
-                levels[k] = k == 0 ? eye.convert(old.levels[k], top) : mirror.convert(old.levels[k], mirrors);
+                levels[k] = k == 0 ? eye.convert(old.levels()[k], top) : mirror.convert(old.levels()[k], mirrors);
             }
             boolean areMirrorsCurrent = !recomposer.areMirrorsOutdated();
             FilmColors[] bounced = recomposer.composeImages(places, levels, areMirrorsCurrent ? shining : recomposer.mirrored().shining());
             BounceImages images = bounced == null ? null : recomposer.mixer().images(levels[0].rows(), bounced, false)
                     .compact(levels[0].rows());
             recomposer.composeFilms(levels[0], places, shining, areMirrorsCurrent ? bounced : null, areMirrorsCurrent ? null : images, null,
-                    old.fog, films);
+                    old.fog(), films);
             float[][] colors = new float[3][Film.TILE_PIXELS];
             recomposer.mixer().mix(films::get, colors);
-            return new CachedTile(levels, old.hitShapes, images, stores || !to.method().isExact() ? colors : null, null, old.edges,
-                    old.fog);
+            return new CachedTile(levels, old.hitShapes(), images, stores || !to.method().isExact() ? colors : null, null, old.edges(),
+                    old.fog());
         }
 
         FineTile convert(FineTile tile, @Nullable CachedTile center, SamplePositions centers, LevelLights top, LevelLights mirrors) {
             FineSamples first = tile.first().map(block -> convert(block, centers, tile.first().cells(), top, mirrors));
             FineSamples rest = tile.rest().map(block -> convert(block, centers, tile.rest().cells(), top, mirrors));
-            return FineTile.of(center == null ? null : center.film, first, rest, FineTile.films(first, rest, recomposer.mixer().films()),
+            return FineTile.of(center == null ? null : center.film(), first, rest, FineTile.films(first, rest, recomposer.mixer().films()),
                     recomposer.mixer());
         }
 

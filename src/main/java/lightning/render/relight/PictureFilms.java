@@ -179,13 +179,13 @@ public final class PictureFilms {
             SamplePositions centers = SamplePositions.centers(tile % tilesX * Film.TILE_SIZE, tile / tilesX * Film.TILE_SIZE);
             FineTile fine = cache.fineCount() == 0 ? null : cache.fineTile(tile);
             CachedTile center = cache.tileCount() == 0 ? null : cache.tile(tile);
-            boolean keepsCenter = center != null && center.films != null && knows(center.films.known());
+            boolean keepsCenter = center != null && center.films() != null && knows(center.films().known());
             if (fine == null && keepsCenter) {
-                return film -> chosen.get(film) ? requireNonNull(requireNonNull(center).films).get(film) : null;
+                return film -> chosen.get(film) ? requireNonNull(requireNonNull(center).films()).get(film) : null;
             }
             if (center != null && keepsCenter) {
                 for (int film = chosen.nextSetBit(0); film >= 0; film = chosen.nextSetBit(film + 1)) {
-                    copy(requireNonNull(center.films).get(film), film);
+                    copy(requireNonNull(center.films()).get(film), film);
                 }
             } else if (center != null) {
                 compose(center, centers, films);
@@ -242,9 +242,9 @@ public final class PictureFilms {
         }
 
         private void compose(CachedTile tile, SamplePositions places, FilmColors to) {
-            TileLevel[] levels = tile.levels.clone();
+            TileLevel[] levels = tile.levels().clone();
             FilmColors[] images = !cache.areMirrorsOutdated() ? recomposer.composeImages(places, levels, chosen) : null;
-            recomposer.composeFilms(tile.levels[0], places, chosen, images, null, null, tile.fog, to);
+            recomposer.composeFilms(tile.levels()[0], places, chosen, images, null, null, tile.fog(), to);
         }
     }
 

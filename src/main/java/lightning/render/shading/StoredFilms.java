@@ -22,13 +22,6 @@ public record StoredFilms(float[] @Nullable [][] colors, BitSet known, @Nullable
         return film < colors.length ? colors[film] : null;
     }
 
-    /** Source of the new films of an update. */
-    @FunctionalInterface
-    public interface Source {
-        /** Returns red, green and blue of a film, which are copied if they are scratch memory; null if it is black. */
-        float @Nullable [][] get(int film);
-    }
-
     /**
      * Returns the films after an update.
      *
@@ -36,8 +29,9 @@ public record StoredFilms(float[] @Nullable [][] colors, BitSet known, @Nullable
      * @param origin   for each film its number before; −1 for none
      * @param changed  films that differ, of which those in {@code composed} are known
      * @param composed films of the source
+     * @param source   new films of the update; copied if they are scratch memory
      */
-    public static StoredFilms after(@Nullable StoredFilms before, int[] origin, BitSet changed, BitSet composed, Source source) {
+    public static StoredFilms after(@Nullable StoredFilms before, int[] origin, BitSet changed, BitSet composed, FilmSum.Films source) {
         float[] @Nullable [][] colors = new float[origin.length][][];
         BitSet known = (BitSet) composed.clone();
         for (int film = 0; film < origin.length; film++) {

@@ -90,8 +90,8 @@ class CacheMemoryTest {
     void rowsWithOneState_shareStateColumn() {
         Material matt = Material.of("floor").withDiffuse(Rgb.WHITE).withShininess(1);
         PixelCache cache = cache(scene(matt, 1, LightType.DIRECTIONAL), Accuracy.EXACT);
-        byte[] first = ((LightRows) cache.tile(0).levels[0].layers()[0]).state;
-        assertThat(((LightRows) cache.tile(1).levels[0].layers()[0]).state).isSameAs(first);
+        byte[] first = ((LightRows) cache.tile(0).levels()[0].layers()[0]).state;
+        assertThat(((LightRows) cache.tile(1).levels()[0].layers()[0]).state).isSameAs(first);
     }
 
     @Test

@@ -87,7 +87,7 @@ class AntialiasTest {
             assertThat(update.rays().total()).isZero();
             assertThat(renderer.cache().bytes()).isEqualTo(bytes);
             assertThat(renderer.cache().fineCount()).isZero();
-            assertThat(renderer.cache().tile(0).edges).isNull();
+            assertThat(renderer.cache().tile(0).edges()).isNull();
             assertThat(renderer.cache().tile(0).rows().pattern).isNull();
         }
     }

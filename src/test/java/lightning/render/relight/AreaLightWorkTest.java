@@ -213,7 +213,7 @@ class AreaLightWorkTest {
             int plain = 0;
             int refined = 0;
             for (int t = 0; t < studio.renderer().cache().tileCount(); t++) {
-                TileLevel level = studio.renderer().cache().tile(t).levels[0];
+                TileLevel level = studio.renderer().cache().tile(t).levels()[0];
                 LightLayer layer = level.layers()[0];
                 for (int i = 0; i < level.rows().count; i++) {
                     if (level.rows().ny[i] == 1) {

@@ -117,7 +117,7 @@ class ClearMaterialWorkTest {
             UpdateResult update = edit(studio, "glass", c -> c.withShadows(ShadowCasting.NONE));
             assertThat(update.rays().eye() + update.rays().mirrored()).isZero();
             assertThat(update.rays().shadow()).isPositive();
-            assertThat(studio.renderer().cache().allTiles().getLast().levels[0].layers()[0].litCount()).isGreaterThanOrEqualTo((int) rows);
+            assertThat(studio.renderer().cache().allTiles().getLast().levels()[0].layers()[0].litCount()).isGreaterThanOrEqualTo((int) rows);
         }
     }
 
@@ -126,7 +126,7 @@ class ClearMaterialWorkTest {
         try (StudioRenderer studio = studio()) {
             assertThat(studio.renderer().cache().tile(0).rows().backX).isNotNull();
             assertThat(studio.renderer().cache().tile(1).rows().backX).isNull();
-            assertThat(studio.renderer().cache().tile(1).images).isNull();
+            assertThat(studio.renderer().cache().tile(1).images()).isNull();
         }
     }
 }

@@ -133,7 +133,7 @@ class LayerUpdateTest {
                 .collect(Collectors.joining());
         Scene scene = read(STUDIO.replaceFirst("(?s)light key.*", "sphere above { material matt  at 0 6 1 }\n" + lights));
         try (StudioRenderer studio = studio(scene)) {
-            LightRows layer = (LightRows) studio.renderer().cache().tile(0).levels[0].layers()[0];
+            LightRows layer = (LightRows) studio.renderer().cache().tile(0).levels()[0].layers()[0];
             assertThat(layer.kind()).isEqualTo(LightRows.Kind.PREMULTIPLIED);
             UpdateResult update =
                     node(studio, "above", shape -> shape.withPlacement(shape.placement().withPosition(new Vec3(0.6, 6, 1))));
@@ -211,7 +211,7 @@ class LayerUpdateTest {
             UpdateResult switched = renderer.render(scene, Progress.NONE);
             long lit = studio.referenceRows().count(0, studio.referenceRows().isLit(scene.lights().getFirst()));
             assertThat(switched.rowsTouched()).isEqualTo(lit);
-            assertThat(((LightRows) renderer.cache().tile(0).levels[0].layers()[0]).kind()).isEqualTo(LightRows.Kind.SEPARATE);
+            assertThat(((LightRows) renderer.cache().tile(0).levels()[0].layers()[0]).kind()).isEqualTo(LightRows.Kind.SEPARATE);
             light(studio, l -> l.withAngle(60));
         }
     }

@@ -37,7 +37,7 @@ class LightOnShapeTest {
         RenderOptions options = RenderOptions.DEFAULT.withStorage(MirrorStorage.HIT_SHAPES).withThreads(1).withEngines(_ -> engine);
         try (Renderer renderer = new Renderer(options)) {
             renderer.render(before, Progress.NONE);
-            assertThat(renderer.cache().tile(0).hitShapes).isNotEmpty();
+            assertThat(renderer.cache().tile(0).hitShapes()).isNotEmpty();
             renderer.render(target, Progress.NONE);
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(target).trace(), "light-on-a-shape");
         }

@@ -41,7 +41,7 @@ class MetallicWorkTest {
     }
 
     private static long bytes(StudioRenderer studio, LightRows.Column column) {
-        return studio.renderer().cache().allTiles().stream().flatMap(tile -> List.of(tile.levels).stream())
+        return studio.renderer().cache().allTiles().stream().flatMap(tile -> List.of(tile.levels()).stream())
                 .flatMap(level -> List.of(level.layers()).stream()).mapToLong(layer -> ((LightRows) layer).bytes(column)).sum();
     }
 

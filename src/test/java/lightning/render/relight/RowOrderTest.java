@@ -69,10 +69,10 @@ class RowOrderTest {
     }
 
     private static void assertSame(CachedTile known, PixelCache actual, CachedTile tile, PixelCache expected) {
-        assertThat(known.levels).hasSameSizeAs(tile.levels);
-        int end = assertSame(known.levels, actual.geometry().materials(), tile.levels, expected.geometry().materials(), 0, null,
+        assertThat(known.levels()).hasSameSizeAs(tile.levels());
+        int end = assertSame(known.levels(), actual.geometry().materials(), tile.levels(), expected.geometry().materials(), 0, null,
                 expected.scene().picture().depth());
-        assertThat(end).isEqualTo(tile.levels.length);
+        assertThat(end).isEqualTo(tile.levels().length);
     }
 
     /**

@@ -5,6 +5,7 @@ import java.util.stream.IntStream;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.trace.HitRows.ColumnGroup;
+import lightning.render.trace.mesh.MeshRayQuery;
 import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.primitive.TextureFootprint;
 import lightning.render.trace.solid.SolidGeometry;
@@ -54,9 +55,16 @@ public final class BruteForce {
             if (distance == SolidGeometry.MISS) {
                 throw new IllegalArgumentException("the ray misses primitive " + primitive);
             }
+            return new Hit(primitive, geometry.primitives().mesh(primitive) == null ? 0 : triangle(geometry, primitive, ray), ray, distance);
+        }
+
+        private static int triangle(Geometry geometry, int primitive, Ray ray) {
             Vec3 o = ray.origin();
             Vec3 d = ray.direction();
-            return new Hit(primitive, geometry.primitives().hitPart(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z()), ray, distance);
+            var query = new MeshRayQuery();
+            geometry.primitives().setProbeRay(query, primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+            query.nearestBruteForce();
+            return query.triangle();
         }
 
         SurfaceHit surface(Geometry geometry) {

@@ -80,8 +80,8 @@ public record PointFilter(int[] start, WeightedPoints neighbors) {
                     tablePoint = neighbors.firstPoint(table);
                 }
                 for (int stop = Math.min(tableEnd - entry, count); i < stop; i++) {
-                    int whole = neighbors.weight[entry + i] & 0xFF;
-                    point[i] = points[tablePoint + (neighbors.index[entry + i] & 0xFF)];
+                    int whole = neighbors.weight()[entry + i] & 0xFF;
+                    point[i] = points[tablePoint + (neighbors.index()[entry + i] & 0xFF)];
                     weight[i] = whole * WeightedPoints.SCALE;
                     total += whole;
                 }

@@ -9,8 +9,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * Lists of weighted gather points in little more than two bytes per entry. Lists follow each other, and consecutive entries share a table
  * of up to 256 points. Immutable.
+ *
+ * @param points     points of all tables, one table after the other
+ * @param firstEntry first entry of each table, and the number of all entries
+ * @param firstPoint first point of each table, and the number of all points
+ * @param index      index of each entry's point in its table, unsigned
+ * @param weight     weight of each entry, unsigned
  */
-public final class WeightedPoints {
+public record WeightedPoints(int[] points, int[] firstEntry, int[] firstPoint, byte[] index, byte[] weight) {
     /** Factor of weights while they are added up, so that no sum of the brightest light overflows. A power of two, so it rounds nothing. */
     public static final float SCALE = 0x1p-24f;
     /** Largest weight. */
@@ -19,25 +25,6 @@ public final class WeightedPoints {
     private static final int MIN_WEIGHT = 4;
     /** Maximum number of points in a table. */
     public static final int TABLE_SIZE = 256;
-
-    /** Points of all tables, one table after the other. */
-    private final int[] points;
-    /** First entry of each table, and the number of all entries. */
-    private final int[] firstEntry;
-    /** First point of each table, and the number of all points. */
-    private final int[] firstPoint;
-    /** Index of each entry's point in its table, unsigned. */
-    public final byte[] index;
-    /** Weight of each entry, unsigned. */
-    public final byte[] weight;
-
-    private WeightedPoints(int[] points, int[] firstEntry, int[] firstPoint, byte[] index, byte[] weight) {
-        this.points = points;
-        this.firstEntry = firstEntry;
-        this.firstPoint = firstPoint;
-        this.index = index;
-        this.weight = weight;
-    }
 
     public void writeTo(ColumnWriter out) throws IOException {
         out.writeArray(points);
@@ -171,11 +158,6 @@ public final class WeightedPoints {
 
     public int firstPoint(int table) {
         return firstPoint[table];
-    }
-
-    /** Returns the points of all tables. Callers must not modify them. */
-    public int[] points() {
-        return points;
     }
 
     /** Returns the bytes of all columns. */

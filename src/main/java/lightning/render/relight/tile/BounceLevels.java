@@ -104,23 +104,23 @@ final class BounceLevels {
         if (!job.storesMirrorRows()) {
             return traceAll(top,
                     order == null
-                            ? ReflectionHitList.validAfter(before.hitShapes, requireNonNull(job.plan()), job.mirrorTarget().geometry())
+                            ? ReflectionHitList.validAfter(before.hitShapes(), requireNonNull(job.plan()), job.mirrorTarget().geometry())
                             : ReflectionHitList.NONE);
         }
-        begin(top, before.levels, ReflectionHitList.NONE);
+        begin(top, before.levels(), ReflectionHitList.NONE);
         changed = order != null;
-        update(top.rows(), order, before.levels[0].rows(), 0);
+        update(top.rows(), order, before.levels()[0].rows(), 0);
         TileLevel[] all = levels.toArray(TileLevel[]::new);
-        return new TracedLevels(all, before.hitShapes, changed, all);
+        return new TracedLevels(all, before.hitShapes(), changed, all);
     }
 
     /** Returns the levels of a tile whose rows stay. Rows that were last composed with the light of other paths get the weights of its points. */
     TracedLevels keep(CachedTile tile) {
-        TileLevel[] kept = tile.levels.clone();
+        TileLevel[] kept = tile.levels().clone();
         for (int i = 1; i < kept.length; i++) {
             kept[i] = worker.withWeights(kept[i]);
         }
-        return new TracedLevels(kept, tile.hitShapes, false, kept);
+        return new TracedLevels(kept, tile.hitShapes(), false, kept);
     }
 
     /** Traces everything seen from a level's rows. */
@@ -240,7 +240,7 @@ final class BounceLevels {
      * @param top the converted first level
      */
     TileLevel[] retraceHits(CachedTile tile, TileLevel top, RetraceHandler handler) {
-        begin(top, tile.levels, ReflectionHitList.NONE);
+        begin(top, tile.levels(), ReflectionHitList.NONE);
         retrace(top.rows(), 0, handler);
         return levels.toArray(TileLevel[]::new);
     }

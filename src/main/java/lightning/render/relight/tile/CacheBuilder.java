@@ -134,7 +134,7 @@ public final class CacheBuilder {
 
     private void buildTile(CachedTile[] tiles, int worker, int tile) {
         tiles[tile] = tileWorkers.get(worker).forTile(tile).firstPass(tile);
-        reportTile(worker, tile, tiles[tile] == null ? null : tiles[tile].film);
+        reportTile(worker, tile, tiles[tile] == null ? null : tiles[tile].film());
     }
 
     /** @param film colors of the tile; null if it was canceled */
@@ -156,7 +156,7 @@ public final class CacheBuilder {
         CachedTile[] known = requireNonNull(oldCache).tiles();
         workers.run(tiles.length, (worker, tile) -> {
             tiles[tile] = tileWorkers.get(worker).forTile(tile).relight(tile, known[tile]);
-            reportTile(worker, tile, tiles[tile] == null ? null : tiles[tile].film);
+            reportTile(worker, tile, tiles[tile] == null ? null : tiles[tile].film());
         }, progress);
     }
 
@@ -191,7 +191,7 @@ public final class CacheBuilder {
     }
 
     private EdgeDetector edgeDetector(CachedTile[] centers) {
-        EdgeColors[] colors = Arrays.stream(centers).map(tile -> tile.edges).toArray(EdgeColors[]::new);
+        EdgeColors[] colors = Arrays.stream(centers).map(tile -> tile.edges()).toArray(EdgeColors[]::new);
         return new EdgeDetector(job.scene().picture().width(), job.scene().picture().height(), colors);
     }
 

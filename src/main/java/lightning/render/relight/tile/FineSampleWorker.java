@@ -72,9 +72,9 @@ final class FineSampleWorker {
         StoredFilms known = old == null ? null : old.films();
         if (job.onlyReweights() && old != null && known != null) {
             boolean isSame = job.films().reweighted().stream().allMatch(film -> known.get(film) == null)
-                    && (center == null || center.film == requireNonNull(oldCenter).film);
+                    && (center == null || center.film() == requireNonNull(oldCenter).film());
             return isSame ? old
-                    : FineTile.of(center == null ? null : center.film, old.first(), old.rest(), known, tileWorkers.forTile(tile).mixer());
+                    : FineTile.of(center == null ? null : center.film(), old.first(), old.rest(), known, tileWorkers.forTile(tile).mixer());
         }
         boolean reusesPixels = old != null && (!isOnlyAtEdges || edges.hasSameEdges(tile, requireNonNull(previousEdges)));
         short[] pixels = old != null && reusesPixels ? old.first().pixels() : pixels(tile);
@@ -89,13 +89,13 @@ final class FineSampleWorker {
         }
         boolean keepsFilms = old != null && known != null && !hasNewFilms && job.films().isSame()
                 && Arrays.equals(first.pixels(), old.first().pixels()) && Arrays.equals(rest.pixels(), old.rest().pixels());
-        boolean isUnchanged = keepsFilms && !job.films().reweights() && (center == null || center.film == requireNonNull(oldCenter).film);
+        boolean isUnchanged = keepsFilms && !job.films().reweights() && (center == null || center.film() == requireNonNull(oldCenter).film());
         if (isUnchanged) {
             return new FineTile(first, rest, known, requireNonNull(old).film());
         }
         FilmMixer mixer = tileWorkers.forTile(tile).mixer();
         StoredFilms films = keepsFilms ? requireNonNull(known) : FineTile.films(first, rest, mixer.films());
-        return FineTile.of(center == null ? null : center.film, first, rest, films, mixer);
+        return FineTile.of(center == null ? null : center.film(), first, rest, films, mixer);
     }
 
     private short[] pixels(int tile) {
@@ -111,7 +111,7 @@ final class FineSampleWorker {
         for (SampleBlock block : first.blocks()) {
             for (int i = 0; i < block.pixels().length; i++) {
                 if (used.get(block.pixels()[i])
-                        && EdgeColors.needMore(requireNonNull(block.rows().edges).colors(), i * perPixel, perPixel)) {
+                        && EdgeColors.needMore(requireNonNull(block.rows().edges()).colors(), i * perPixel, perPixel)) {
                     different.set(block.pixels()[i]);
                 }
             }

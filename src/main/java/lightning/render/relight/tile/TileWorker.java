@@ -193,14 +193,14 @@ final class TileWorker {
     CachedTile relight(int tile, CachedTile old) {
         SamplePositions places = SamplePositions.centers(tile % job.tilesX() * Film.TILE_SIZE, tile / job.tilesX() * Film.TILE_SIZE);
         if (job.onlyReweights()) {
-            return buildTile(places, old.levels[0], bounceLevels().keep(old), new BitSet(), old, old.fog, job.detectsEdges(),
+            return buildTile(places, old.levels()[0], bounceLevels().keep(old), new BitSet(), old, old.fog(), job.detectsEdges(),
                     false);
         }
         BitSet retraced = changedRays(places);
         if (!LevelWorker.isWorthUpdating(retraced, places.count())) {
             return firstPass(tile);
         }
-        return relight(places, old, old.films, retraced, job.detectsEdges(), false);
+        return relight(places, old, old.films(), retraced, job.detectsEdges(), false);
     }
 
     /** Returns the sample positions whose rays may have another hit than before. */
@@ -222,25 +222,25 @@ final class TileWorker {
 
     /** Adds, remaps or removes the owner shapes of a tile's rows, depending on whether a light needs them. */
     private CachedTile updateOwners(SamplePositions places, CachedTile old) {
-        boolean known = old.levels[0].rows().owner != null;
+        boolean known = old.levels()[0].rows().owner != null;
         return !needsOwners && !known || needsOwners && known && job.shapeChange().hasSameIndices() ? old
-                : new CachedTile(needsOwners ? known ? reindexOwners(old) : withOwners(places, old) : withoutOwners(old), old.hitShapes,
-                        old.images, old.film, old.films, old.edges, old.fog);
+                : new CachedTile(needsOwners ? known ? reindexOwners(old) : withOwners(places, old) : withoutOwners(old), old.hitShapes(),
+                        old.images(), old.film(), old.films(), old.edges(), old.fog());
     }
 
     /** Traces rays again to find owner shapes; keeps rows and layers. */
     private TileLevel[] withOwners(SamplePositions places, CachedTile old) {
-        TileLevel top = old.levels[0].withOwner(eyeHits(places).ownersFor(old.levels[0].rows()));
+        TileLevel top = old.levels()[0].withOwner(eyeHits(places).ownersFor(old.levels()[0].rows()));
         return bounceLevels().retraceHits(old, top, (level, retracedRows) -> level.withOwner(retracedRows.ownersFor(level.rows())));
     }
 
     private TileLevel[] reindexOwners(CachedTile old) {
-        return Arrays.stream(old.levels).map(level -> level.withOwner(job.shapeChange().mapIndices(requireNonNull(level.rows().owner))))
+        return Arrays.stream(old.levels()).map(level -> level.withOwner(job.shapeChange().mapIndices(requireNonNull(level.rows().owner))))
                 .toArray(TileLevel[]::new);
     }
 
     private static TileLevel[] withoutOwners(CachedTile old) {
-        return Arrays.stream(old.levels).map(level -> level.withOwner(null)).toArray(TileLevel[]::new);
+        return Arrays.stream(old.levels()).map(level -> level.withOwner(null)).toArray(TileLevel[]::new);
     }
 
     /**
@@ -264,7 +264,7 @@ final class TileWorker {
     private @Nullable CachedTile relight(SamplePositions places, CachedTile previous, @Nullable StoredFilms films, BitSet retraced,
             boolean detectEdges, boolean fine) {
         CachedTile old = updateOwners(places, previous);
-        TileLevel known = old.levels[0];
+        TileLevel known = old.levels()[0];
         LevelPlan plan = requireNonNull(job.topPlan());
         MaterialUpdate materials = plan.materials();
         RowSplice order = !retraced.isEmpty() || materials.mirroringChanged().intersects(known.rows())
@@ -284,7 +284,7 @@ final class TileWorker {
             return null;
         }
         top = eyeWorker.withWeights(top);
-        boolean knowsEdges = !detectEdges || old.edges != null;
+        boolean knowsEdges = !detectEdges || old.edges() != null;
         // Films that contain mirrors, and colors for edges that were never composed, need levels, which may not be stored.
         boolean reusesBounces = job.mirrorPlan() == null && order == null
                 && (job.storesMirrorRows() || top.rows().reflectiveCount == 0 || knowsEdges && job.areMirrorsOutdated());
@@ -295,7 +295,7 @@ final class TileWorker {
         }
         BitSet changes = changes(old, top, below, order != null);
         addUnknown(films, changes, fine);
-        return buildTile(places, top, below, changes, old, order == null ? old.fog : null, detectEdges, fine);
+        return buildTile(places, top, below, changes, old, order == null ? old.fog() : null, detectEdges, fine);
     }
 
     /** Returns the films that change, apart from their fog before the first level. @param isReordered whether the first level has other rows */
@@ -305,10 +305,10 @@ final class TileWorker {
                 || job.mirroredIndirectChange().isAll() || job.togglesMirrors() || changesEarlierMirrors();
         // What earlier mirrors show is a film of its own.
         int count = job.areMirrorsOutdated() ? 1 : levels.length;
-        changesAll |= count > 1 && levels.length != old.levels.length;
+        changesAll |= count > 1 && levels.length != old.levels().length;
         for (int i = 0; i < count && !changesAll; i++) {
-            changesAll = i >= old.levels.length || levels[i].rows() != old.levels[i].rows()
-                    || levels[i].weights() != old.levels[i].weights()
+            changesAll = i >= old.levels().length || levels[i].rows() != old.levels()[i].rows()
+                    || levels[i].weights() != old.levels()[i].weights()
                     || plan(i).materials().colorChanged().intersects(levels[i].rows());
         }
         if (changesAll) {
@@ -318,7 +318,7 @@ final class TileWorker {
         for (int i = 0; i < count; i++) {
             // Levels below that no plan updates are kept, and may have the layers of an earlier scene.
             if (i == 0 || job.mirrorPlan() != null) {
-                plan(i).addChanged(job.target().parts(), old.levels[i], levels[i], changes);
+                plan(i).addChanged(job.target().parts(), old.levels()[i], levels[i], changes);
             }
             (i == 0 ? job.indirectChange() : job.mirroredIndirectChange()).addChanged(levels[i].weights(), changes);
         }
@@ -336,8 +336,8 @@ final class TileWorker {
         for (int film = reweighted.nextSetBit(0); film >= 0; film = reweighted.nextSetBit(film + 1)) {
             int origin = job.films().origin()[film];
             FilmPart its = job.target().parts().get(film);
-            if (origin != film || its.kind() != FilmPart.Kind.LIGHT || (old.films == null ? isShown(its, levels)
-                    : old.films.get(film) != null || !old.films.known().get(film))) {
+            if (origin != film || its.kind() != FilmPart.Kind.LIGHT || (old.films() == null ? isShown(its, levels)
+                    : old.films().get(film) != null || !old.films().known().get(film))) {
                 return true;
             }
         }
@@ -384,7 +384,7 @@ final class TileWorker {
         addChangedFog(fogBefore, fog, changes);
         boolean isExact = job.options().method().isExact();
         boolean stores = fine ? isExact : keepsFilms;
-        boolean knowsEdges = !detectEdges || old != null && old.edges != null;
+        boolean knowsEdges = !detectEdges || old != null && old.edges() != null;
         boolean reweights = !changes.isEmpty() || job.films().reweights()
                 && (old == null || isAnyShown(old, job.areMirrorsOutdated() ? new TileLevel[] {top} : below.allLevels(top)));
         // Images without rows have weights, and mirrors may show them later.
@@ -393,12 +393,12 @@ final class TileWorker {
         boolean changesEdges = detectEdges && (!changes.isEmpty() || !knowsEdges || reweights && job.films().changesEdges());
         changed = changes;
         // Colors of single samples are no sum of stored films.
-        boolean composesAll = !stores && changesColors || old == null || !fine && old.films == null || fine && changesEdges;
+        boolean composesAll = !stores && changesColors || old == null || !fine && old.films() == null || fine && changesEdges;
         composed = new BitSet();
         TileLevel[] levels = below.levels().clone();
         levels[0] = top;
-        BounceImages images = old == null ? null : old.images;
-        BounceImages edgeImages = old == null || old.edges == null ? null : old.edges.images();
+        BounceImages images = old == null ? null : old.images();
+        BounceImages edgeImages = old == null || old.edges() == null ? null : old.edges().images();
         if (changesColors || changesEdges) {
             changed = composesAll ? allFilms() : changes;
             composed = (BitSet) changed.clone();
@@ -428,10 +428,10 @@ final class TileWorker {
             changed.set(earlier, earlier + FilmMixer.EARLIER_FILMS, job.areMirrorsOutdated());
         }
         StoredFilms kept = fine || !stores ? null
-                : changed.isEmpty() && old != null && job.films().isSame() ? old.films
-                : StoredFilms.after(old == null ? null : old.films, job.films().origin(), changed, composed,
+                : changed.isEmpty() && old != null && job.films().isSame() ? old.films()
+                : StoredFilms.after(old == null ? null : old.films(), job.films().origin(), changed, composed,
                         film -> films.copy(film));
-        float[][] colors = old == null ? null : old.film;
+        float[][] colors = old == null ? null : old.film();
         if (changesColors && (!fine || !isExact)) {
             colors = new float[3][Film.TILE_PIXELS];
             if (kept == null) {
@@ -441,7 +441,7 @@ final class TileWorker {
                 kept = recomposer.mixer().mix(kept, colors);
             }
         }
-        EdgeColors edges = !detectEdges ? null : old == null ? null : old.edges;
+        EdgeColors edges = !detectEdges ? null : old == null ? null : old.edges();
         if (changesEdges) {
             FilmSum.Films all = kept == null ? films::get : kept::get;
             EdgeColors now = isExact ? new EdgeColors(recomposer.mixer().edgeColors(all, places.count()), edgeImages)
@@ -505,7 +505,7 @@ final class TileWorker {
     /** @param order splice of the first level's rows; null if they are unchanged */
     private BounceLevels.TracedLevels updateLower(CachedTile old, TileLevel top, @Nullable RowSplice order) {
         if (top.rows().reflectiveCount == 0) {
-            return BounceLevels.TracedLevels.only(top, old.levels[0].rows().reflectiveCount > 0);
+            return BounceLevels.TracedLevels.only(top, old.levels()[0].rows().reflectiveCount > 0);
         }
         return bounceLevels().updateAll(old, top, order);
     }

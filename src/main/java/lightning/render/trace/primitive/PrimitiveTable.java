@@ -390,17 +390,6 @@ public final class PrimitiveTable {
         return probe.nearestBruteForce();
     }
 
-    /** Returns the part of primitive {@code s} that a ray hits first; the ray must hit the primitive. */
-    public int hitPart(int s, double ox, double oy, double oz, double dx, double dy, double dz) {
-        if (mesh(s) == null) {
-            return 0;
-        }
-        MeshRayQuery probe = new MeshRayQuery();
-        setProbeRay(probe, s, ox, oy, oz, dx, dy, dz);
-        probe.nearestBruteForce();
-        return probe.triangle();
-    }
-
     /**
      * Returns the distance along a ray with one end possibly on primitive {@code s}, or {@code +∞}; tests every triangle of a
      * mesh.

@@ -41,7 +41,7 @@ class PremultipliedLayersTest {
     private static final Scene NIGHT = SmallNightScene.SCENE;
 
     private static List<LightRows> layers(Renderer renderer) {
-        return Arrays.stream(renderer.cache().tiles()).flatMap(tile -> Arrays.stream(tile.levels)).map(TileLevel::layers)
+        return Arrays.stream(renderer.cache().tiles()).flatMap(tile -> Arrays.stream(tile.levels())).map(TileLevel::layers)
                 .flatMap(Arrays::stream).map(LightRows.class::cast).toList();
     }
 
