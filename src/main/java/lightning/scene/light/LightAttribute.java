@@ -61,6 +61,12 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     }
 
     private static final List<LightAttribute<?>> REGISTRY = new ArrayList<>();
+    private static final AttributePart<Light, Emission> EMISSIONS =
+            new AttributePart<>(Emission.DEFAULT, Light::emission, Light::withEmission);
+    private static final AttributePart<Light, Beam> BEAMS = new AttributePart<>(Beam.OPEN, Light::beam, Light::withBeam);
+    private static final AttributePart<Light, AreaShape> AREAS = new AttributePart<>(AreaShape.DEFAULT, Light::area, Light::withArea);
+    private static final AttributePart<Light, Influence> INFLUENCES =
+            new AttributePart<>(Influence.DEFAULT, Light::influence, Light::withInfluence);
     private static final AttributePart<Light, LightFlag> FLAGS = new AttributePart<>(LightFlag.NONE, Light::flag, Light::withFlag);
     private static final AttributePart<Light, LightFilter> LIGHT_FILTERS =
             new AttributePart<>(LightFilter.NONE, Light::filter, Light::withFilter);
@@ -71,17 +77,12 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             "linear red, green, blue", Light::color, Light::withColor, Section.COLOR, forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<Double> INTENSITY = of("intensity", NumericKind.number(0, SceneLimits.MAX_INTENSITY, 0.1), 1.0, "",
             Light::intensity, Light::withIntensity, Section.COLOR, forAllTypes(LightTerm.WEIGHT));
-    public static final LightAttribute<Double> EXPOSURE = of("exposure",
-            Emission.EXPOSURES, Emission.DEFAULT.exposure(), "stops",
-            l -> l.emission().exposure(), (l, v) -> l.withEmission(l.emission().withExposure(v)), Section.COLOR,
-            forAllTypes(LightTerm.WEIGHT));
-    public static final LightAttribute<IntensityUnit> UNIT = of("unit", "intensity unit", ChoiceKind.of(IntensityUnit.class),
-            Emission.DEFAULT.unit(), "", l -> l.emission().unit(), (l, v) -> l.withEmission(l.emission().withUnit(v)), Section.COLOR,
-            forAllTypes(LightTerm.WEIGHT));
-    public static final LightAttribute<Double> TEMPERATURE = of("temperature",
-            Emission.TEMPERATURES, Emission.DEFAULT.temperature(), "kelvin",
-            l -> l.emission().temperature(), (l, v) -> l.withEmission(l.emission().withTemperature(v)), Section.COLOR,
-            forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<Double> EXPOSURE = part(EMISSIONS, "exposure", "exposure", Emission.EXPOSURES, "stops",
+            Emission::exposure, Emission::withExposure, Section.COLOR, forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<IntensityUnit> UNIT = part(EMISSIONS, "unit", "intensity unit", ChoiceKind.of(IntensityUnit.class),
+            "", Emission::unit, Emission::withUnit, Section.COLOR, forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<Double> TEMPERATURE = part(EMISSIONS, "temperature", "temperature", Emission.TEMPERATURES, "kelvin",
+            Emission::temperature, Emission::withTemperature, Section.COLOR, forAllTypes(LightTerm.WEIGHT));
     public static final LightAttribute<Vec3> POSITION = new LightAttribute<>("at", "position", "position", NumericKind.position(),
             Vec3.ZERO, "scene units", Light::position, Light::withPosition, Section.PLACE,
             Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE, TUBE,
@@ -105,15 +106,12 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             "degrees, half-angle", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.CONE_ANGLE));
     public static final LightAttribute<Double> DROPOFF = of("dropoff", "edge falloff", Cone.DROPOFFS, Cone.DEFAULT.dropoff(), "exponent",
             Light::dropoff, Light::withDropoff, Section.CONE, forShapedTypes());
-    public static final LightAttribute<Double> CONE = of("cone", "cone cutoff", Beam.CONES, Beam.OPEN.cone(),
-            "degrees, half-angle, 90 = open", l -> l.beam().cone(), (l, v) -> l.withBeam(l.beam().withCone(v)), Section.CONE,
-            forSurfaces());
-    public static final LightAttribute<Double> CONE_SOFTNESS = of("cone_softness", "cone softness", Beam.SOFTNESSES,
-            Beam.OPEN.softness(), "share of the cone", l -> l.beam().softness(), (l, v) -> l.withBeam(l.beam().withSoftness(v)),
-            Section.CONE, forSurfaces());
-    public static final LightAttribute<Double> BEAM_SPREAD = of("beam_spread", "beam spread", Beam.SPREADS, Beam.OPEN.spread(),
-            "degrees, half-angle, 90 = open", l -> l.beam().spread(), (l, v) -> l.withBeam(l.beam().withSpread(v)), Section.CONE,
-            forSurfaces());
+    public static final LightAttribute<Double> CONE = part(BEAMS, "cone", "cone cutoff", Beam.CONES, "degrees, half-angle, 90 = open",
+            Beam::cone, Beam::withCone, Section.CONE, forSurfaces());
+    public static final LightAttribute<Double> CONE_SOFTNESS = part(BEAMS, "cone_softness", "cone softness", Beam.SOFTNESSES,
+            "share of the cone", Beam::softness, Beam::withSoftness, Section.CONE, forSurfaces());
+    public static final LightAttribute<Double> BEAM_SPREAD = part(BEAMS, "beam_spread", "beam spread", Beam.SPREADS,
+            "degrees, half-angle, 90 = open", Beam::spread, Beam::withSpread, Section.CONE, forSurfaces());
     public static final LightAttribute<BarnDoors> DOORS =
             of("doors", "barn doors", NumericKind.doors(), Cone.DEFAULT.doors(), "degrees from the axis, 90 = open",
                     Light::doors, Light::withDoors, Section.CONE, forShapedTypes());
@@ -127,35 +125,25 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             of("profile", "IES profile", new ValueKind.ProfileKind(), Optional.empty(), "an IES file",
                     Light::profile, Light::withProfile, Section.CONE,
                     Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
-    public static final LightAttribute<Double> RADIUS =
-            of("radius", AreaShape.EXTENTS, AreaShape.DEFAULT.radius(),
-                    "scene units", l -> l.area().radius(), (l, v) -> l.withArea(l.area().withRadius(v)), Section.AREA,
-                    Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, DISC, LightTerm.SOURCE, TUBE, LightTerm.SOURCE));
-    public static final LightAttribute<Double> SPREAD =
-            of("spread", AreaShape.SPREADS, AreaShape.DEFAULT.spread(),
-                    "degrees, half-angle", l -> l.area().spread(), (l, v) -> l.withArea(l.area().withSpread(v)), Section.AREA,
-                    Map.of(DIRECTIONAL, LightTerm.SOURCE));
-    public static final LightAttribute<Double> WIDTH =
-            of("width", AreaShape.EXTENTS, AreaShape.DEFAULT.width(),
-                    "scene units", l -> l.area().width(), (l, v) -> l.withArea(l.area().withWidth(v)), Section.AREA,
-                    Map.of(RECT, LightTerm.SOURCE));
-    public static final LightAttribute<Double> HEIGHT =
-            of("height", AreaShape.EXTENTS, AreaShape.DEFAULT.height(),
-                    "scene units", l -> l.area().height(), (l, v) -> l.withArea(l.area().withHeight(v)), Section.AREA,
-                    Map.of(RECT, LightTerm.SOURCE, TUBE, LightTerm.SOURCE));
-    public static final LightAttribute<Vec3> UP = of("up", "roll axis", AreaShape.UPS, AreaShape.DEFAULT.up(),
-            "any nonzero vector", l -> l.area().up(), (l, v) -> l.withArea(l.area().withUp(v)), Section.AREA,
-            Map.of(RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
+    public static final LightAttribute<Double> RADIUS = part(AREAS, "radius", "radius", AreaShape.EXTENTS, "scene units", AreaShape::radius,
+            AreaShape::withRadius, Section.AREA,
+            Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, DISC, LightTerm.SOURCE, TUBE, LightTerm.SOURCE));
+    public static final LightAttribute<Double> SPREAD = part(AREAS, "spread", "spread", AreaShape.SPREADS, "degrees, half-angle",
+            AreaShape::spread, AreaShape::withSpread, Section.AREA, Map.of(DIRECTIONAL, LightTerm.SOURCE));
+    public static final LightAttribute<Double> WIDTH = part(AREAS, "width", "width", AreaShape.EXTENTS, "scene units", AreaShape::width,
+            AreaShape::withWidth, Section.AREA, Map.of(RECT, LightTerm.SOURCE));
+    public static final LightAttribute<Double> HEIGHT = part(AREAS, "height", "height", AreaShape.EXTENTS, "scene units", AreaShape::height,
+            AreaShape::withHeight, Section.AREA, Map.of(RECT, LightTerm.SOURCE, TUBE, LightTerm.SOURCE));
+    public static final LightAttribute<Vec3> UP = part(AREAS, "up", "roll axis", AreaShape.UPS, "any nonzero vector", AreaShape::up,
+            AreaShape::withUp, Section.AREA, Map.of(RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
     public static final LightAttribute<Optional<LightTexture>> TEXTURE =
             of("texture", new ValueKind.LightTextureKind(), Optional.empty(), "a PNG, JPEG, Radiance HDR or OpenEXR file",
                     Light::texture, Light::withTexture, Section.AREA, Map.of(RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
     public static final LightAttribute<String> SHAPE = of("shape", "shining object", AreaShape.SHAPES, AreaShape.DEFAULT.shape(),
             "name of a shape", l -> l.area().shape(),
             (l, v) -> l.withArea(l.area().withShape(v).withSurface(Optional.empty())), Section.AREA, Map.of(OBJECT, LightTerm.SOURCE));
-    public static final LightAttribute<Integer> SAMPLES =
-            of("samples", AreaShape.SAMPLE_COUNTS,
-                    AreaShape.DEFAULT.samples(), "soft shadow samples", l -> l.area().samples(),
-                    (l, v) -> l.withArea(l.area().withSamples(v)), Section.AREA, forAllTypes(LightTerm.SOURCE));
+    public static final LightAttribute<Integer> SAMPLES = part(AREAS, "samples", "samples", AreaShape.SAMPLE_COUNTS, "soft shadow samples",
+            AreaShape::samples, AreaShape::withSamples, Section.AREA, forAllTypes(LightTerm.SOURCE));
     public static final LightAttribute<Boolean> VISIBLE =
             of("visible", "visible to camera", ChoiceKind.YES_OR_NO, AreaShape.DEFAULT.visibility() != FaceVisibility.HIDDEN, "",
                     l -> l.area().visibility() != FaceVisibility.HIDDEN,
@@ -180,27 +168,17 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
                     Messages.key("Objects and groups that cast shadows from this light")),
             ShapeLinks.ALL, "shapes and groups", Light::shadowedBy, Light::withShadowedBy, Section.LINKS,
             forAllTypes(LightTerm.SHADOW_LINKS));
-    public static final LightAttribute<Boolean> CASTS_SHADOWS =
-            new LightAttribute<>("casts_shadows", "casts shadows", "casts shadows", ChoiceKind.YES_OR_NO,
-                    Influence.DEFAULT.castsShadows(), "", l -> l.influence().castsShadows(),
-                    (l, v) -> l.withInfluence(l.influence().withCastsShadows(v)), Section.CONTRIBUTION,
-                    forAllTypes(LightTerm.SHADOW_LINKS));
-    public static final LightAttribute<Double> DIFFUSE =
-            of("diffuse", "diffuse gain", Influence.GAINS, Influence.DEFAULT.diffuse(),
-                    "multiplies diffuse light", l -> l.influence().diffuse(),
-                    (l, v) -> l.withInfluence(l.influence().withDiffuse(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
-    public static final LightAttribute<Double> SPECULAR =
-            of("specular", "specular gain", Influence.GAINS, Influence.DEFAULT.specular(),
-                    "multiplies highlights", l -> l.influence().specular(),
-                    (l, v) -> l.withInfluence(l.influence().withSpecular(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
-    public static final LightAttribute<Double> FOG =
-            of("fog", "fog gain", Influence.GAINS, Influence.DEFAULT.fog(),
-                    "multiplies light in fog", l -> l.influence().fog(),
-                    (l, v) -> l.withInfluence(l.influence().withFog(v)), Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
-    public static final LightAttribute<ShapeGains> GAINS = of("gains", "gains on objects",
+    public static final LightAttribute<Boolean> CASTS_SHADOWS = part(INFLUENCES, "casts_shadows", "casts shadows", ChoiceKind.YES_OR_NO, "",
+            Influence::castsShadows, Influence::withCastsShadows, Section.CONTRIBUTION, forAllTypes(LightTerm.SHADOW_LINKS));
+    public static final LightAttribute<Double> DIFFUSE = part(INFLUENCES, "diffuse", "diffuse gain", Influence.GAINS,
+            "multiplies diffuse light", Influence::diffuse, Influence::withDiffuse, Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<Double> SPECULAR = part(INFLUENCES, "specular", "specular gain", Influence.GAINS,
+            "multiplies highlights", Influence::specular, Influence::withSpecular, Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<Double> FOG = part(INFLUENCES, "fog", "fog gain", Influence.GAINS, "multiplies light in fog",
+            Influence::fog, Influence::withFog, Section.CONTRIBUTION, forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<ShapeGains> GAINS = part(INFLUENCES, "gains", "gains on objects",
             new ValueKind.GainsKind(Messages.key("Factors of this light on single objects and groups")),
-            ShapeGains.NONE, "shapes and groups, each with a factor", l -> l.influence().gains(),
-            (l, v) -> l.withInfluence(l.influence().withGains(v)), Section.LINKS, forAllTypes(LightTerm.WEIGHT));
+            "shapes and groups, each with a factor", Influence::gains, Influence::withGains, Section.LINKS, forAllTypes(LightTerm.WEIGHT));
 
     public static final LightAttribute<Boolean> FLAG = flag("flag", "flag", ChoiceKind.YES_OR_NO, "", LightFlag::on, LightFlag::withOn);
     public static final LightAttribute<Vec3> FLAG_POSITION = flag("flag_at", "flag position", NumericKind.position(), "scene units",
@@ -262,18 +240,17 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
 
     private static <V> LightAttribute<V> flag(String name, String title, ValueKind.LightKind<V> kind, String unit,
             Function<LightFlag, V> get, BiFunction<LightFlag, V, LightFlag> with) {
-        return part(FLAGS, name, title, kind, unit, get, with);
+        return part(FLAGS, name, title, kind, unit, get, with, Section.FILTERS, forAllTypes(LightTerm.FALLOFF));
     }
 
     private static <V> LightAttribute<V> filter(String name, String title, ValueKind.LightKind<V> kind, String unit,
             Function<LightFilter, V> get, BiFunction<LightFilter, V, LightFilter> with) {
-        return part(LIGHT_FILTERS, name, title, kind, unit, get, with);
+        return part(LIGHT_FILTERS, name, title, kind, unit, get, with, Section.FILTERS, forAllTypes(LightTerm.FALLOFF));
     }
 
     private static <P, V> LightAttribute<V> part(AttributePart<Light, P> part, String name, String title, ValueKind.LightKind<V> kind,
-            String unit, Function<P, V> get, BiFunction<P, V, P> with) {
-        return of(name, title, kind, get.apply(part.initial()), unit, part.getter(get), part.setter(with), Section.FILTERS,
-                forAllTypes(LightTerm.FALLOFF));
+            String unit, Function<P, V> get, BiFunction<P, V, P> with, Section section, Map<LightType, LightTerm> terms) {
+        return of(name, title, kind, get.apply(part.initial()), unit, part.getter(get), part.setter(with), section, terms);
     }
 
     /** Returns the falloff of rectangles and discs. */

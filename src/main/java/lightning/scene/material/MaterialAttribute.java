@@ -13,6 +13,7 @@ import lightning.base.text.Messages;
 import lightning.scene.asset.TextureChannel;
 import lightning.scene.asset.TextureMap;
 import lightning.scene.asset.TextureUsage;
+import lightning.scene.attribute.AttributePart;
 import lightning.scene.attribute.ChoiceKind;
 import lightning.scene.attribute.NumericKind;
 import lightning.scene.attribute.SceneAttribute;
@@ -63,6 +64,14 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     private static final Set<ShadingModel> NO_REFLECTIONS = EnumSet.complementOf(EnumSet.of(ShadingModel.PRINCIPLED));
     private static final ChoiceKind<TextureChannel> CHANNELS = ChoiceKind.of(TextureChannel.class)
             .withLabels(List.of(Messages.key("red"), Messages.key("green"), Messages.key("blue")));
+    private static final AttributePart<Material, SurfaceMaps> SURFACE_MAPS =
+            new AttributePart<>(SurfaceMaps.NONE, Material::surfaceMaps, Material::withSurfaceMaps);
+    private static final AttributePart<Material, LayerMaps> LAYER_MAPS =
+            new AttributePart<>(LayerMaps.NONE, Material::layerMaps, Material::withLayerMaps);
+    private static final AttributePart<Material, Coat> COATS = new AttributePart<>(Coat.NONE, Material::coat, Material::withCoat);
+    private static final AttributePart<Material, Sheen> SHEENS = new AttributePart<>(Sheen.NONE, Material::sheen, Material::withSheen);
+    private static final AttributePart<Material, Anisotropy> ANISOTROPIES =
+            new AttributePart<>(Anisotropy.NONE, Material::anisotropy, Material::withAnisotropy);
     private static final List<MaterialAttribute<?>> REGISTRY = new ArrayList<>();
 
     public static final MaterialAttribute<Rgb> AMBIENT = colorAttribute("ambient", SceneLimits.MAX_EMISSION, Rgb.BLACK, Material::ambient,
@@ -128,91 +137,85 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     public static final MaterialAttribute<Double> ROUGHNESS = numberAttribute("roughness", 1, 0.05, 0.5, "", Material::roughness,
             Material::withRoughness, MaterialTerm.HIGHLIGHT, MICROFACETS, Section.SURFACE,
             "Width of highlights, and blur of reflections; 0 for a smooth surface");
-    public static final MaterialAttribute<Optional<TextureMap>> ROUGHNESS_MAP = surfaceMapAttribute("roughness_map", "roughness map",
-            new ValueKind.TextureKind("roughness_repeat", TextureUsage.DATA), SurfaceMaps.NONE.roughness(), SurfaceMaps::roughness,
-            SurfaceMaps::withRoughness, MaterialTerm.HIGHLIGHT_TEXEL, "Image that multiplies the roughness of an opaque material");
-    public static final MaterialAttribute<TextureChannel> ROUGHNESS_CHANNEL = surfaceMapAttribute("roughness_channel", "roughness channel",
-            CHANNELS, SurfaceMaps.NONE.roughnessChannel(), SurfaceMaps::roughnessChannel, SurfaceMaps::withRoughnessChannel,
-            MaterialTerm.HIGHLIGHT_TEXEL, "Channel of the roughness map that is read; all channels of a gray image are equal");
-    public static final MaterialAttribute<Optional<TextureMap>> METALNESS_MAP = surfaceMapAttribute("metalness_map", "metalness map",
-            new ValueKind.TextureKind("metalness_repeat", TextureUsage.DATA), SurfaceMaps.NONE.metalness(), SurfaceMaps::metalness,
-            SurfaceMaps::withMetalness, MaterialTerm.TEXEL, "Image that multiplies the metalness of an opaque material");
-    public static final MaterialAttribute<TextureChannel> METALNESS_CHANNEL = surfaceMapAttribute("metalness_channel", "metalness channel",
-            CHANNELS, SurfaceMaps.NONE.metalnessChannel(), SurfaceMaps::metalnessChannel, SurfaceMaps::withMetalnessChannel,
-            MaterialTerm.TEXEL, "Channel of the metalness map that is read; all channels of a gray image are equal");
+    public static final MaterialAttribute<Optional<TextureMap>> ROUGHNESS_MAP = part(SURFACE_MAPS, "roughness_map", "roughness map",
+            new ValueKind.TextureKind("roughness_repeat", TextureUsage.DATA), "", SurfaceMaps::roughness, SurfaceMaps::withRoughness,
+            MaterialTerm.HIGHLIGHT_TEXEL, Section.SURFACE, "Image that multiplies the roughness of an opaque material");
+    public static final MaterialAttribute<TextureChannel> ROUGHNESS_CHANNEL = part(SURFACE_MAPS, "roughness_channel", "roughness channel",
+            CHANNELS, "", SurfaceMaps::roughnessChannel, SurfaceMaps::withRoughnessChannel, MaterialTerm.HIGHLIGHT_TEXEL, Section.SURFACE,
+            "Channel of the roughness map that is read; all channels of a gray image are equal");
+    public static final MaterialAttribute<Optional<TextureMap>> METALNESS_MAP = part(SURFACE_MAPS, "metalness_map", "metalness map",
+            new ValueKind.TextureKind("metalness_repeat", TextureUsage.DATA), "", SurfaceMaps::metalness, SurfaceMaps::withMetalness,
+            MaterialTerm.TEXEL, Section.SURFACE, "Image that multiplies the metalness of an opaque material");
+    public static final MaterialAttribute<TextureChannel> METALNESS_CHANNEL = part(SURFACE_MAPS, "metalness_channel", "metalness channel",
+            CHANNELS, "", SurfaceMaps::metalnessChannel, SurfaceMaps::withMetalnessChannel, MaterialTerm.TEXEL, Section.SURFACE,
+            "Channel of the metalness map that is read; all channels of a gray image are equal");
     public static final MaterialAttribute<Double> F0 = numberAttribute("f0", 1, 0.01, 0.04, "reflectance at normal incidence", Material::f0,
             Material::withF0, MaterialTerm.COLOR, MICROFACETS, Section.SURFACE,
             "Reflectance of a nonmetal at normal incidence: 0.02 for water, 0.04 for plastic, 0.17 for diamond");
-    public static final MaterialAttribute<Optional<TextureMap>> F0_MAP = surfaceMapAttribute("f0_map", "f0 map",
-            new ValueKind.TextureKind("f0_repeat", TextureUsage.DATA), SurfaceMaps.NONE.f0(), SurfaceMaps::f0, SurfaceMaps::withF0,
-            MaterialTerm.TEXEL, "Image that multiplies f0 of an opaque material");
-    public static final MaterialAttribute<TextureChannel> F0_CHANNEL = surfaceMapAttribute("f0_channel", "f0 channel", CHANNELS,
-            SurfaceMaps.NONE.f0Channel(), SurfaceMaps::f0Channel, SurfaceMaps::withF0Channel, MaterialTerm.TEXEL,
+    public static final MaterialAttribute<Optional<TextureMap>> F0_MAP = part(SURFACE_MAPS, "f0_map", "f0 map",
+            new ValueKind.TextureKind("f0_repeat", TextureUsage.DATA), "", SurfaceMaps::f0, SurfaceMaps::withF0, MaterialTerm.TEXEL,
+            Section.SURFACE, "Image that multiplies f0 of an opaque material");
+    public static final MaterialAttribute<TextureChannel> F0_CHANNEL = part(SURFACE_MAPS, "f0_channel", "f0 channel", CHANNELS, "",
+            SurfaceMaps::f0Channel, SurfaceMaps::withF0Channel, MaterialTerm.TEXEL, Section.SURFACE,
             "Channel of the f0 map that is read; all channels of a gray image are equal");
     public static final MaterialAttribute<Rgb> SPECULAR_TINT = new MaterialAttribute<>("specular_tint", "specular tint",
             NumericKind.color(1), Rgb.WHITE, "linear red, green, blue", Material::specularTint, Material::withSpecularTint,
             MaterialTerm.COLOR, PRINCIPLED, Section.SURFACE, "Color of a nonmetal's reflection, seen straight on");
-    public static final MaterialAttribute<Optional<TextureMap>> SPECULAR_TINT_MAP = surfaceMapAttribute("specular_tint_map",
-            "specular tint map", new ValueKind.TextureKind("specular_tint_repeat", TextureUsage.COLOR), SurfaceMaps.NONE.specularTint(),
-            SurfaceMaps::specularTint, SurfaceMaps::withSpecularTint, MaterialTerm.TEXEL,
+    public static final MaterialAttribute<Optional<TextureMap>> SPECULAR_TINT_MAP = part(SURFACE_MAPS, "specular_tint_map",
+            "specular tint map", new ValueKind.TextureKind("specular_tint_repeat", TextureUsage.COLOR), "", SurfaceMaps::specularTint,
+            SurfaceMaps::withSpecularTint, MaterialTerm.TEXEL, Section.SURFACE,
             "Image that multiplies the specular tint of an opaque material");
-    public static final MaterialAttribute<Double> ANISOTROPY = new MaterialAttribute<>("anisotropy", NumericKind.number(0, 1, 0.05),
-            Anisotropy.NONE.strength(), "", m -> m.anisotropy().strength(),
-            (m, v) -> m.withAnisotropy(m.anisotropy().withStrength(v)), MaterialTerm.HIGHLIGHT, PRINCIPLED, Section.SURFACE,
+    public static final MaterialAttribute<Double> ANISOTROPY = part(ANISOTROPIES, "anisotropy", "anisotropy",
+            NumericKind.number(0, 1, 0.05), "", Anisotropy::strength, Anisotropy::withStrength, MaterialTerm.HIGHLIGHT, Section.SURFACE,
             "Stretch of highlights and reflections, as of brushed metal: 0 for none");
-    public static final MaterialAttribute<Double> ANISOTROPY_ROTATION = new MaterialAttribute<>("anisotropy_rotation",
-            "anisotropy rotation", NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5),
-            Anisotropy.NONE.rotation(), "degrees from the horizontal of the texture", m -> m.anisotropy().rotation(),
-            (m, v) -> m.withAnisotropy(m.anisotropy().withRotation(v)), MaterialTerm.HIGHLIGHT, PRINCIPLED, Section.SURFACE,
+    public static final MaterialAttribute<Double> ANISOTROPY_ROTATION = part(ANISOTROPIES, "anisotropy_rotation", "anisotropy rotation",
+            NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), "degrees from the horizontal of the texture",
+            Anisotropy::rotation, Anisotropy::withRotation, MaterialTerm.HIGHLIGHT, Section.SURFACE,
             "Direction of the stretch: 0 for the horizontal of the texture, 90 for the vertical");
-    public static final MaterialAttribute<Double> COAT = coatAttribute("coat", "coat", NumericKind.number(0, 1, 0.05), Coat.NONE.weight(),
-            "share of the surface", Coat::weight, Coat::withWeight, "Clear layer over the surface, as lacquer: 0 for none");
-    public static final MaterialAttribute<Optional<TextureMap>> COAT_MAP = layerMapAttribute("coat_map", "coat map",
-            new ValueKind.TextureKind("coat_repeat", TextureUsage.DATA), LayerMaps.NONE.coat(), LayerMaps::coat, LayerMaps::withCoat,
+    public static final MaterialAttribute<Double> COAT = part(COATS, "coat", "coat", NumericKind.number(0, 1, 0.05), "share of the surface",
+            Coat::weight, Coat::withWeight, MaterialTerm.HIGHLIGHT, Section.COAT, "Clear layer over the surface, as lacquer: 0 for none");
+    public static final MaterialAttribute<Optional<TextureMap>> COAT_MAP = part(LAYER_MAPS, "coat_map", "coat map",
+            new ValueKind.TextureKind("coat_repeat", TextureUsage.DATA), "", LayerMaps::coat, LayerMaps::withCoat,
             MaterialTerm.HIGHLIGHT_TEXEL, Section.COAT, "Image that multiplies the coat of an opaque material");
-    public static final MaterialAttribute<TextureChannel> COAT_CHANNEL = layerMapAttribute("coat_channel", "coat channel", CHANNELS,
-            LayerMaps.NONE.coatChannel(), LayerMaps::coatChannel, LayerMaps::withCoatChannel, MaterialTerm.HIGHLIGHT_TEXEL, Section.COAT,
+    public static final MaterialAttribute<TextureChannel> COAT_CHANNEL = part(LAYER_MAPS, "coat_channel", "coat channel", CHANNELS, "",
+            LayerMaps::coatChannel, LayerMaps::withCoatChannel, MaterialTerm.HIGHLIGHT_TEXEL, Section.COAT,
             "Channel of the coat map that is read; all channels of a gray image are equal");
-    public static final MaterialAttribute<Double> COAT_ROUGHNESS = coatAttribute("coat_roughness", "coat roughness",
-            NumericKind.number(0, 1, 0.05), Coat.NONE.roughness(), "", Coat::roughness, Coat::withRoughness,
+    public static final MaterialAttribute<Double> COAT_ROUGHNESS = part(COATS, "coat_roughness", "coat roughness",
+            NumericKind.number(0, 1, 0.05), "", Coat::roughness, Coat::withRoughness, MaterialTerm.HIGHLIGHT, Section.COAT,
             "Blur of the reflections in the coat; 0 for a smooth one");
-    public static final MaterialAttribute<Optional<TextureMap>> COAT_ROUGHNESS_MAP = layerMapAttribute("coat_roughness_map",
-            "coat roughness map", new ValueKind.TextureKind("coat_roughness_repeat", TextureUsage.DATA), LayerMaps.NONE.coatRoughness(),
-            LayerMaps::coatRoughness, LayerMaps::withCoatRoughness, MaterialTerm.HIGHLIGHT_TEXEL, Section.COAT,
+    public static final MaterialAttribute<Optional<TextureMap>> COAT_ROUGHNESS_MAP = part(LAYER_MAPS, "coat_roughness_map",
+            "coat roughness map", new ValueKind.TextureKind("coat_roughness_repeat", TextureUsage.DATA), "", LayerMaps::coatRoughness,
+            LayerMaps::withCoatRoughness, MaterialTerm.HIGHLIGHT_TEXEL, Section.COAT,
             "Image that multiplies the roughness of the coat of an opaque material");
-    public static final MaterialAttribute<TextureChannel> COAT_ROUGHNESS_CHANNEL = layerMapAttribute("coat_roughness_channel",
-            "coat roughness channel", CHANNELS, LayerMaps.NONE.coatRoughnessChannel(), LayerMaps::coatRoughnessChannel,
-            LayerMaps::withCoatRoughnessChannel, MaterialTerm.HIGHLIGHT_TEXEL, Section.COAT,
+    public static final MaterialAttribute<TextureChannel> COAT_ROUGHNESS_CHANNEL = part(LAYER_MAPS, "coat_roughness_channel",
+            "coat roughness channel", CHANNELS, "", LayerMaps::coatRoughnessChannel, LayerMaps::withCoatRoughnessChannel,
+            MaterialTerm.HIGHLIGHT_TEXEL, Section.COAT,
             "Channel of the coat roughness map that is read; all channels of a gray image are equal");
-    public static final MaterialAttribute<Double> COAT_IOR = coatAttribute("coat_ior", "coat IOR",
-            NumericKind.number(1, SceneLimits.MAX_IOR, 0.01), Coat.NONE.ior(), "index of refraction", Coat::ior, Coat::withIor,
-            "Index of refraction of the coat: 1.5 for lacquer");
-    public static final MaterialAttribute<Optional<TextureMap>> COAT_NORMAL_MAP = layerMapAttribute("coat_normal_map", "coat normals",
-            new ValueKind.TextureKind("coat_normal_repeat", TextureUsage.DATA), LayerMaps.NONE.coatNormal(), LayerMaps::coatNormal,
-            LayerMaps::withCoatNormal, MaterialTerm.NORMAL, Section.COAT,
-            "Tangent-space normal map of the coat, which the bumps of the surface do not change");
-    public static final MaterialAttribute<Double> COAT_STRENGTH = layerMapAttribute("coat_strength", "coat strength",
-            NumericKind.number(-SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH, 0.1), LayerMaps.NONE.coatStrength(),
-            LayerMaps::coatStrength, LayerMaps::withCoatStrength, MaterialTerm.NORMAL, Section.COAT,
-            "Strength of the normal map of the coat");
-    public static final MaterialAttribute<Rgb> SHEEN = new MaterialAttribute<>("sheen", NumericKind.color(1), Sheen.NONE.color(),
-            "linear red, green, blue", m -> m.sheen().color(), (m, v) -> m.withSheen(m.sheen().withColor(v)), MaterialTerm.COLOR,
-            PRINCIPLED,
-            Section.SHEEN, "Color of fibers that shine near the outline, as those of velvet; black for none");
-    public static final MaterialAttribute<Optional<TextureMap>> SHEEN_MAP = layerMapAttribute("sheen_map", "sheen map",
-            new ValueKind.TextureKind("sheen_repeat", TextureUsage.COLOR), LayerMaps.NONE.sheen(), LayerMaps::sheen, LayerMaps::withSheen,
-            MaterialTerm.TEXEL, Section.SHEEN, "Image that multiplies the color of the sheen of an opaque material");
-    public static final MaterialAttribute<Double> SHEEN_ROUGHNESS = new MaterialAttribute<>("sheen_roughness", "sheen roughness",
-            NumericKind.number(0, 1, 0.05), Sheen.NONE.roughness(), "", m -> m.sheen().roughness(),
-            (m, v) -> m.withSheen(m.sheen().withRoughness(v)), MaterialTerm.HIGHLIGHT, PRINCIPLED, Section.SHEEN,
+    public static final MaterialAttribute<Double> COAT_IOR = part(COATS, "coat_ior", "coat IOR",
+            NumericKind.number(1, SceneLimits.MAX_IOR, 0.01), "index of refraction", Coat::ior, Coat::withIor, MaterialTerm.HIGHLIGHT,
+            Section.COAT, "Index of refraction of the coat: 1.5 for lacquer");
+    public static final MaterialAttribute<Optional<TextureMap>> COAT_NORMAL_MAP = part(LAYER_MAPS, "coat_normal_map", "coat normals",
+            new ValueKind.TextureKind("coat_normal_repeat", TextureUsage.DATA), "", LayerMaps::coatNormal, LayerMaps::withCoatNormal,
+            MaterialTerm.NORMAL, Section.COAT, "Tangent-space normal map of the coat, which the bumps of the surface do not change");
+    public static final MaterialAttribute<Double> COAT_STRENGTH = part(LAYER_MAPS, "coat_strength", "coat strength",
+            NumericKind.number(-SceneLimits.MAX_STRENGTH, SceneLimits.MAX_STRENGTH, 0.1), "", LayerMaps::coatStrength,
+            LayerMaps::withCoatStrength, MaterialTerm.NORMAL, Section.COAT, "Strength of the normal map of the coat");
+    public static final MaterialAttribute<Rgb> SHEEN = part(SHEENS, "sheen", "sheen", NumericKind.color(1), "linear red, green, blue",
+            Sheen::color, Sheen::withColor, MaterialTerm.COLOR, Section.SHEEN,
+            "Color of fibers that shine near the outline, as those of velvet; black for none");
+    public static final MaterialAttribute<Optional<TextureMap>> SHEEN_MAP = part(LAYER_MAPS, "sheen_map", "sheen map",
+            new ValueKind.TextureKind("sheen_repeat", TextureUsage.COLOR), "", LayerMaps::sheen, LayerMaps::withSheen, MaterialTerm.TEXEL,
+            Section.SHEEN, "Image that multiplies the color of the sheen of an opaque material");
+    public static final MaterialAttribute<Double> SHEEN_ROUGHNESS = part(SHEENS, "sheen_roughness", "sheen roughness",
+            NumericKind.number(0, 1, 0.05), "", Sheen::roughness, Sheen::withRoughness, MaterialTerm.HIGHLIGHT, Section.SHEEN,
             "Width of the shine: small values keep it at the outline");
-    public static final MaterialAttribute<Optional<TextureMap>> SHEEN_ROUGHNESS_MAP = layerMapAttribute("sheen_roughness_map",
-            "sheen roughness map", new ValueKind.TextureKind("sheen_roughness_repeat", TextureUsage.DATA), LayerMaps.NONE.sheenRoughness(),
-            LayerMaps::sheenRoughness, LayerMaps::withSheenRoughness, MaterialTerm.HIGHLIGHT_TEXEL, Section.SHEEN,
+    public static final MaterialAttribute<Optional<TextureMap>> SHEEN_ROUGHNESS_MAP = part(LAYER_MAPS, "sheen_roughness_map",
+            "sheen roughness map", new ValueKind.TextureKind("sheen_roughness_repeat", TextureUsage.DATA), "", LayerMaps::sheenRoughness,
+            LayerMaps::withSheenRoughness, MaterialTerm.HIGHLIGHT_TEXEL, Section.SHEEN,
             "Image that multiplies the roughness of the sheen of an opaque material");
-    public static final MaterialAttribute<TextureChannel> SHEEN_ROUGHNESS_CHANNEL = layerMapAttribute("sheen_roughness_channel",
-            "sheen roughness channel", CHANNELS, LayerMaps.NONE.sheenRoughnessChannel(), LayerMaps::sheenRoughnessChannel,
-            LayerMaps::withSheenRoughnessChannel, MaterialTerm.HIGHLIGHT_TEXEL, Section.SHEEN,
+    public static final MaterialAttribute<TextureChannel> SHEEN_ROUGHNESS_CHANNEL = part(LAYER_MAPS, "sheen_roughness_channel",
+            "sheen roughness channel", CHANNELS, "", LayerMaps::sheenRoughnessChannel, LayerMaps::withSheenRoughnessChannel,
+            MaterialTerm.HIGHLIGHT_TEXEL, Section.SHEEN,
             "Channel of the sheen roughness map that is read; all channels of a gray image are equal");
     public static final MaterialAttribute<Rgb> REFLECTIVE = colorAttribute("reflective", 1, Rgb.BLACK, Material::reflective,
             Material::withReflective, NO_REFLECTIONS, Section.REFLECTIVE, "Mirror reflection per channel; black for none");
@@ -316,6 +319,14 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
         return appliesTo(materialModel) ? value : initial();
     }
 
+    /** Returns an attribute of a component that principled materials have. */
+    private static <P, V> MaterialAttribute<V> part(AttributePart<Material, P> part, String name, String title,
+            ValueKind.MaterialKind<V> kind, String unit, Function<P, V> get, BiFunction<P, V, P> with, MaterialTerm term, Section section,
+            String help) {
+        return new MaterialAttribute<>(name, title, kind, get.apply(part.initial()), unit, part.getter(get), part.setter(with), term,
+                PRINCIPLED, section, help);
+    }
+
     private static <V> MaterialAttribute<V> bumpAttribute(String name, String title, ValueKind.MaterialKind<V> kind, V initial, String unit,
             Function<BumpMapping, V> get, BiFunction<BumpMapping, V, BumpMapping> with, String help) {
         return new MaterialAttribute<>(name, title, kind, initial, unit, m -> get.apply(m.bumpMapping()),
@@ -327,24 +338,6 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
             BiFunction<AlphaCutout, V, AlphaCutout> with, String help) {
         return new MaterialAttribute<>(name, kind, initial, unit, m -> get.apply(m.cutout()),
                 (m, v) -> m.withCutout(with.apply(m.cutout(), v)), MaterialTerm.COVERAGE, ANY, Section.CUTOUT, help);
-    }
-
-    private static MaterialAttribute<Double> coatAttribute(String name, String title, ValueKind.MaterialKind<Double> kind, double initial,
-            String unit, Function<Coat, Double> get, BiFunction<Coat, Double, Coat> with, String help) {
-        return new MaterialAttribute<>(name, title, kind, initial, unit, m -> get.apply(m.coat()),
-                (m, v) -> m.withCoat(with.apply(m.coat(), v)), MaterialTerm.HIGHLIGHT, PRINCIPLED, Section.COAT, help);
-    }
-
-    private static <V> MaterialAttribute<V> surfaceMapAttribute(String name, String title, ValueKind.MaterialKind<V> kind, V initial,
-            Function<SurfaceMaps, V> get, BiFunction<SurfaceMaps, V, SurfaceMaps> with, MaterialTerm term, String help) {
-        return new MaterialAttribute<>(name, title, kind, initial, "", m -> get.apply(m.surfaceMaps()),
-                (m, v) -> m.withSurfaceMaps(with.apply(m.surfaceMaps(), v)), term, PRINCIPLED, Section.SURFACE, help);
-    }
-
-    private static <V> MaterialAttribute<V> layerMapAttribute(String name, String title, ValueKind.MaterialKind<V> kind, V initial,
-            Function<LayerMaps, V> get, BiFunction<LayerMaps, V, LayerMaps> with, MaterialTerm term, Section section, String help) {
-        return new MaterialAttribute<>(name, title, kind, initial, "", m -> get.apply(m.layerMaps()),
-                (m, v) -> m.withLayerMaps(with.apply(m.layerMaps(), v)), term, PRINCIPLED, section, help);
     }
 
     private static <V> MaterialAttribute<V> transmissionAttribute(String name, String title, ValueKind.MaterialKind<V> kind, V initial,
