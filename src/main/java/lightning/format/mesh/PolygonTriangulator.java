@@ -14,6 +14,16 @@ public final class PolygonTriangulator {
     private final double[] v = new double[MAX_CORNERS];
     private final int[] remaining = new int[MAX_CORNERS];
 
+    /** Returns whether a polygon has enough corners; notes one that has too few, or so many that it becomes a fan. */
+    public static boolean isFace(int count, ConversionNotes notes) {
+        if (count < 3) {
+            notes.add("faces with fewer than three corners");
+        } else if (count > MAX_CORNERS) {
+            notes.add("faces with more than " + MAX_CORNERS + " corners, triangulated as convex");
+        }
+        return count >= 3;
+    }
+
     /**
      * Adds the {@code count} − 2 triangles of a polygon, with its orientation.
      *

@@ -23,24 +23,22 @@ import lightning.scene.asset.TextureMap;
 import lightning.scene.node.Solid;
 import lightning.scene.value.DomeRotation;
 
-/** Scene in POV-Ray's language. */
-public final class PovScene {
+/**
+ * Scene in POV-Ray's language.
+ *
+ * @param text         content of the file
+ * @param losses       features that POV-Ray does not support exactly, one sentence each, with names of the scene
+ * @param images       images of materials by the names of their files, to which the text refers
+ * @param bumpMaps     bump maps by the names of their files
+ * @param environments images of environments by the names of their files
+ */
+public record PovScene(String text, List<String> losses, Map<String, Texture> images, Map<String, Texture> bumpMaps,
+        Map<String, EnvironmentMap> environments) {
     /** Maximum number of cutouts that a ray passes; POV-Ray counts them like reflections. */
     private static final int CUTOUT_LEVELS = 20;
 
-    private final String text;
-    private final List<String> warnings;
-    private final Map<String, Texture> images;
-    private final Map<String, Texture> bumpMaps;
-    private final Map<String, EnvironmentMap> environments;
-
-    private PovScene(String text, List<String> warnings, Map<String, Texture> images, Map<String, Texture> bumpMaps,
-            Map<String, EnvironmentMap> environments) {
-        this.text = text;
-        this.warnings = List.copyOf(warnings);
-        this.images = images;
-        this.bumpMaps = bumpMaps;
-        this.environments = environments;
+    public PovScene {
+        losses = List.copyOf(losses);
     }
 
     /**
@@ -141,16 +139,6 @@ public final class PovScene {
     /** Returns the name of an image's copy, without its extension. */
     private static String fileName(String prefix, String imageFile) {
         return prefix.replaceAll("[\"\\\\\\p{C}]", "_") + "-" + imageFile.replaceAll("[^\\p{Alnum}_-]", "_");
-    }
-
-    /** Returns the file's content. */
-    public String text() {
-        return text;
-    }
-
-    /** Returns the features that POV-Ray does not support exactly, one sentence each, with names of the scene. */
-    public List<String> losses() {
-        return warnings;
     }
 
     /**

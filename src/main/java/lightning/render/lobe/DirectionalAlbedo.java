@@ -52,22 +52,11 @@ public final class DirectionalAlbedo {
      * @param roughness 0…1
      */
     public static float ofF0(float cosine, float roughness) {
-        return at(A, cosine, roughness);
+        return AlbedoTable.at(A, SIDE, cosine, roughness);
     }
 
     /** Returns b, which does not depend on F0; parameters as above. */
     public static float grazing(float cosine, float roughness) {
-        return at(B, cosine, roughness);
-    }
-
-    private static float at(float[] table, float cosine, float roughness) {
-        float x = Math.clamp(cosine, 0, 1) * (SIDE - 1);
-        float y = Math.clamp(roughness, 0, 1) * (SIDE - 1);
-        int i = Math.min((int) x, SIDE - 2);
-        int j = Math.min((int) y, SIDE - 2);
-        float u = x - i;
-        float v = y - j;
-        int at = j * SIDE + i;
-        return (table[at] * (1 - u) + table[at + 1] * u) * (1 - v) + (table[at + SIDE] * (1 - u) + table[at + SIDE + 1] * u) * v;
+        return AlbedoTable.at(B, SIDE, cosine, roughness);
     }
 }

@@ -27,14 +27,7 @@ final class SheenAlbedo {
 
     /** Returns the albedo; both parameters 0…1. */
     static float at(float cosine, float roughness) {
-        float x = Math.clamp(cosine, 0, 1) * (SIDE - 1);
-        float y = Math.clamp(roughness, 0, 1) * (SIDE - 1);
-        int i = Math.min((int) x, SIDE - 2);
-        int j = Math.min((int) y, SIDE - 2);
-        float u = x - i;
-        float v = y - j;
-        int at = j * SIDE + i;
-        return (TABLE[at] * (1 - u) + TABLE[at + 1] * u) * (1 - v) + (TABLE[at + SIDE] * (1 - u) + TABLE[at + SIDE + 1] * u) * v;
+        return AlbedoTable.at(TABLE, SIDE, cosine, roughness);
     }
 
     /** Returns the mean albedo in uniform light. @param roughness 0…1 */

@@ -15,19 +15,9 @@ import lightning.scene.Contribution;
 import lightning.scene.Scene;
 
 /** Contributions of all lights that shine in a picture, as means over cells. */
-public final class MatchContributions {
+public record MatchContributions(Scene scene, PixelMeans grid, Map<Contribution, float[][]> images) {
     /** Memory for all contributions; with many lights, cells are larger than pixels. */
     private static final long MAX_BYTES = 512L << 20;
-
-    private final Scene scene;
-    private final PixelMeans grid;
-    private final Map<Contribution, float[][]> images;
-
-    private MatchContributions(Scene scene, PixelMeans grid, Map<Contribution, float[][]> images) {
-        this.scene = scene;
-        this.grid = grid;
-        this.images = images;
-    }
 
     /**
      * Reads the contributions from the cache of a picture. Casts no ray.
@@ -53,14 +43,6 @@ public final class MatchContributions {
             side++;
         }
         return new PixelMeans(Math.ceilDiv(picture.width(), side), Math.ceilDiv(picture.height(), side));
-    }
-
-    PixelMeans grid() {
-        return grid;
-    }
-
-    Scene scene() {
-        return scene;
     }
 
     /** Returns a contribution that shines, {@code float[channel][cell]}; not to be modified. */

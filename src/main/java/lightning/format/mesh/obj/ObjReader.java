@@ -227,13 +227,8 @@ public final class ObjReader {
                 return;
             }
         }
-        if (count < 3) {
-            notes.add("faces with fewer than three corners");
+        if (!PolygonTriangulator.isFace(count, notes)) {
             return;
-        }
-        if (count > PolygonTriangulator.MAX_CORNERS) {
-            notes.add("faces with more than " + PolygonTriangulator.MAX_CORNERS
-                    + " corners, triangulated as convex");
         }
         triangles += count - 2;
         if (triangles > MeshLimits.TRIANGLES) {

@@ -116,13 +116,8 @@ public final class PlyReader {
         for (int i = 0; i < count; i++) {
             corners.add(readVertexIndex(list.type(), 0));
         }
-        if (count < 3) {
-            notes.add("faces with fewer than three corners");
+        if (!PolygonTriangulator.isFace(count, notes)) {
             return;
-        }
-        if (count > PolygonTriangulator.MAX_CORNERS) {
-            notes.add("faces with more than " + PolygonTriangulator.MAX_CORNERS
-                    + " corners, triangulated as convex");
         }
         faceTriangles.clear();
         polygon.triangulate(corners.array(), count, requireNonNull(vertices).positions(), faceTriangles);

@@ -86,10 +86,10 @@ public final class RatioKernel {
             return new RatioRows(states, null, null, null, copyCompact(rows, layer.visibleSamples()), 0)
                     .withTint(copyCompact(rows, layer.tint()));
         }
-        float[][] diffuse = weighted(rows, light, light.diffuse(), requireNonNull(layer.cosine), layer.face(), layer);
+        float[][] diffuse = weighted(rows, light, light.diffuse(), requireNonNull(layer.cosine), layer.face, layer);
         float[][] specular =
-                layer.specular == null ? null : weighted(rows, light, light.specular(), layer.specular, layer.highlight(), layer);
-        float[][] grazing = layer.grazing == null ? null : weighted(rows, light, light.specular(), layer.grazing, layer.highlight(), layer);
+                layer.specular == null ? null : weighted(rows, light, light.specular(), layer.specular, layer.highlight, layer);
+        float[][] grazing = layer.grazing == null ? null : weighted(rows, light, light.specular(), layer.grazing, layer.highlight, layer);
         return new RatioRows(states, diffuse, specular, grazing, copyCompact(rows, layer.visibleSamples()), layer.litCount)
                 .withTint(copyCompact(rows, layer.tint()));
     }
@@ -316,11 +316,11 @@ public final class RatioKernel {
         LightRows premultiplied = lightKernel.update(rows, light.source(), updated, ConeChange.NONE, true, scratch);
         return new RatioRows(before.states(),
                 updated.cosine == known.cosine ? before.diffuse
-                        : recomputeChanged(rows, light, light.diffuse(), premultiplied, premultiplied.cosine, premultiplied.face(),
+                        : recomputeChanged(rows, light, light.diffuse(), premultiplied, premultiplied.cosine, premultiplied.face,
                                 before.diffuse, changed),
-                recomputeChanged(rows, light, light.specular(), premultiplied, premultiplied.specular, premultiplied.highlight(),
+                recomputeChanged(rows, light, light.specular(), premultiplied, premultiplied.specular, premultiplied.highlight,
                         before.specular, changed),
-                recomputeChanged(rows, light, light.specular(), premultiplied, premultiplied.grazing, premultiplied.highlight(),
+                recomputeChanged(rows, light, light.specular(), premultiplied, premultiplied.grazing, premultiplied.highlight,
                         before.grazing, changed),
                 before.visibleSamples(),
                 before.litCount()).withTint(before.tint());

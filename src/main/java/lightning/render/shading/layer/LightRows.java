@@ -327,16 +327,6 @@ public final class LightRows implements LightLayer {
         return colors == null ? tinted : tinted * colors[channel][row];
     }
 
-    /** Returns {@link #face}. */
-    public float @Nullable [][] face() {
-        return face;
-    }
-
-    /** Returns {@link #highlight}. */
-    public float @Nullable [][] highlight() {
-        return highlight;
-    }
-
     /** Returns this layer with another column, or without it if null; the same rows are lit. */
     LightRows with(Column column, float @Nullable [] values) {
         return withColumns(columns.with(column, values));

@@ -11,22 +11,14 @@ import lightning.render.trace.primitive.PrimitiveTable;
  *
  * <p>A light placed on a surface is on either side of it by rounding, and rays from distant points are less exact. So each
  * primitive has a minimum row distance from the camera, from which on the side is undecidable.
+ *
+ * @param point          point, render space
+ * @param primitive      primitives, ascending
+ * @param minRowDistance minimum |x| + |y| + |z| of a row, render space, from which on the light counts as on the primitive
  */
-public final class ShadowRayTarget {
+public record ShadowRayTarget(Vec3 point, int[] primitive, double[] minRowDistance) {
     /** Target of shadow rays that end on no primitive, or are unbounded. */
     public static final ShadowRayTarget OFF_SURFACE = new ShadowRayTarget(Vec3.ZERO, new int[0], new double[0]);
-
-    private final Vec3 point;
-    /** Primitives, ascending. */
-    private final int[] primitive;
-    /** Minimum |x| + |y| + |z| of a row, render space, from which on the light counts as on the primitive. */
-    private final double[] minRowDistance;
-
-    private ShadowRayTarget(Vec3 point, int[] primitive, double[] minRowDistance) {
-        this.point = point;
-        this.primitive = primitive;
-        this.minRowDistance = minRowDistance;
-    }
 
     /**
      * Returns the target of shadow rays to a point in render space.
@@ -120,11 +112,6 @@ public final class ShadowRayTarget {
             }
         }
         return common == Arrays.stream(after.primitive).filter(existedBefore).count();
-    }
-
-    /** Returns the point, render space. */
-    public Vec3 point() {
-        return point;
     }
 
     /** Returns whether the point is on no primitive. */
