@@ -116,7 +116,8 @@ public record GatherStructure(GatherPoints points, RayLinks pointLinks, RimLinks
      * @param numbers surfel of each parent in each block
      */
     public GatherStructure withSurfels(HitRows[] rows, int[][] numbers) {
-        return new GatherStructure(points, pointLinks, rims, surfelLinks, new SurfelRows(rows, numbers, surfelRows.near(), surfelRows.count()),
+        return new GatherStructure(points, pointLinks, rims, surfelLinks,
+                new SurfelRows(rows, numbers, surfelRows.near(), surfelRows.count()),
                 surfelNormals, glow, null, reflections, isIndirect, bounces, rays);
     }
 

@@ -105,7 +105,8 @@ public final class Renderer implements AutoCloseable {
         UpdatePlan difference = Dispatcher.plan(earlier, planned.target(), geometry, true, options.method());
         boolean keepsPaths = difference instanceof UpdatePlan.Relight relight
                 && (relight.paths() == PathUpdate.KEEP || relight.paths() == PathUpdate.REPEAT);
-        return keepsPaths ? new PlannedUpdate(planned.target(), true, difference, difference, earlier, newest, planned.nanoseconds()) : planned;
+        return keepsPaths ? new PlannedUpdate(planned.target(), true, difference, difference, earlier, newest, planned.nanoseconds())
+                : planned;
     }
 
     private PlannedUpdate plan(Scene target, boolean mirrors) {

@@ -117,7 +117,8 @@ class ClearMaterialWorkTest {
             UpdateResult update = edit(studio, "glass", c -> c.withShadows(ShadowCasting.NONE));
             assertThat(update.rays().eye() + update.rays().mirrored()).isZero();
             assertThat(update.rays().shadow()).isPositive();
-            assertThat(studio.renderer().cache().allTiles().getLast().levels()[0].layers()[0].litCount()).isGreaterThanOrEqualTo((int) rows);
+            assertThat(studio.renderer().cache().allTiles().getLast().levels()[0].layers()[0].litCount())
+                    .isGreaterThanOrEqualTo((int) rows);
         }
     }
 

@@ -55,7 +55,8 @@ public final class BruteForce {
             if (distance == SolidGeometry.MISS) {
                 throw new IllegalArgumentException("the ray misses primitive " + primitive);
             }
-            return new Hit(primitive, geometry.primitives().mesh(primitive) == null ? 0 : triangle(geometry, primitive, ray), ray, distance);
+            return new Hit(primitive, geometry.primitives().mesh(primitive) == null ? 0 : triangle(geometry, primitive, ray), ray,
+                    distance);
         }
 
         private static int triangle(Geometry geometry, int primitive, Ray ray) {

@@ -89,7 +89,8 @@ final class FineSampleWorker {
         }
         boolean keepsFilms = old != null && known != null && !hasNewFilms && job.films().isSame()
                 && Arrays.equals(first.pixels(), old.first().pixels()) && Arrays.equals(rest.pixels(), old.rest().pixels());
-        boolean isUnchanged = keepsFilms && !job.films().reweights() && (center == null || center.film() == requireNonNull(oldCenter).film());
+        boolean isUnchanged =
+                keepsFilms && !job.films().reweights() && (center == null || center.film() == requireNonNull(oldCenter).film());
         if (isUnchanged) {
             return new FineTile(first, rest, known, requireNonNull(old).film());
         }
