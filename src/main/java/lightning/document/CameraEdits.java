@@ -50,7 +50,7 @@ public final class CameraEdits {
     public static EditOutcome keep(Scene scene, String name) {
         return EditOutcome.of(() -> {
             List<NamedCamera> cameras = new ArrayList<>(scene.cameras());
-            int old = names(scene).indexOf(name);
+            int old = scene.cameraNames().indexOf(name);
             NamedCamera kept = new NamedCamera(name, scene.camera());
             if (old < 0) {
                 cameras.add(kept);
@@ -63,7 +63,7 @@ public final class CameraEdits {
 
     /** Returns a name that no kept camera has. */
     public static String freeName(Scene scene) {
-        List<String> used = names(scene);
+        List<String> used = scene.cameraNames();
         String name = "camera";
         for (int number = 2; used.contains(name); number++) {
             name = "camera " + number;
@@ -74,11 +74,6 @@ public final class CameraEdits {
     /** Returns the scene without a kept camera. Its picture stays. */
     public static EditOutcome delete(Scene scene, String name) {
         return EditOutcome.of(() -> scene.withCameras(scene.cameras().stream().filter(kept -> !kept.name().equals(name)).toList()));
-    }
-
-    /** Returns the names of the kept cameras. */
-    public static List<String> names(Scene scene) {
-        return scene.cameras().stream().map(NamedCamera::name).toList();
     }
 
     /**

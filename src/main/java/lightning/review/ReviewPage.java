@@ -92,14 +92,18 @@ public final class ReviewPage {
     private static void describe(Light light, ObjectNode to) {
         Rgb color = light.color();
         to.put("group", light.lightGroup()).put("intensity", light.intensity());
-        to.putArray("color").add(color.r()).add(color.g()).add(color.b());
+        put(to, "color", color);
         putWhite(light, to);
+    }
+
+    /** Adds a color: linear red, green and blue. */
+    public static void put(ObjectNode to, String name, Rgb color) {
+        to.putArray(name).add(color.r()).add(color.g()).add(color.b());
     }
 
     /** Adds the color of the light if its own color is white: that of its temperature. */
     public static void putWhite(Light light, ObjectNode to) {
-        Rgb white = light.emission().tinted(Rgb.WHITE);
-        to.putArray("white").add(white.r()).add(white.g()).add(white.b());
+        put(to, "white", light.emission().tinted(Rgb.WHITE));
     }
 
     /** Returns a page that asks its server for a picture, and follows it ({@code live/}). */

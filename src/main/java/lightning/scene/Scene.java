@@ -82,6 +82,11 @@ public record Scene(PictureSettings picture, Camera camera, World world, Stage s
         return all;
     }
 
+    /** Returns the names of the cameras that are kept. */
+    public List<String> cameraNames() {
+        return cameras.stream().map(NamedCamera::name).toList();
+    }
+
     /** Returns the camera that is kept under a name. */
     public Optional<Camera> namedCamera(String name) {
         return cameras.stream().filter(camera -> camera.name().equals(name)).map(NamedCamera::camera).findFirst();

@@ -7,7 +7,6 @@ import lightning.base.text.Quote;
 import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
 import lightning.scene.IndirectSettings;
-import lightning.scene.NamedCamera;
 import lightning.scene.PictureSettings;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
@@ -107,7 +106,7 @@ public final class PictureOptions {
     }
 
     private Camera camera(Scene scene, String name) {
-        List<String> names = scene.cameras().stream().map(NamedCamera::name).toList();
+        List<String> names = scene.cameraNames();
         return scene.namedCamera(name).orElseThrow(() -> new ParameterException(command.commandLine(), "--camera: the scene has no camera "
                 + Quote.of(name) + ", it has " + (names.isEmpty() ? "no named ones" : Quote.list(names))));
     }

@@ -175,7 +175,7 @@ final class EditorMenu extends MenuBar {
     private Menu cameras() {
         Menu menu = items.menu(Command.CHOOSE_CAMERA);
         Runnable fill = () -> {
-            List<MenuItem> named = CameraEdits.names(model.editor().scene()).stream().map(name -> items.value(Command.CHOOSE_CAMERA, name,
+            List<MenuItem> named = model.editor().scene().cameraNames().stream().map(name -> items.value(Command.CHOOSE_CAMERA, name,
                     () -> model.editor().editAndRenderOrReport(scene -> CameraEdits.choose(scene, name), null))).toList();
             menu.getItems().setAll(named.isEmpty()
                     ? List.of(

@@ -6,14 +6,12 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.UnaryOperator;
+import java.util.function.BiConsumer;
 import lightning.base.text.Quote;
 import lightning.format.gltf.GltfFile;
 import lightning.format.gltf.GltfNode;
 import lightning.format.mesh.MeshException;
-import lightning.format.mesh.UniqueNames;
 import lightning.scene.Camera;
-import lightning.scene.NamedCamera;
 
 /**
  * Cameras of a glTF file, of which a scene shows one and keeps all, if there are several. A camera has the name of its node, or its own if the
@@ -59,11 +57,8 @@ final class GltfCameras {
         placed.put(node.index(), camera);
     }
 
-    /** Returns all cameras, in the order of the file; none if there is only one. */
-    List<NamedCamera> named(UnaryOperator<Camera> finished) {
-        var unique = new UniqueNames();
-        return placed.size() < 2 ? List.of() : placed.entrySet().stream()
-                .map(e -> new NamedCamera(unique.unique(requireNonNull(names.get(e.getKey())), "camera"), finished.apply(e.getValue())))
-                .toList();
+    /** Passes on all cameras with their names, in the order of the file. */
+    void forEach(BiConsumer<String, Camera> receiver) {
+        placed.forEach((node, camera) -> receiver.accept(requireNonNull(names.get(node)), camera));
     }
 }

@@ -156,8 +156,8 @@ final class GltfImport {
         spotEdges.addFiles(assembler);
         Optional<Camera> shown = assembler.camera;
         assembler.camera = shown.map(camera -> withExtras(camera, assembler.notes));
-        assembler.cameras = cameras.named(camera -> shown.filter(s -> s == camera).flatMap(_ -> assembler.camera)
-                .orElseGet(() -> withTarget(camera, distanceToObjects(camera))));
+        cameras.forEach((name, camera) -> assembler.addCamera(name, shown.filter(s -> s == camera).flatMap(_ -> assembler.camera)
+                .orElseGet(() -> withTarget(camera, distanceToObjects(camera)))));
         if (shot.isPresent()) {
             double fov = cameraNode.isEmpty() ? 0 : fieldOfView(file.camera(cameraNode.get().camera(), new ConversionNotes()));
             // The camera without animation has the notes already.

@@ -54,7 +54,7 @@ record DocumentPatch(SourceText source, TokenList tokens, Set<LeftOutFile> leftO
         TokenList tokens = Lexer.tokens(text, new ProblemList());
         var edits = new TextEdits(text);
         var patch = new DocumentPatch(new SourceText("", text), tokens, Set.of());
-        ofKinds(Parser.parseFile(tokens, new ProblemList()), List.of(BlockTypes.SHOT.keyword())).forEach(shot -> patch.remove(edits, shot));
+        SceneBuilder.blocksOfType(Parser.parseFile(tokens, new ProblemList()), BlockTypes.SHOT).forEach(shot -> patch.remove(edits, shot));
         return edits.apply(0, text.length());
     }
 
@@ -84,22 +84,22 @@ record DocumentPatch(SourceText source, TokenList tokens, Set<LeftOutFile> leftO
         patchSingle(edits, blocks, BlockContent.of(BlockTypes.WORLD, edited.world()));
         List<BlockContent> added = new ArrayList<>();
         if (!edited.materials().equals(original.materials())) {
-            added.addAll(patchList(edits, ofKinds(blocks, List.of(BlockTypes.MATERIAL.keyword())),
+            added.addAll(patchList(edits, SceneBuilder.blocksOfType(blocks, BlockTypes.MATERIAL),
                     edited.materials().stream().map(BlockContent::of).toList()));
         }
         if (!edited.nodes().equals(original.nodes())) {
             added.addAll(
-                    patchList(edits, ofKinds(blocks, BlockTypes.NODE_KEYWORDS), edited.nodes().stream().map(BlockContent::of).toList()));
+                    patchList(edits, SceneBuilder.nodeBlocks(blocks), edited.nodes().stream().map(BlockContent::of).toList()));
         }
-        added.addAll(patchList(edits, blocks.stream().filter(block -> block.type == BlockTypes.NAMED_CAMERA).toList(),
+        added.addAll(patchList(edits, SceneBuilder.blocksOfType(blocks, BlockTypes.NAMED_CAMERA),
                 edited.cameras().stream().map(BlockContent::of).toList()));
-        added.addAll(patchList(edits, ofKinds(blocks, List.of(BlockTypes.DOME.keyword())),
+        added.addAll(patchList(edits, SceneBuilder.blocksOfType(blocks, BlockTypes.DOME),
                 edited.world().named().stream().map(BlockContent::of).toList()));
-        added.addAll(patchList(edits, ofKinds(blocks, List.of(BlockTypes.LIGHT_GROUP.keyword())),
+        added.addAll(patchList(edits, SceneBuilder.blocksOfType(blocks, BlockTypes.LIGHT_GROUP),
                 edited.rig().lightGroups().stream().map(BlockContent::of).toList()));
-        added.addAll(patchList(edits, ofKinds(blocks, List.of(BlockTypes.LIGHT.keyword())),
+        added.addAll(patchList(edits, SceneBuilder.blocksOfType(blocks, BlockTypes.LIGHT),
                 edited.lights().stream().map(BlockContent::of).toList()));
-        ofKinds(blocks, List.of(BlockTypes.SHOT.keyword())).forEach(shot -> patchShot(edits, shot, original, edited));
+        SceneBuilder.blocksOfType(blocks, BlockTypes.SHOT).forEach(shot -> patchShot(edits, shot, original, edited));
         var out = new StringBuilder(edits.apply(0, source.text().length()));
         for (BlockContent element : added) {
             if (out.charAt(out.length() - 1) != '\n') {
@@ -110,12 +110,8 @@ record DocumentPatch(SourceText source, TokenList tokens, Set<LeftOutFile> leftO
         return out.toString();
     }
 
-    private static List<Block> ofKinds(List<Block> blocks, List<String> keywords) {
-        return blocks.stream().filter(b -> keywords.contains(b.type.keyword())).toList();
-    }
-
     private void patchSingle(TextEdits edits, List<Block> blocks, BlockContent target) {
-        List<Block> old = blocks.stream().filter(block -> block.type == target.type()).toList();
+        List<Block> old = SceneBuilder.blocksOfType(blocks, target.type());
         if (!old.isEmpty()) {
             new BlockPatch(source, tokens, edits, leftOut).apply(old.getFirst(), target);
         } else if (!target.isInitial()) {

@@ -94,18 +94,18 @@ final class SceneBuilder {
 
     /** Returns the scene, or empty if there are problems. */
     Optional<Scene> build(List<Block> blocks) {
-        List<Block> nodeBlocks = blocks.stream().filter(b -> BlockTypes.NODE_KEYWORDS.contains(b.type.keyword())).toList();
         List<Block> otherBlocks = blocks.stream().filter(b -> !BlockTypes.NODE_KEYWORDS.contains(b.type.keyword())).toList();
         Optional<PictureSettings> picture = single(otherBlocks, BlockTypes.PICTURE);
         Optional<Camera> camera = single(otherBlocks, BlockTypes.CAMERA);
-        List<NamedCamera> cameras = cameras(blocksOfType(otherBlocks, BlockTypes.NAMED_CAMERA));
+        List<NamedCamera> cameras = named(otherBlocks, BlockTypes.NAMED_CAMERA, new HashMap<>(), SceneLimits.MAX_CAMERAS,
+                "named cameras");
         Optional<World> world = single(otherBlocks, BlockTypes.WORLD);
         single(otherBlocks, BlockTypes.SHOT);
         List<Material> materials = materials(blocksOfType(otherBlocks, BlockTypes.MATERIAL));
-        List<SceneNode> nodes = nodes(nodeBlocks, 1, 1);
+        List<SceneNode> nodes = nodes(nodeBlocks(blocks), 1, 1);
         List<LightGroup> groups = lightGroups(blocksOfType(otherBlocks, BlockTypes.LIGHT_GROUP));
         List<Light> lights = lights(blocksOfType(otherBlocks, BlockTypes.LIGHT));
-        List<Dome> domes = domes(blocksOfType(otherBlocks, BlockTypes.DOME));
+        List<Dome> domes = named(otherBlocks, BlockTypes.DOME, blocksByName, SceneLimits.MAX_DOMES, "domes");
         if (!problems.isEmpty()) {
             return Optional.empty();
         }
@@ -121,7 +121,11 @@ final class SceneBuilder {
                 world.orElse(World.DEFAULT).withNamed(domes), stage, rig, cameras)) : Optional.empty();
     }
 
-    private static List<Block> blocksOfType(List<Block> blocks, BlockType<?> type) {
+    static List<Block> nodeBlocks(List<Block> blocks) {
+        return blocks.stream().filter(b -> BlockTypes.NODE_KEYWORDS.contains(b.type.keyword())).toList();
+    }
+
+    static List<Block> blocksOfType(List<Block> blocks, BlockType<?> type) {
         return blocks.stream().filter(b -> b.type == type).toList();
     }
 
@@ -131,15 +135,21 @@ final class SceneBuilder {
         return matching.isEmpty() ? Optional.empty() : buildRecord(matching.getFirst(), type, List.of());
     }
 
-    private List<NamedCamera> cameras(List<Block> blocks) {
-        List<NamedCamera> cameras = new ArrayList<>();
-        Map<String, Block> blocksByCamera = new HashMap<>();
-        for (Block block : blocks) {
-            checkUnique(blocksByCamera, block);
-            buildRecord(block, BlockTypes.NAMED_CAMERA, List.of()).ifPresent(cameras::add);
+    /**
+     * Builds the records of a type.
+     *
+     * @param names blocks whose names the records must not have; receives theirs
+     * @param label for a message about more than the maximum
+     */
+    private <T> List<T> named(List<Block> blocks, BlockType<T> type, Map<String, Block> names, int max, String label) {
+        List<Block> ofType = blocksOfType(blocks, type);
+        List<T> records = new ArrayList<>();
+        for (Block block : ofType) {
+            checkUnique(names, block);
+            buildRecord(block, type, List.of()).ifPresent(records::add);
         }
-        checkCount(blocks, SceneLimits.MAX_CAMERAS, "named cameras");
-        return cameras;
+        checkCount(ofType, max, label);
+        return records;
     }
 
     private List<Material> materials(List<Block> blocks) {
@@ -190,16 +200,6 @@ final class SceneBuilder {
             Block block = requireNonNull(blocksByName.get(light.name()));
             problem(block, block.title() + ": " + e.getMessage());
         }
-    }
-
-    private List<Dome> domes(List<Block> blocks) {
-        List<Dome> domes = new ArrayList<>();
-        for (Block block : blocks) {
-            checkUnique(blocksByName, block);
-            buildRecord(block, BlockTypes.DOME, List.of()).ifPresent(domes::add);
-        }
-        checkCount(blocks, SceneLimits.MAX_DOMES, "domes");
-        return domes;
     }
 
     private void checkCount(List<Block> blocks, int max, String label) {

@@ -79,24 +79,26 @@ public record BackgroundLight(Rgb color, List<Layer> layers, Rgb seen) {
      * @param first number of the first cell
      */
     void writeSky(FilmLight to, int first, int film) {
+        if (layers.isEmpty()) {
+            for (int cell = 0; cell < SkyCells.COUNT; cell++) {
+                to.set(first + cell, film, (float) seen.r(), (float) seen.g(), (float) seen.b());
+            }
+            return;
+        }
         double[] direction = new double[3];
         double[] radiance = new double[3];
         double[] sum = new double[3];
         for (int cell = 0; cell < SkyCells.FINEST_COUNT; cell++) {
-            if (!layers.isEmpty()) {
-                SkyCells.writeCenter(cell, direction);
-                writeSum(direction[0], direction[1], direction[2], radiance, sum, to.values(), to.at(first + cell, film));
-            } else {
-                to.set(first + cell, film, (float) seen.r(), (float) seen.g(), (float) seen.b());
-            }
+            SkyCells.writeCenter(cell, direction);
+            writeSum(direction[0], direction[1], direction[2], radiance, sum, to.values(), to.at(first + cell, film));
         }
         for (int cell = SkyCells.FINEST_COUNT; cell < SkyCells.COUNT; cell++) {
-            for (int c = 0; c < 3; c++) {
-                float parts = 0;
-                for (int part = 0; part < 4; part++) {
-                    parts += 0.25f * to.values()[to.at(first + SkyCells.part(cell, part), film) + c];
+            int at = to.at(first + cell, film);
+            for (int number = 0; number < 4; number++) {
+                int part = to.at(first + SkyCells.part(cell, number), film);
+                for (int c = 0; c < 3; c++) {
+                    to.values()[at + c] += 0.25f * to.values()[part + c];
                 }
-                to.values()[to.at(first + cell, film) + c] = parts;
             }
         }
     }

@@ -7,6 +7,7 @@ import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.format.json.CheckedJson;
 import lightning.review.Review;
+import lightning.review.ReviewPage;
 import lightning.scene.value.SceneLimits;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ArrayNode;
@@ -30,7 +31,7 @@ final class LiveJson {
         for (LiveState.LightValue light : state.lights()) {
             ObjectNode to = lights.addObject().put("name", light.name()).put("intensity", light.intensity()).put("mute", light.mute())
                     .put("solo", light.solo());
-            to.putArray("color").add(light.color().r()).add(light.color().g()).add(light.color().b());
+            ReviewPage.put(to, "color", light.color());
         }
         ArrayNode groups = node.putArray("groups");
         for (LiveState.GroupValue group : state.groups()) {

@@ -50,7 +50,7 @@ record LivePicture(byte[] data, Map<String, byte[]> layers) {
                 ReviewPage.putWhite(light, node);
             }
             node.put("intensity", part.light().values(base).intensity() * (light == null ? 1 : LightWeights.groupIntensity(base, light)));
-            node.putArray("color").add(color.r()).add(color.g()).add(color.b());
+            ReviewPage.put(node, "color", color);
         }
         data.put("rest", layers.rest().id());
         texts.put(layers.rest().id(), layers.rest().text());

@@ -112,7 +112,7 @@ final class MaterialPane extends AttributeForm<Material> {
         return COMMON.contains(section) || attributes(section).stream().anyMatch(a -> !a.get(material).equals(a.initial()));
     }
 
-    /** Unfolds the sections that a material uses. Those that it does not use are only folded when another material was shown before. */
+    /** Unfolds the sections that a material uses. The others are only folded when another material was shown before. */
     private void fold(Material material) {
         isFolding = true;
         boolean isOther = !material.name().equals(foldedFor);

@@ -28,7 +28,7 @@ final class NamedCameraField extends VBox {
         this.editor = editor;
         getStyleClass().add("section-rows");
         list = new ChoiceField<>("cameras", Messages.tr("Named cameras"), Messages.tr("View the picture from a named camera of the scene"),
-                _ -> CameraEdits.names(editor.scene()), camera -> camera, camera -> edit(scene -> CameraEdits.choose(scene, camera)));
+                _ -> editor.scene().cameraNames(), camera -> camera, camera -> edit(scene -> CameraEdits.choose(scene, camera)));
         list.box().setPromptText(Messages.tr("Choose a camera"));
         HBox.setHgrow(list, Priority.ALWAYS);
         var delete = new Button(Messages.tr("Delete"));

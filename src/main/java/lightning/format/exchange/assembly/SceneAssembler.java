@@ -73,8 +73,8 @@ public final class SceneAssembler {
     public final Set<String> rawGlows = new HashSet<>();
     public final Bounds bounds = new Bounds();
     public Optional<Camera> camera = Optional.empty();
-    /** All cameras of the file, if it has several. */
-    public List<NamedCamera> cameras = List.of();
+    private final List<NamedCamera> cameras = new ArrayList<>();
+    private final UniqueNames cameraNames = new UniqueNames();
     /** With a view in which highlights do not clip, since a file does not say how its picture looks. */
     public PictureSettings picture = new PictureSettings(800, 600, PictureSettings.DEPTH.initial())
             .withView(ViewSettings.DEFAULT.withCurve(ViewCurve.AGX));
@@ -240,6 +240,11 @@ public final class SceneAssembler {
         return quadratic;
     }
 
+    /** Adds a camera of the file, that of the picture included: the scene keeps all if there are several. */
+    public void addCamera(String name, Camera added) {
+        cameras.add(new NamedCamera(cameraNames.unique(name, "camera"), added));
+    }
+
     /** Sets the image's aspect ratio, width / height, above 0; the longer side stays. */
     public void setAspectRatio(double aspectRatio) {
         int longer = Math.max(picture.width(), picture.height());
@@ -266,10 +271,12 @@ public final class SceneAssembler {
                 lights.add(defaultLight(view));
             }
             Stage stage = new Stage(List.copyOf(materials), List.copyOf(nodes));
+            // A single one is that of the picture.
+            List<NamedCamera> kept = cameras.size() < 2 ? List.of() : cameras.subList(0, Math.min(cameras.size(), SceneLimits.MAX_CAMERAS));
             notes.add("named cameras above the limit", Math.max(0, cameras.size() - SceneLimits.MAX_CAMERAS));
             Scene scene = new FileRenaming(images.fit()).applyTo(new Scene(picture, view, world, stage,
                     LightRig.of(lights.stream().map(light -> withValidLinks(light, stage)).toList(), lightGroups),
-                    cameras.subList(0, Math.min(cameras.size(), SceneLimits.MAX_CAMERAS))));
+                    kept));
             return new ImportedScene(scene, shot.map(s -> withValidTracks(s, scene)), Set.copyOf(restoredLights), Set.copyOf(rawGlows),
                     units,
                     List.copyOf(comments), sceneFile,

@@ -20,11 +20,9 @@ import lightning.format.exchange.json.SceneExtras;
 import lightning.format.gltf.JsonValue;
 import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
-import lightning.format.mesh.UniqueNames;
 import lightning.format.usd.StageChoice;
 import lightning.format.usd.UsdStage;
 import lightning.scene.Camera;
-import lightning.scene.NamedCamera;
 import lightning.scene.SceneElement;
 import lightning.scene.ViewSettings;
 import lightning.scene.light.Light;
@@ -225,25 +223,21 @@ public final class UsdImport {
         }
     }
 
-    /** Keeps all cameras under their names if there are several. Exposures of the others are those of the shown one, as there is one picture. */
+    /** Adds all cameras. Exposures of the others are those of the shown one, as there is one picture. */
     private void importOtherCameras(JsonValue shown, JsonValue others) throws MeshException {
-        var unique = new UniqueNames();
-        List<NamedCamera> named = new ArrayList<>();
-        if (assembler.camera.isPresent()) {
-            named.add(new NamedCamera(unique.unique(shown.get("name").text().orElse(""), "camera"), assembler.camera.get()));
-        }
+        String name = shown.get("name").text().orElse("");
+        assembler.camera.ifPresent(camera -> assembler.addCamera(name, camera));
         for (int i = 0; i < others.size(); i++) {
             JsonValue in = others.element(i);
             boolean isShifted = LensShift.isValid(shift(in, "offset_x", "width"), shift(in, "offset_y", "height"));
             assembler.notes.add(SceneExtras.INVALID_SHIFT, isShifted ? 0 : 1);
             assembler.notes.add("exposures of additional cameras", in.get("exposure").number(0) == shown.get("exposure").number(0) ? 0 : 1);
             try {
-                named.add(new NamedCamera(unique.unique(in.get("name").text().orElse(""), "camera"), camera(in, isShifted)));
+                assembler.addCamera(in.get("name").text().orElse(""), camera(in, isShifted));
             } catch (RefusalException | ArithmeticException e) {
                 assembler.notes.add("cameras that cannot be placed");
             }
         }
-        assembler.cameras = named.size() < 2 ? List.of() : List.copyOf(named);
     }
 
     /** Sets the size of the picture by the render settings of the stage. */

@@ -13,7 +13,26 @@ public final class SkyCells {
     /** Number of cells of all levels. */
     public static final int COUNT = first(COARSEST / 2);
 
+    /** The four parts of each cell that is not of the finest level. */
+    private static final int[] PARTS = parts();
+
     private SkyCells() {}
+
+    private static int[] parts() {
+        int[] parts = new int[4 * (COUNT - FINEST_COUNT)];
+        int next = 0;
+        for (int side = FINEST / 2; side >= COARSEST; side /= 2) {
+            int finer = 2 * side;
+            for (int row = 0; row < 2 * side; row++) {
+                for (int column = 0; column < side; column++) {
+                    for (int number = 0; number < 4; number++) {
+                        parts[next++] = first(finer) + (2 * row + number / 2) * finer + 2 * column + number % 2;
+                    }
+                }
+            }
+        }
+        return parts;
+    }
 
     /** Returns the number of the first cell of the level with a side. */
     private static int first(int side) {
@@ -61,14 +80,6 @@ public final class SkyCells {
      * @param number 0…3
      */
     public static int part(int cell, int number) {
-        int side = FINEST / 2;
-        while (cell >= first(side / 2)) {
-            side /= 2;
-        }
-        int inLevel = cell - first(side);
-        int half = inLevel / (side * side);
-        int row = 2 * (inLevel % (side * side) / side) + number / 2;
-        int column = 2 * (inLevel % side) + number % 2;
-        return first(2 * side) + 2 * side * (2 * side * half + row) + column;
+        return PARTS[4 * (cell - FINEST_COUNT) + number];
     }
 }
