@@ -25,20 +25,14 @@ import lightning.scene.value.Placement;
  * Generator of closed rooms with indirect light: six walls, two of them colored, with any number of balls and lights, or a mesh. The camera
  * is inside. Deterministic in the seed.
  */
-final class GeneratedRooms {
+record GeneratedRooms(PictureSize size, IndirectSettings settings, Random random) {
     private static final Camera CAMERA = new Camera(new Vec3(0, 0, 3.6), new Vec3(0, -0.1, 0), Vec3.Y, 40);
     private static final String WHITE = "white";
     private static final String RED = "red";
     private static final String GREEN = "green";
 
-    private final PictureSize size;
-    private final IndirectSettings settings;
-    private final Random random;
-
     GeneratedRooms(long seed, PictureSize size, IndirectSettings settings) {
-        this.size = size;
-        this.settings = settings;
-        random = new Random(seed);
+        this(size, settings, new Random(seed));
     }
 
     /**

@@ -25,7 +25,7 @@ import lightning.scene.paper.PaperCase;
  * Benchmark of indirect light: time against error, the first pass and edits of each scene, growth on generated rooms, and the cost of its
  * absence. Scenes without indirect light get the default settings.
  */
-final class IndirectBench {
+record IndirectBench(BenchSettings settings, ResultCollector ledger, RenderOptions options) {
     static final String ROOM = "room";
     private static final PictureSize ERROR_SIZE = new PictureSize(1920, 1080);
     private static final PictureSize QUICK_ERROR_SIZE = new PictureSize(48, 27);
@@ -52,14 +52,8 @@ final class IndirectBench {
     private static final int ROOM_BALLS = 12;
     private static final int ROOM_LIGHTS = 4;
 
-    private final BenchSettings settings;
-    private final ResultCollector ledger;
-    private final RenderOptions options;
-
     IndirectBench(BenchSettings settings, ResultCollector ledger) {
-        this.settings = settings;
-        this.ledger = ledger;
-        options = RenderOptions.DEFAULT.withThreads(settings.threads());
+        this(settings, ledger, RenderOptions.DEFAULT.withThreads(settings.threads()));
     }
 
     /** Returns the parts to measure for these scenes and a generated room. */

@@ -14,7 +14,7 @@ import lightning.format.pov.PovScene;
  * Benchmark of a modern scene with and without anti-aliasing: first pass, edits, cold-start processes, and time against error, the last two
  * also of POV-Ray if installed.
  */
-final class ModernBench {
+record ModernBench(BenchSettings settings, ResultCollector ledger, NamedScene scene, double bytesPerMs, ModernCollector collector) {
     private static final PictureSize COLD_SIZE = new PictureSize(640, 360);
     private static final PictureSize QUICK_SIZE = new PictureSize(96, 54);
     private static final int PROCESSES = 3;
@@ -25,18 +25,8 @@ final class ModernBench {
     private static final double COLD_FACTOR = 3;
     private static final double START_MS = 1000;
 
-    private final BenchSettings settings;
-    private final ResultCollector ledger;
-    private final NamedScene scene;
-    private final double bytesPerMs;
-    private final ModernCollector collector;
-
     ModernBench(BenchSettings settings, ResultCollector ledger, NamedScene scene, double bytesPerMs) {
-        this.settings = settings;
-        this.ledger = ledger;
-        this.scene = scene;
-        this.bytesPerMs = bytesPerMs;
-        collector = ledger.addModern(scene.name(), PovScene.of(scene.scene(), "scene").losses());
+        this(settings, ledger, scene, bytesPerMs, ledger.addModern(scene.name(), PovScene.of(scene.scene(), "scene").losses()));
     }
 
     /** Returns the parts to measure. */

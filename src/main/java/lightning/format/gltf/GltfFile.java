@@ -26,8 +26,14 @@ import tools.jackson.core.json.JsonFactory;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** glTF file in memory: its JSON and the binary chunk of a {@code .glb}. */
-public final class GltfFile {
+/**
+ * glTF file in memory: its JSON and the binary chunk of a {@code .glb}.
+ *
+ * @param isBinary     true for a {@code .glb} file
+ * @param decodingTime time for decoding all primitives
+ */
+public record GltfFile(Path path, JsonValue root, boolean isBinary, byte @Nullable [] binaryChunk, Progress progress,
+        TimeLimit decodingTime) {
     static final byte[] MAGIC = "glTF".getBytes(StandardCharsets.US_ASCII);
     static final int JSON_CHUNK = 0x4E4F534A;
     static final int BINARY_CHUNK = 0x004E4942;
@@ -55,19 +61,8 @@ public final class GltfFile {
     /** Starts of names of extensions without which a scene only looks different. */
     private static final List<String> APPEARANCE = List.of("KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_");
 
-    private final Path path;
-    private final JsonValue root;
-    private final boolean isBinary;
-    private final byte @Nullable [] binaryChunk;
-    private final Progress progress;
-    private final TimeLimit decodingTime = new TimeLimit(DracoPrimitive.TIME);
-
     private GltfFile(Path path, JsonNode root, boolean isBinary, byte @Nullable [] binaryChunk, Progress progress) {
-        this.path = path;
-        this.root = new JsonValue(path, "", root);
-        this.isBinary = isBinary;
-        this.binaryChunk = binaryChunk;
-        this.progress = progress;
+        this(path, new JsonValue(path, "", root), isBinary, binaryChunk, progress, new TimeLimit(DracoPrimitive.TIME));
     }
 
     /** Returns whether a file starts like a glTF file, in either form. */
@@ -227,14 +222,6 @@ public final class GltfFile {
         }
     }
 
-    public Path path() {
-        return path;
-    }
-
-    JsonValue root() {
-        return root;
-    }
-
     JsonValue array(String name) throws MeshException {
         return root.get(name);
     }
@@ -247,25 +234,6 @@ public final class GltfFile {
     /** Returns the name of a camera; empty if it has none. */
     public String cameraName(int camera) throws MeshException {
         return array("cameras").element(camera).get("name").text().orElse("");
-    }
-
-    Progress progress() {
-        return progress;
-    }
-
-    /** Returns the time for decoding all primitives. */
-    TimeLimit decodingTime() {
-        return decodingTime;
-    }
-
-    /** Returns true for a {@code .glb} file. */
-    boolean isBinary() {
-        return isBinary;
-    }
-
-    /** Returns the binary chunk. */
-    byte @Nullable [] binaryChunk() {
-        return binaryChunk;
     }
 
     /** Returns the files in the folder of this one, or below it, that contain buffers, each once. */

@@ -7,35 +7,27 @@ import org.jspecify.annotations.Nullable;
  * Rays along which fog is seen in mirrors and through clear surfaces: those that bounce from what the rays of a {@link FogGrid} hit. A ray of the
  * grid has one that is mirrored at the first surface (path 0), and one for each number of refractions in a row (path n) after which it is in the
  * air. Immutable.
+ *
+ * @param gridRay  ray of the grid that each ray starts from: {@code int[rays]}; must not be modified
+ * @param path     path of each ray: {@code int[rays]}; must not be modified
+ * @param material index of the material from which each ray bounces: {@code int[rays]}; must not be modified
+ * @param lines    origin and direction of each ray, ox, oy, oz, dx, dy, dz: {@code float[6][rays]}; directions have nearly length 1; must not
+ *                 be modified
+ * @param index    ray by path and ray of the grid, −1 for none; null for paths without a ray
  */
-public final class BounceRays implements FogRays {
+public record BounceRays(FogGrid grid, int[] gridRay, int[] path, int[] material, float[][] lines, int[] @Nullable [] index)
+        implements FogRays {
     /** Bytes of a ray, without its place in the index. */
     public static final int BYTES = 3 * Integer.BYTES + 6 * Float.BYTES;
     /** Path of the ray that is mirrored at the first surface; path n is refracted n times. */
     public static final int MIRRORED = 0;
 
-    private final FogGrid grid;
-    private final int[] gridRay;
-    private final int[] path;
-    private final int[] material;
-    /** Origin and direction of each ray: ox, oy, oz, dx, dy, dz. */
-    private final float[][] lines;
-    /** Ray by path and ray of the grid, −1 for none; null for paths without a ray. */
-    private final int[] @Nullable [] index;
-
-    /**
-     * @param gridRay ray of the grid that each ray starts from: {@code int[rays]}
-     * @param path    path of each ray: {@code int[rays]}
-     * @param material index of the material from which each ray bounces: {@code int[rays]}
-     * @param lines   origin and direction of each ray: {@code float[6][rays]}; directions have nearly length 1
-     */
     public BounceRays(FogGrid grid, int[] gridRay, int[] path, int[] material, float[][] lines) {
-        this.grid = grid;
-        this.gridRay = gridRay;
-        this.path = path;
-        this.material = material;
-        this.lines = lines;
-        index = new int[1 + Arrays.stream(path).max().orElse(0)][];
+        this(grid, gridRay, path, material, lines, index(grid, gridRay, path));
+    }
+
+    private static int[] @Nullable [] index(FogGrid grid, int[] gridRay, int[] path) {
+        int[] @Nullable [] index = new int[1 + Arrays.stream(path).max().orElse(0)][];
         for (int i = 0; i < path.length; i++) {
             int[] rays = index[path[i]];
             if (rays == null) {
@@ -45,11 +37,7 @@ public final class BounceRays implements FogRays {
             }
             rays[gridRay[i]] = i;
         }
-    }
-
-    @Override
-    public FogGrid grid() {
-        return grid;
+        return index;
     }
 
     @Override
@@ -95,26 +83,6 @@ public final class BounceRays implements FogRays {
             to[i] = group * GROUP + i;
         }
         return rays;
-    }
-
-    /** Returns the ray of each ray of the grid that they start from: {@code int[rays]}; must not be modified. */
-    public int[] gridRay() {
-        return gridRay;
-    }
-
-    /** Returns the path of each ray: {@code int[rays]}; must not be modified. */
-    public int[] path() {
-        return path;
-    }
-
-    /** Returns the index of the material from which each ray bounces: {@code int[rays]}; must not be modified. */
-    public int[] material() {
-        return material;
-    }
-
-    /** Returns origins and directions: {@code float[6][rays]}; must not be modified. */
-    public float[][] lines() {
-        return lines;
     }
 
     /** Returns whether both are the same rays. */

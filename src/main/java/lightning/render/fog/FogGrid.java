@@ -11,8 +11,13 @@ import lightning.scene.PictureSettings;
  *
  * <p>Rays of a block of 2×2 are sampled at four different places in turn, like the interleaved pixels of Keller and Heidrich (Interleaved
  * sampling, 2001). A filter over neighbors adds them up.
+ *
+ * @param eye     origin of its rays, render space
+ * @param scale   distance from the eye to the point that the camera looks at, scene units, &gt; 0
+ * @param step    number of pixels between neighboring rays, along x and y: 1…4
+ * @param columns number of rays in a line
  */
-public final class FogGrid implements FogRays {
+public record FogGrid(CameraRays camera, Vec3 eye, double scale, int step, int columns, int lines) implements FogRays {
     /** Largest number of pixels between neighboring rays, along x and y: that of pictures from 960 × 540 on. */
     private static final int MAX_STEP = 4;
     /** Number of rays of a picture of this size; a smaller one has as many at most. */
@@ -25,34 +30,13 @@ public final class FogGrid implements FogRays {
     private static final int SIDE = 32;
     private static final int[] ORDER = {0, 2, 3, 1};
 
-    private final CameraRays camera;
-    private final Vec3 eye;
-    private final double scale;
-    private final int step;
-    private final int columns;
-    private final int lines;
-
     public FogGrid(Camera camera, PictureSettings picture) {
-        this.camera = new CameraRays(camera, picture);
-        eye = camera.from().minus(camera.origin());
-        scale = camera.to().minus(camera.from()).length();
-        step = Math.clamp((int) Math.ceil(Math.sqrt((double) picture.width() * picture.height() / RAYS)), 1, MAX_STEP);
-        columns = (picture.width() + step - 1) / step + 3;
-        lines = (picture.height() + step - 1) / step + 3;
+        this(camera, picture, Math.clamp((int) Math.ceil(Math.sqrt((double) picture.width() * picture.height() / RAYS)), 1, MAX_STEP));
     }
 
-    /** Returns the number of pixels between neighboring rays, along x and y: 1…4. */
-    public int step() {
-        return step;
-    }
-
-    /** Returns the number of rays in a line. */
-    public int columns() {
-        return columns;
-    }
-
-    public int lines() {
-        return lines;
+    private FogGrid(Camera camera, PictureSettings picture, int step) {
+        this(new CameraRays(camera, picture), camera.from().minus(camera.origin()), camera.to().minus(camera.from()).length(), step,
+                (picture.width() + step - 1) / step + 3, (picture.height() + step - 1) / step + 3);
     }
 
     @Override
@@ -85,16 +69,6 @@ public final class FogGrid implements FogRays {
             }
         }
         return count;
-    }
-
-    /** Returns the origin of its rays, render space. */
-    public Vec3 eye() {
-        return eye;
-    }
-
-    /** Returns the distance from the eye to the point that the camera looks at, scene units, &gt; 0. */
-    public double scale() {
-        return scale;
     }
 
     /** Returns the phase of a ray, 0…3. */

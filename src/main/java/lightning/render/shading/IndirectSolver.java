@@ -40,16 +40,13 @@ import org.jspecify.annotations.Nullable;
  * <p>Rays are cosine-distributed, so the plain mean is the irradiance in units of the lights' diffuse sum. Floats are added in the order
  * of the rays. Each film has the lights of its contribution alone; some films stand side by side, so that one walk along the paths serves
  * them.
+ *
+ * @param films  at most {@link FilmLight#MAX_FILMS}
+ * @param albedo of each surfel
  */
-public final class IndirectSolver {
+public record IndirectSolver(GatherStructure structure, List<Source> films, float[][] albedo, FilmKernel kernel, WorkerPool workers,
+        Progress progress) {
     private static final int BATCH = 512;
-
-    private final GatherStructure structure;
-    private final WorkerPool workers;
-    private final Progress progress;
-    private final List<Source> films;
-    private final float[][] albedo;
-    private final FilmKernel kernel;
 
     /**
      * What a film is gathered from.
@@ -64,18 +61,8 @@ public final class IndirectSolver {
         // Arrays in a record: written once by their creator, never after.
     }
 
-    /**
-     * @param films  at most {@link FilmLight#MAX_FILMS}
-     * @param albedo of each surfel
-     */
-    public IndirectSolver(GatherStructure structure, List<Source> films, float[][] albedo, FilmKernel kernel, WorkerPool workers,
-            Progress progress) {
-        this.kernel = kernel;
-        this.structure = structure;
-        this.films = films;
-        this.albedo = albedo;
-        this.workers = workers;
-        this.progress = progress.cancellationOnly();
+    public IndirectSolver {
+        progress = progress.cancellationOnly();
     }
 
     /**

@@ -350,7 +350,7 @@ public final class Geometry {
     public ShapeChange changeTo(Scene other) {
         ShapeChange current = lastChange == null ? null : lastChange.get();
         if (current == null || !current.after(this).hasSameShapes(other)) {
-            current = new ShapeChange(this, withShapes(other));
+            current = ShapeChange.of(this, withShapes(other));
             lastChange = new WeakReference<>(current);
         }
         return current;
@@ -358,7 +358,7 @@ public final class Geometry {
 
     /** Computes the difference to a geometry that was derived from this one, possibly in several steps. */
     public ShapeChange changeTo(Geometry later) {
-        return new ShapeChange(this, later);
+        return ShapeChange.of(this, later);
     }
 
     /** Returns the predicate that selects the materials that cast reflected rays. */

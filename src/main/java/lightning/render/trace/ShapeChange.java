@@ -24,48 +24,33 @@ import org.jspecify.annotations.Nullable;
  * <p>A shadow ray to a light on a surface does not hit that surface at its end ({@link ShadowRayTarget}). This depends on the
  * primitive, the point, and the primitive's padded box, which depends on the extent of the whole scene. {@link #hasSameTarget}
  * checks that it is unchanged.
+ *
+ * @param before         old geometry; null if there is no difference
+ * @param after          new geometry; null if there is no difference
+ * @param newIndex       for each old primitive its new index, possibly with another material, other normals or without colors; −1 if it is
+ *                       removed or changed
+ * @param hasUnchanged   whether any primitive is completely unchanged, including its material
+ * @param hasSameIndices whether every unchanged primitive keeps its index
+ * @param visibleChanges boxes in which camera rays and reflected rays may have other hits
+ * @param removedBoxes   boxes in which blocked shadow rays may become free; no others may
+ * @param addedBoxes     boxes in which free shadow rays may become blocked; no others may
+ * @param tintChanges    boxes in which the transmittance of free shadow rays may change
  */
-public final class ShapeChange {
+public record ShapeChange(@Nullable Geometry before, @Nullable Geometry after, int[] newIndex, boolean hasUnchanged, boolean hasSameIndices,
+        BoxSet visibleChanges, BoxSet removedBoxes, BoxSet addedBoxes, BoxSet tintChanges) {
     /** No difference. */
-    public static final ShapeChange NONE = new ShapeChange();
-
-    private final @Nullable Geometry before;
-    private final @Nullable Geometry after;
-    /**
-     * For each old primitive its new index, possibly with another material, other normals or without colors; −1 if it is
-     * removed or changed.
-     */
-    private final int[] newIndex;
-    private final boolean hasUnchanged;
-    private final boolean hasSameIndices;
-    private final BoxSet visibleChanges;
-    private final BoxSet removedBoxes;
-    private final BoxSet addedBoxes;
-    private final BoxSet tintChanges;
-
-    private ShapeChange() {
-        before = null;
-        after = null;
-        newIndex = new int[0];
-        hasUnchanged = true;
-        hasSameIndices = true;
-        visibleChanges = BoxSet.NONE;
-        removedBoxes = BoxSet.NONE;
-        addedBoxes = BoxSet.NONE;
-        tintChanges = BoxSet.NONE;
-    }
+    public static final ShapeChange NONE =
+            new ShapeChange(null, null, new int[0], true, true, BoxSet.NONE, BoxSet.NONE, BoxSet.NONE, BoxSet.NONE);
 
     /** @param before geometry whose materials keep their indices in {@code after} */
-    ShapeChange(Geometry before, Geometry after) {
-        this.before = before;
-        this.after = after;
+    static ShapeChange of(Geometry before, Geometry after) {
         Map<String, Integer> indexByName = new HashMap<>();
         int count = before.primitiveCount();
         int prefixLength = commonPrefix(before, after);
         for (int s = prefixLength; s < count; s++) {
             indexByName.put(before.shape(s).name(), s);
         }
-        newIndex = new int[count];
+        int[] newIndex = new int[count];
         Arrays.fill(newIndex, -1);
         int[] added = new int[after.primitiveCount()];
         int[] restyled = new int[after.primitiveCount()];
@@ -99,25 +84,11 @@ public final class ShapeChange {
                 }
             }
         }
-        hasUnchanged = changedCount < count;
-        hasSameIndices = IntStream.range(0, count).allMatch(s -> newIndex[s] < 0 || newIndex[s] == s);
-        this.removedBoxes = before.boxes(removed, removedCount);
-        this.addedBoxes = after.boxes(added, addedCount);
-        tintChanges = BoxSet.NONE;
-        visibleChanges = this.removedBoxes.union(this.addedBoxes).union(after.boxes(restyled, restyledCount));
-    }
-
-    /** Creates the difference for shadow rays alone. */
-    private ShapeChange(ShapeChange source, BoxSet removed, BoxSet added, BoxSet tintBoxes) {
-        before = source.before;
-        after = source.after;
-        newIndex = source.newIndex;
-        hasUnchanged = source.hasUnchanged;
-        hasSameIndices = source.hasSameIndices;
-        this.removedBoxes = removed;
-        this.addedBoxes = added;
-        this.tintChanges = tintBoxes;
-        visibleChanges = removed.union(added).union(tintBoxes);
+        BoxSet removedBoxes = before.boxes(removed, removedCount);
+        BoxSet addedBoxes = after.boxes(added, addedCount);
+        return new ShapeChange(before, after, newIndex, changedCount < count,
+                IntStream.range(0, count).allMatch(s -> newIndex[s] < 0 || newIndex[s] == s),
+                removedBoxes.union(addedBoxes).union(after.boxes(restyled, restyledCount)), removedBoxes, addedBoxes, BoxSet.NONE);
     }
 
     /**
@@ -148,8 +119,11 @@ public final class ShapeChange {
             }
         }
         int[] added = IntStream.range(0, newCasters.length).filter(t -> newCasters[t] && !kept[t]).toArray();
-        return new ShapeChange(this, previous.boxes(removed, removedCount), next.boxes(added, added.length),
-                tintChanges(previous, next, from, to));
+        BoxSet oldBoxes = previous.boxes(removed, removedCount);
+        BoxSet newBoxes = next.boxes(added, added.length);
+        BoxSet tints = tintChanges(previous, next, from, to);
+        return new ShapeChange(before, after, newIndex, hasUnchanged, hasSameIndices, oldBoxes.union(newBoxes).union(tints), oldBoxes,
+                newBoxes, tints);
     }
 
     /** Returns the boxes in which the transmission of light through shapes starts, ends or changes. */
@@ -191,39 +165,9 @@ public final class ShapeChange {
         return after == null ? previous : after;
     }
 
-    /** Returns whether any primitive is completely unchanged, including its material. */
-    public boolean hasUnchanged() {
-        return hasUnchanged;
-    }
-
     /** Returns whether all rays hit the same surfaces: only names of groups or invisible shapes differ. */
     public boolean isEmpty() {
         return visibleChanges.isEmpty();
-    }
-
-    /** Returns the boxes in which camera rays and reflected rays may have other hits. */
-    public BoxSet visibleChanges() {
-        return visibleChanges;
-    }
-
-    /** Returns the boxes in which blocked shadow rays may become free; no others may. */
-    public BoxSet removedBoxes() {
-        return removedBoxes;
-    }
-
-    /** Returns the boxes in which free shadow rays may become blocked; no others may. */
-    public BoxSet addedBoxes() {
-        return addedBoxes;
-    }
-
-    /** Returns the boxes in which the transmittance of free shadow rays may change. */
-    public BoxSet tintChanges() {
-        return tintChanges;
-    }
-
-    /** Returns whether every unchanged primitive keeps its index. */
-    public boolean hasSameIndices() {
-        return hasSameIndices;
     }
 
     /**

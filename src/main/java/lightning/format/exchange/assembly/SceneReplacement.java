@@ -29,26 +29,11 @@ import lightning.scene.Scene;
  * <p>Links need no space, so a full disk stops the replacement in the first two steps, and the folder is deleted. On file systems without
  * links, later steps copy. A failure there leaves the folder, which the scene file shows then; so does a killed process.
  * The next replacement of the scene deletes it.
+ *
+ * @param sceneFile scene file, which need not exist
+ * @param copies    files of the scene, in its folder
  */
-final class SceneReplacement {
-    private final Path sceneFile;
-    private final Path folder;
-    private final List<AssetCopy> copies;
-    private final Observer observer;
-
-    /**
-     * Creates a replacement.
-     *
-     * @param sceneFile scene file, which need not exist
-     * @param copies files of the scene, in its folder
-     */
-    SceneReplacement(Path sceneFile, List<AssetCopy> copies, Observer observer) {
-        this.sceneFile = sceneFile;
-        this.folder = ParentFolder.of(sceneFile);
-        this.copies = copies;
-        this.observer = observer;
-    }
-
+record SceneReplacement(Path sceneFile, List<AssetCopy> copies, Observer observer) {
     /**
      * Runs all steps.
      *
@@ -78,7 +63,7 @@ final class SceneReplacement {
                 observer.afterStep();
             }
             String stagedText = text.of(FileRenaming.into(staging.getFileName().toString(), names())::applyTo);
-            JenReader.read(stagedText, sceneFile.toString(), folder).requireAllFiles();
+            JenReader.read(stagedText, sceneFile.toString(), folder()).requireAllFiles();
             write(finalScene, text.of(UnaryOperator.identity()));
             write(sceneFile, stagedText);
         } catch (IOException | JenException | RuntimeException e) {
@@ -108,6 +93,10 @@ final class SceneReplacement {
         default void afterStep() {}
     }
 
+    private Path folder() {
+        return ParentFolder.of(sceneFile);
+    }
+
     /** Text of a scene file. */
     interface Text {
         /** Returns the text with a change of the scene. */
@@ -115,11 +104,11 @@ final class SceneReplacement {
     }
 
     private Set<String> names() {
-        return copies.stream().map(copy -> FileNaming.nameIn(folder, copy.target())).collect(Collectors.toSet());
+        return copies.stream().map(copy -> FileNaming.nameIn(folder(), copy.target())).collect(Collectors.toSet());
     }
 
     private Path staged(Path staging, AssetCopy copy) {
-        return staging.resolve(folder.relativize(copy.target()));
+        return staging.resolve(folder().relativize(copy.target()));
     }
 
     /** Links a file that is at its place already, or copies it. */

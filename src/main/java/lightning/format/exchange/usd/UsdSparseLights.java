@@ -15,29 +15,21 @@ import lightning.scene.light.Light;
 import lightning.scene.light.LightAttribute;
 import lightning.scene.shot.Shot;
 
-/** Writer of what has been edited of imported lights. */
-public final class UsdSparseLights {
+/**
+ * Writer of what has been edited of imported lights.
+ *
+ * @param layer      receives the edits
+ * @param writer     writer of single attributes
+ * @param notes      receives what cannot be written
+ * @param visibility writer of what hides lights
+ */
+public record UsdSparseLights(UsdLayer layer, UsdPrimWriter writer, ConversionNotes notes, UsdVisibility visibility) {
     private static final String SHARED = "edited lights of point instancers, which a layer cannot change one by one";
     private static final String SHAPING = "ShapingAPI";
     private static final String RIG_ORDER = "[\"xformOp:transform:lightning\"]";
 
-    private final UsdLayer layer;
-    private final UsdPrimWriter writer;
-    private final ConversionNotes notes;
-    private final UsdVisibility visibility;
-
-    /**
-     * Creates a writer.
-     *
-     * @param layer receives the edits
-     * @param writer writer of single attributes
-     * @param notes receives what cannot be written
-     */
     public UsdSparseLights(UsdLayer layer, UsdPrimWriter writer, ConversionNotes notes) {
-        this.layer = layer;
-        this.writer = writer;
-        this.notes = notes;
-        visibility = new UsdVisibility(layer, writer.paths(), notes);
+        this(layer, writer, notes, new UsdVisibility(layer, writer.paths(), notes));
     }
 
     /**

@@ -7,30 +7,19 @@ import lightning.render.image.Film;
 import lightning.render.shading.EdgeColors;
 import org.jspecify.annotations.Nullable;
 
-/** Finds the pixels that anti-aliasing samples: those whose color differs visibly from a neighbor's to the left, right, top or bottom. */
-public final class EdgeDetector {
+/**
+ * Finds the pixels that anti-aliasing samples: those whose color differs visibly from a neighbor's to the left, right, top or bottom.
+ *
+ * @param width  width of the picture in pixels
+ * @param height height of the picture in pixels
+ * @param tiles  colors of its tiles, in the film's order; read on request
+ */
+public record EdgeDetector(int width, int height, EdgeColors[] tiles) {
     private static final int SIDE = Film.TILE_SIZE;
-
-    private final int width;
-    private final int height;
-    private final int tilesX;
-    private final EdgeColors[] tiles;
-
-    /**
-     * @param width  width of the picture in pixels
-     * @param height height of the picture in pixels
-     * @param tiles  colors of its tiles, in the film's order; read on request
-     */
-    public EdgeDetector(int width, int height, EdgeColors[] tiles) {
-        this.width = width;
-        this.height = height;
-        this.tiles = tiles;
-        tilesX = (width - 1) / SIDE + 1;
-    }
 
     /** Returns all pixels of a tile of a picture of the given size, as ascending indices in the tile. */
     public static short[] allPixels(int width, int height, int tile) {
-        int tilesX = (width - 1) / SIDE + 1;
+        int tilesX = Film.tilesAlong(width);
         int columns = Math.min(SIDE, width - tile % tilesX * SIDE);
         int lines = Math.min(SIDE, height - tile / tilesX * SIDE);
         short[] all = new short[columns * lines];
@@ -65,6 +54,7 @@ public final class EdgeDetector {
 
     /** Returns whether another detector finds the same edges in a tile because both read the same colors. */
     public boolean hasSameEdges(int tile, EdgeDetector other) {
+        int tilesX = Film.tilesAlong(width);
         int x = tile % tilesX;
         return colors(tile, true) == other.colors(tile, true) && colors(tile - 1, x > 0) == other.colors(tile - 1, x > 0)
                 && colors(tile + 1, x + 1 < tilesX) == other.colors(tile + 1, x + 1 < tilesX)
@@ -79,6 +69,7 @@ public final class EdgeDetector {
 
     /** Returns the pixels of a tile at an edge, as ascending indices in the tile. */
     public short[] edges(int tile) {
+        int tilesX = Film.tilesAlong(width);
         int x0 = tile % tilesX * SIDE;
         int y0 = tile / tilesX * SIDE;
         int columns = Math.min(SIDE, width - x0);

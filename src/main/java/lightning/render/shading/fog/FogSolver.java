@@ -7,29 +7,18 @@ import lightning.render.fog.FogMedium;
 import lightning.render.fog.FogRays;
 import lightning.render.shading.LightSource;
 
-/** Computes what fog scatters at the samples along rays, on all threads. Casts no ray. */
-public final class FogSolver {
+/**
+ * Computes what fog scatters at the samples along rays, on all threads. Casts no ray.
+ *
+ * @param anisotropy mean cosine of scattering
+ * @param depths     distance of the first surface along each ray
+ */
+public record FogSolver(FogRays rays, FogMedium medium, double anisotropy, float[] depths, WorkerPool workers, Progress progress) {
     /** Rays of a task. */
     private static final int RAYS = 512;
 
-    private final FogRays rays;
-    private final FogMedium medium;
-    private final double anisotropy;
-    private final float[] depths;
-    private final WorkerPool workers;
-    private final Progress progress;
-
-    /**
-     * @param anisotropy mean cosine of scattering
-     * @param depths     distance of the first surface along each ray
-     */
-    public FogSolver(FogRays rays, FogMedium medium, double anisotropy, float[] depths, WorkerPool workers, Progress progress) {
-        this.rays = rays;
-        this.medium = medium;
-        this.anisotropy = anisotropy;
-        this.depths = depths;
-        this.workers = workers;
-        this.progress = progress.cancellationOnly();
+    public FogSolver {
+        progress = progress.cancellationOnly();
     }
 
     /** @param visible samples of each ray that see the light */
