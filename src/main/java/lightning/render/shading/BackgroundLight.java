@@ -80,7 +80,7 @@ public record BackgroundLight(Rgb color, List<Layer> layers, Rgb seen) {
      */
     void writeSky(FilmLight to, int first, int film) {
         if (layers.isEmpty()) {
-            for (int cell = 0; cell < SkyCells.COUNT; cell++) {
+            for (int cell = 0; cell < SkyCells.NUMBERS; cell++) {
                 to.set(first + cell, film, (float) seen.r(), (float) seen.g(), (float) seen.b());
             }
             return;

@@ -135,12 +135,8 @@ public record IndirectSolver(GatherStructure structure, List<Source> films, floa
         FilmLight shown = shown(paths, smooth(paths, atSurfels));
         FilmLight color = FilmLight.black(films.size(), sources);
         FilmLight white = FilmLight.black(films.size(), sources);
-        run(sources, (from, to) -> {
-            RaySums sums = new RaySums(kernel);
-            for (int p = from; p < to; p++) {
-                paths.links().writeMean(p, shown, sums, color, white);
-            }
-        });
+        boolean hasSky = films.stream().anyMatch(film -> !film.background.layers().isEmpty());
+        run(paths.count(), (from, to) -> paths.writeMeans(shown, hasSky, kernel, color, white, from, to));
         float[][][] colors = new float[films.size()][3][paths.count()];
         float[][][] whites = new float[films.size()][3][paths.count()];
         run(paths.count(), (from, to) -> {
@@ -158,7 +154,7 @@ public record IndirectSolver(GatherStructure structure, List<Source> films, floa
         int surfels = structure.surfelCount();
         int[] details = paths.surfelOfDetail();
         int whole = surfels - details.length;
-        FilmLight shown = FilmLight.black(films.size(), surfels + SkyCells.COUNT);
+        FilmLight shown = FilmLight.black(films.size(), surfels + SkyCells.NUMBERS);
         run(surfels, (from, to) -> {
             for (int film = 0; film < smooth.length; film++) {
                 float[][] seen = films.get(film).seen;

@@ -206,6 +206,11 @@ public final class RayBatch {
         return isMirrored[ray];
     }
 
+    /** Returns whether a ray entered a frosted body, which bends it. */
+    public boolean hasEntered(int ray) {
+        return hasEntered[ray];
+    }
+
     private void moveThroughSurface(int ray, int primitive, int pass) {
         computeSurface(ray, primitive);
         surface.computeBackPoint();

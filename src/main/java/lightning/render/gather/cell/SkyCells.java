@@ -13,6 +13,11 @@ public final class SkyCells {
     /** Number of cells of all levels. */
     public static final int COUNT = first(COARSEST / 2);
 
+    /** Numbers after those of cells: that of the part of the sky above the horizon that a ray stands for, and that of the part below it. */
+    public static final int ABOVE = COUNT;
+    public static final int BELOW = COUNT + 1;
+    public static final int NUMBERS = COUNT + 2;
+
     /** The four parts of each cell that is not of the finest level. */
     private static final int[] PARTS = parts();
 
@@ -43,21 +48,36 @@ public final class SkyCells {
         return first;
     }
 
+    /** Returns the cell of the finest level around a direction of any length but 0, with {@code y} upward. */
+    public static int of(double x, double y, double z) {
+        return DirectionCells.of(x, y, z, FINEST);
+    }
+
     /**
-     * Returns the cell of a direction, 0 … {@link #COUNT} − 1: of the coarsest level whose cells are not larger than a solid angle, or of the
-     * finest.
+     * Writes the four cells around a direction whose light is mixed there, and their shares. They are all above the horizon or all below it.
      *
      * @param x direction of any length but 0, with {@code y} upward and {@code z}
-     * @param solidAngle in steradians
+     * @param solidAngle about that of a cell, steradians
      */
-    public static int of(double x, double y, double z, double solidAngle) {
+    public static void mix(double x, double y, double z, double solidAngle, int[] cells, float[] shares) {
         int side = FINEST;
         int first = 0;
-        while (side > COARSEST && solidAngle * side * side >= 8 * Math.PI) {
+        while (side > COARSEST && solidAngle * side * side >= 4 * Math.PI) {
             first += 2 * side * side;
             side /= 2;
         }
-        return first + DirectionCells.of(x, y, z, side);
+        double sum = Math.abs(x) + Math.abs(y) + Math.abs(z);
+        double u = Math.clamp(((x + z) / sum + 1) * 0.5 * side - 0.5, 0, side - 1);
+        double v = Math.clamp(((x - z) / sum + 1) * 0.5 * side - 0.5, 0, side - 1);
+        int row = Math.min((int) u, side - 2);
+        int column = Math.min((int) v, side - 2);
+        int corner = first + (y < 0 ? side * side : 0) + row * side + column;
+        float down = (float) (u - row);
+        float right = (float) (v - column);
+        for (int i = 0; i < 4; i++) {
+            cells[i] = corner + i / 2 * side + i % 2;
+            shares[i] = (i / 2 == 0 ? 1 - down : down) * (i % 2 == 0 ? 1 - right : right);
+        }
     }
 
     /** Writes the unit direction at the center of a cell of the finest level: x, y, z. */

@@ -28,6 +28,11 @@ public record FilmLight(int films, float[] values) {
         return stride(films);
     }
 
+    /** Returns how many numbers there are. */
+    public int numbers() {
+        return values.length / stride();
+    }
+
     /** Sets the light of a number in a film. */
     public void set(int number, int film, float red, float green, float blue) {
         int at = at(number, film);
@@ -39,6 +44,11 @@ public record FilmLight(int films, float[] values) {
     /** Sets the light of a number in all films. @param from red, green and blue of each */
     public void set(int number, float[] from) {
         System.arraycopy(from, 0, values, at(number, 0), 3 * films);
+    }
+
+    /** Sets the light of a number to that of one of other light of as many films. */
+    public void copy(FilmLight from, int fromNumber, int number) {
+        System.arraycopy(from.values, from.at(fromNumber, 0), values, at(number, 0), 3 * films);
     }
 
     /** Returns the element of red of a number's light in a film; green and blue follow. */

@@ -5,40 +5,28 @@ import static java.util.Objects.requireNonNull;
 import lightning.render.gather.cell.CellKeys;
 import lightning.render.gather.cell.SkyCells;
 import lightning.render.gather.cell.SurfaceColumns;
-import lightning.render.gather.cell.TangentColumns;
 import lightning.render.gather.glow.GlowAim;
 import lightning.render.gather.glow.GlowShapes;
 import lightning.render.gather.ray.InverseLengths;
 import lightning.render.gather.ray.SurfaceNormals;
-import lightning.render.lobe.CoatShare;
-import lightning.render.lobe.ReflectionLobe;
 import lightning.render.lobe.RoughLobes;
 import lightning.render.lobe.RoughLobes.Kind;
-import lightning.render.lobe.SheenDirections;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RayBatch;
 import lightning.render.trace.Tracer;
 import lightning.render.trace.tree.BoxRay;
 import lightning.scene.Scene;
-import lightning.scene.material.Anisotropy;
-import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
 /** Casts the rays into which rough surfaces reflect their views. Holds scratch memory: use one instance per thread. */
 public final class ReflectionCaster {
-    private static final double MIN_COSINE = 1e-3;
     /** Largest width α of lobes that show glowing objects in mirrors. */
     private static final double GLINTS = 0.1;
-    /** Width of the lobe that enters a body, which stands for both of its surfaces: variances add up. */
-    private static final double TWO_SURFACES = Math.sqrt(2);
     /** Maximum number of a point's rays that are aimed at glowing objects. */
     public static final int MAX_AIMED = 16;
     /** Width of a surfel's cell relative to that of the lobe where it meets the surfel. */
     private static final double DETAIL = 0.5;
-
-    /** Share of the solid angle of a ray: neighboring points have rays in other parts of it, and are mixed ({@link ReflectionFilter}). */
-    private static final double SEEN_SHARE = 0.125;
 
     private final ReflectionDirections directions;
     private final @Nullable RoughLobes[] lobes;
@@ -54,23 +42,12 @@ public final class ReflectionCaster {
     private final double[] density = new double[RayBatch.MAX_RAYS];
     /** Object at which each ray of a batch is aimed; −1 for none. */
     private final int[] aimed = new int[RayBatch.MAX_RAYS];
-    private final double[] d = new double[3];
     private final BoxRay boxRay = new BoxRay();
     private final SurfaceNormals normals;
-    private final ReflectionLobe lobe = new ReflectionLobe();
-    private final SheenDirections sheen = new SheenDirections();
+    private final PointLobes at;
     private final double[] sides = new double[RayBatch.MAX_RAYS];
-    /** Cosine between the view of a point and its normal, the share of its coat, the rays of its rarest lobe, and the first of its directions. */
-    private double cosine;
-    private double coat;
-    private int fewestRays;
+    /** First of the directions of the present point. */
     private int firstPlace;
-    /** Frame of the point: the plane of normal and view, and the normal. */
-    private final double[] tangent = new double[3];
-    private final double[] bitangent = new double[3];
-    /** Direction of an anisotropic material in this frame. */
-    private double turnX;
-    private double turnY;
 
     /**
      * @param lobes by material
@@ -82,6 +59,7 @@ public final class ReflectionCaster {
         glowAim = new GlowAim(glows, MAX_AIMED);
         raysPerPoint = raysPerPoint(directions, glows);
         this.directions = directions;
+        at = new PointLobes(directions.side);
         this.lobes = lobes;
         this.keys = keys;
         batch = new RayBatch(geometry, scene, tracer, true);
@@ -90,7 +68,12 @@ public final class ReflectionCaster {
 
     /** Returns the rays of a point: those of its lobes, and those that may be aimed. */
     public static int raysPerPoint(ReflectionDirections directions, GlowShapes glows) {
-        return directions.rays + Math.min(MAX_AIMED, 4 * glows.count());
+        return directions.rays + aimedRays(glows);
+    }
+
+    /** Returns the rays of a point that may be aimed at glowing objects. */
+    static int aimedRays(GlowShapes glows) {
+        return Math.min(MAX_AIMED, 4 * glows.count());
     }
 
     /** Points whose rays are cast together. */
@@ -109,7 +92,7 @@ public final class ReflectionCaster {
         SurfaceColumns s = points.surface();
         for (int k = 0; k < raysPerPoint; k++) {
             direct(points, p, k, 0);
-            boxRay.setRay(s.px[p], s.py[p], s.pz[p], d[0], d[1], d[2]);
+            boxRay.setRay(s.px[p], s.py[p], s.pz[p], at.d[0], at.d[1], at.d[2]);
             if (memo.mayChange(boxRay)) {
                 return true;
             }
@@ -160,26 +143,14 @@ public final class ReflectionCaster {
             boolean counts = ray % rays < directions.rays || batch.primitive(ray) >= 0;
             links.setWeights(linked, counts ? color[ray] : 0, counts ? white[ray] : 0);
             if (batch.primitive(ray) < 0) {
-                links.setMiss(linked, SkyCells.of(batch.directionX[ray], batch.directionY[ray], batch.directionZ[ray],
-                        solidAngle(points, selected[from + ray / rays], ray, ray % rays)));
+                boolean isOfLobe = ray % rays < directions.rays && !batch.enters[ray] && !batch.hasEntered(ray) && !batch.isMirrored(ray);
+                links.setMiss(linked, !isOfLobe ? SkyCells.of(batch.directionX[ray], batch.directionY[ray], batch.directionZ[ray])
+                        : batch.directionY[ray] < 0 ? SkyCells.BELOW : SkyCells.ABOVE);
             }
         }
         for (int i = from; i < to && batch.isTinted(); i++) {
             links.setTints(selected[i] * rays, rays, batch.tint, (i - from) * rays);
         }
-    }
-
-    /**
-     * Returns the solid angle over which a ray of a lobe sees the mean of the environment, steradians: a share of what it stands for
-     * (J. Křivánek and M. Colbert, Real-time Shading with Filtered Importance Sampling, 2008). Few rays of the outer part of a lobe would meet
-     * a lamp, as bright dots. 0 where the density is unknown.
-     */
-    private double solidAngle(ReflectionPoints points, int p, int ray, int k) {
-        if (density[ray] == 0 || k >= directions.rays) {
-            return 0;
-        }
-        RoughLobes its = requireNonNull(lobes[points.material[p]]);
-        return SEEN_SHARE / (its.rays(kind(its, k), directions.side) * density[ray]);
     }
 
     /**
@@ -195,9 +166,7 @@ public final class ReflectionCaster {
             }
             return;
         }
-        RoughLobes its = requireNonNull(lobes[points.material[p]]);
-        if (shape >= 0 && batch.isMirrored(ray)
-                && alpha(points, p, its, kind(its, k)) > GLINTS) {
+        if (shape >= 0 && batch.isMirrored(ray) && alpha(points, p, k) > GLINTS) {
             // Few rays of a wide lobe would meet a lamp in a mirror: bright dots.
             color[ray] = 0;
             white[ray] = 0;
@@ -206,220 +175,100 @@ public final class ReflectionCaster {
             return;
         }
         SurfaceColumns s = points.surface();
-        d[0] = batch.directionX[ray];
-        d[1] = batch.directionY[ray];
-        d[2] = batch.directionZ[ray];
-        double angle = Math.PI * glowAim.solidAngle(shape, s.px[p], s.py[p], s.pz[p], d);
+        at.d[0] = batch.directionX[ray];
+        at.d[1] = batch.directionY[ray];
+        at.d[2] = batch.directionZ[ray];
+        double angle = Math.PI * glowAim.solidAngle(shape, s.px[p], s.py[p], s.pz[p], at.d);
         if (angle > 0) {
-            double own = its.rays(kind(its, k), directions.side) * density[ray] * angle;
+            double own = raysOfLobe(points, p, k) * density[ray] * angle;
             color[ray] *= own / (own + 1);
             white[ray] *= own / (own + 1);
         }
-    }
-
-    /** Returns the width α of a lobe of a point; 0 if it is smooth. */
-    private static double alpha(ReflectionPoints points, int p, RoughLobes its, Kind kind) {
-        if (kind == Kind.SHEEN) {
-            return RoughLobes.SHEEN_ALPHA;
-        }
-        double alpha = kind == Kind.COAT ? its.coatAlpha() : its.alpha() == 0 ? 0 : Material.alpha(points.seen.roughness[p]);
-        return kind == Kind.PASSING && requireNonNull(its.frost()).ior() != 1 ? Math.min(1, TWO_SURFACES * alpha) : alpha;
-    }
-
-    /** Returns the lobe of a ray of a point. */
-    private Kind kind(RoughLobes its, int k) {
-        return its.kind(k / directions.side, k % directions.side);
     }
 
     private int detail(ReflectionPoints points, int p, int k, HitRows rows, int row, double distance) {
         if (k >= directions.rays) {
             return 0;
         }
-        RoughLobes its = requireNonNull(lobes[points.material[p]]);
-        double alpha = alpha(points, p, its, kind(its, k));
-        return keys.detailLevel(rows.px[row], rows.py[row], rows.pz[row], distance, DETAIL * its.narrow(kind(its, k), alpha) * distance);
+        double width = lobes(points, p).narrow(kind(points, p, k), alpha(points, p, k));
+        return keys.detailLevel(rows.px[row], rows.py[row], rows.pz[row], distance, DETAIL * width * distance);
     }
 
-    /** Moves to a point: its view lies in the plane of the tangent and the normal. */
+    private RoughLobes lobes(ReflectionPoints points, int p) {
+        return requireNonNull(lobes[points.material[p]]);
+    }
+
+    private Kind kind(ReflectionPoints points, int p, int k) {
+        return lobes(points, p).kind(k / directions.side, k % directions.side);
+    }
+
+    private double alpha(ReflectionPoints points, int p, int k) {
+        return PointLobes.alpha(lobes(points, p), kind(points, p, k), points.seen.roughness[p]);
+    }
+
+    /** Returns the number of rays of the lobe of ray {@code k} of a point. */
+    private int raysOfLobe(ReflectionPoints points, int p, int k) {
+        return lobes(points, p).rays(kind(points, p, k), directions.side);
+    }
+
     private void moveTo(ReflectionPoints points, int p) {
-        SurfaceColumns s = points.surface();
-        double nx = s.nx[p];
-        double ny = s.ny[p];
-        double nz = s.nz[p];
-        double view = -(points.seen.vx[p] * nx + points.seen.vy[p] * ny + points.seen.vz[p] * nz);
-        cosine = Math.clamp(view, MIN_COSINE, 1);
-        RoughLobes its = requireNonNull(lobes[points.material[p]]);
-        coat = its.coat() == null ? 0 : CoatShare.of(its.coat(), (float) cosine);
-        fewestRays = its.fewestRays(directions.side);
+        at.moveTo(points, p, lobes(points, p));
         firstPlace = directions.first(points.seed[p]);
-        double x = -points.seen.vx[p] - view * nx;
-        double y = -points.seen.vy[p] - view * ny;
-        double z = -points.seen.vz[p] - view * nz;
-        double length = Math.sqrt(x * x + y * y + z * z);
-        if (!(length > 1e-6)) {
-            // Any direction along the surface: the axis that is farthest from the normal.
-            boolean isFlat = Math.abs(nx) < 0.6;
-            x = isFlat ? 1 - nx * nx : -ny * nx;
-            y = isFlat ? -nx * ny : 1 - ny * ny;
-            z = isFlat ? -nx * nz : -ny * nz;
-            length = Math.sqrt(x * x + y * y + z * z);
-        }
-        tangent[0] = x / length;
-        tangent[1] = y / length;
-        tangent[2] = z / length;
-        bitangent[0] = ny * tangent[2] - nz * tangent[1];
-        bitangent[1] = nz * tangent[0] - nx * tangent[2];
-        bitangent[2] = nx * tangent[1] - ny * tangent[0];
-        if (its.anisotropy() != null) {
-            turnTo(points, p, its.anisotropy());
-        }
-    }
-
-    private void turnTo(ReflectionPoints points, int p, Anisotropy anisotropy) {
-        TangentColumns t = points.seen.tangents;
-        double x = t.x(p) * tangent[0] + t.y(p) * tangent[1] + t.z(p) * tangent[2];
-        double y = t.x(p) * bitangent[0] + t.y(p) * bitangent[1] + t.z(p) * bitangent[2];
-        double angle = Math.toRadians(anisotropy.rotation());
-        double cos = StrictMath.cos(angle);
-        double sin = StrictMath.sin(angle);
-        double length = Math.sqrt(x * x + y * y);
-        turnX = (cos * x - sin * y) / length;
-        turnY = (sin * x + cos * y) / length;
-    }
-
-    /** Sets the lobe of a kind at the present point. @param alpha its width α */
-    private void aim(RoughLobes its, Kind kind, double alpha) {
-        Anisotropy anisotropy = its.anisotropy();
-        if (anisotropy == null || kind != Kind.SURFACE) {
-            lobe.aim(cosine, alpha);
-        } else {
-            lobe.aim(cosine, anisotropy.along(alpha), anisotropy.across(alpha), turnX, turnY);
-        }
     }
 
     /** Writes ray {@code k} of the present point and its weights to the batch. */
-    private void direct(ReflectionPoints points, int p, int k, int at) {
+    private void direct(ReflectionPoints points, int p, int k, int ray) {
         SurfaceColumns s = points.surface();
-        RoughLobes its = requireNonNull(lobes[points.material[p]]);
-        batch.startX[at] = s.px[p];
-        batch.startY[at] = s.py[p];
-        batch.startZ[at] = s.pz[p];
-        color[at] = 0;
-        white[at] = 0;
-        density[at] = 0;
-        aimed[at] = -1;
-        batch.enters[at] = false;
+        batch.startX[ray] = s.px[p];
+        batch.startY[ray] = s.py[p];
+        batch.startZ[ray] = s.pz[p];
+        aimed[ray] = -1;
+        batch.enters[ray] = false;
         if (k < directions.rays) {
-            scatter(points, p, k, at, its);
+            scatter(points, p, k, ray);
         } else {
-            aimAtGlow(points, p, k - directions.rays, at, its);
+            aimAtGlow(points, p, k - directions.rays, ray);
         }
-        batch.directionX[at] = d[0];
-        batch.directionY[at] = d[1];
-        batch.directionZ[at] = d[2];
+        color[ray] = at.color;
+        white[ray] = at.white;
+        density[ray] = at.density;
+        batch.directionX[ray] = at.d[0];
+        batch.directionY[ray] = at.d[1];
+        batch.directionZ[ray] = at.d[2];
     }
 
     /** Chooses the direction of a ray of a lobe. */
-    private void scatter(ReflectionPoints points, int p, int k, int at, RoughLobes its) {
-        Kind kind = kind(its, k);
+    private void scatter(ReflectionPoints points, int p, int k, int ray) {
+        Kind kind = at.kind(k);
         int place = firstPlace + k;
-        double factor = (double) fewestRays / its.rays(kind, directions.side);
-        if (kind == Kind.SHEEN) {
-            sheen.aim(requireNonNull(its.fibers()).roughness(), cosine);
-            sheen.scatter(directions.share(place), directions.cos(place), directions.sin(place));
-            direct(points, p, sheen.x(), sheen.y(), sheen.z());
-            density[at] = points.sources.turnAbove(p, d) ? 0 : sheen.density();
-            white[at] += factor;
-            return;
-        }
-        aim(its, kind, alpha(points, p, its, kind));
-        lobe.reflect(directions.share(place), directions.cos(place), directions.sin(place));
+        at.scatter(kind, directions.share(place), directions.cos(place), directions.sin(place));
         if (kind == Kind.PASSING) {
-            lobe.pass(requireNonNull(its.frost()).ior());
-            direct(points, p, lobe.x(), lobe.y(), Math.min(lobe.z(), -lobe.z()));
-            points.sources.turnBelow(p, d);
-            batch.enters[at] = true;
-        } else {
-            direct(points, p, lobe.x(), lobe.y(), Math.abs(lobe.z()));
-            density[at] = points.sources.turnAbove(p, d) ? 0 : lobe.density();
+            points.sources.turnBelow(p, at.d);
+            batch.enters[ray] = true;
+        } else if (points.sources.turnAbove(p, at.d)) {
+            at.density = 0;
         }
-        addWeights(at, its, kind, factor);
-    }
-
-    /** Sets the direction to one in the frame of the point. */
-    private void direct(ReflectionPoints points, int p, double x, double y, double z) {
-        SurfaceColumns s = points.surface();
-        d[0] = x * tangent[0] + y * bitangent[0] + z * s.nx[p];
-        d[1] = x * tangent[1] + y * bitangent[1] + z * s.ny[p];
-        d[2] = x * tangent[2] + y * bitangent[2] + z * s.nz[p];
     }
 
     /** Aims a ray at a glowing object, if the point has so many. */
-    private void aimAtGlow(ReflectionPoints points, int p, int number, int at, RoughLobes its) {
+    private void aimAtGlow(ReflectionPoints points, int p, int number, int ray) {
         SurfaceColumns s = points.surface();
         long seed = points.seed[p];
-        d[0] = s.nx[p];
-        d[1] = s.ny[p];
-        d[2] = s.nz[p];
+        double angle = 0;
         int first = 0;
-        for (int shape = 0; shape < glows.count(); shape++) {
+        for (int shape = 0; shape < glows.count() && aimed[ray] < 0; shape++) {
             int toShape = glowAim.rays(shape, seed, s.px[p], s.py[p], s.pz[p]);
             if (number < first + toShape) {
-                double angle = Math.PI * glowAim.aim(shape, number - first, seed, s.px[p], s.py[p], s.pz[p], d);
-                aimed[at] = shape;
-                double z = d[0] * s.nx[p] + d[1] * s.ny[p] + d[2] * s.nz[p];
-                if (angle > 0 && z > 0 && points.sources.isAbove(p, d)) {
-                    double x = d[0] * tangent[0] + d[1] * tangent[1] + d[2] * tangent[2];
-                    double y = d[0] * bitangent[0] + d[1] * bitangent[1] + d[2] * bitangent[2];
-                    addAimed(at, its, Kind.SURFACE, alpha(points, p, its, Kind.SURFACE), x, y, z, angle);
-                    addAimed(at, its, Kind.COAT, its.coatAlpha(), x, y, z, angle);
-                    addAimedAtSheen(at, its, x, y, z, angle);
-                } else {
-                    d[0] = s.nx[p];
-                    d[1] = s.ny[p];
-                    d[2] = s.nz[p];
-                }
-                return;
+                angle = Math.PI * glowAim.aim(shape, number - first, seed, s.px[p], s.py[p], s.pz[p], at.d);
+                aimed[ray] = shape;
             }
             first += toShape;
         }
-    }
-
-    /** Adds the weights of an aimed ray for one lobe, relative to those of the rays of the lobe that has the fewest. */
-    private void addAimed(int at, RoughLobes its, Kind kind, double alpha, double x, double y, double z, double angle) {
-        if (alpha > 0) {
-            aim(its, kind, alpha);
-            lobe.moveTo(x, y, z);
-            double own = lobe.density() * angle;
-            addWeights(at, its, kind, fewestRays * own / (its.rays(kind, directions.side) * own + 1));
-        }
-    }
-
-    private void addAimedAtSheen(int at, RoughLobes its, double x, double y, double z, double angle) {
-        if (its.fibers() != null) {
-            sheen.aim(its.fibers().roughness(), cosine);
-            sheen.moveTo(x, y, z);
-            double own = sheen.density() * angle;
-            white[at] += fewestRays * own / (its.rays(Kind.SHEEN, directions.side) * own + 1);
-        }
-    }
-
-    /** Adds the weights of a direction of a lobe. Below a sheen, all have one weight. A frosted surface has one for all that it reflects, and one for what passes it. */
-    private void addWeights(int at, RoughLobes its, Kind kind, double factor) {
-        double share = factor * lobe.weight();
-        if (its.frost() != null) {
-            double fresnel = its.frost().f0() + (1 - its.frost().f0()) * lobe.schlick();
-            color[at] += kind == Kind.PASSING ? 0 : share * fresnel;
-            white[at] += kind == Kind.PASSING ? share * (1 - fresnel) : 0;
-        } else if (kind == Kind.COAT) {
-            double f0 = requireNonNull(its.coat()).f0();
-            (its.fibers() == null ? white : color)[at] += share * its.coat().weight() * (f0 + (1 - f0) * lobe.schlick());
-        } else if (its.fibers() != null) {
-            double f0 = its.fibers().f0();
-            color[at] += share * (1 - coat) * (f0 + (1 - f0) * lobe.schlick());
-        } else {
-            color[at] += share * (1 - coat) * (1 - lobe.schlick());
-            white[at] += share * (1 - coat) * lobe.schlick();
+        at.weigh(aimed[ray] >= 0 && points.sources.isAbove(p, at.d) ? angle : 0);
+        if (at.color == 0 && at.white == 0) {
+            at.d[0] = s.nx[p];
+            at.d[1] = s.ny[p];
+            at.d[2] = s.nz[p];
         }
     }
 

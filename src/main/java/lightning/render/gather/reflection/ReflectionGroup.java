@@ -11,6 +11,7 @@ import lightning.render.lobe.RoughLobes;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.HitRows.ColumnGroup;
 import lightning.scene.material.Material;
+import org.jspecify.annotations.Nullable;
 
 /** Reflection points of one material. */
 public final class ReflectionGroup {
@@ -31,10 +32,12 @@ public final class ReflectionGroup {
     final float step;
     public final PointGroups groups;
     public final Material material;
+    /** Lobes of the material; null if it does not blur reflections. */
+    final @Nullable RoughLobes lobes;
 
     private ReflectionGroup(ReflectionPoints points, int[] number, float step, Material material) {
         this.material = material;
-        RoughLobes lobes = RoughLobes.of(material);
+        lobes = RoughLobes.of(material);
         twist = lobes == null ? 1 : lobes.twist();
         this.number = number;
         this.step = step;

@@ -7,6 +7,7 @@ import lightning.base.work.WorkerPool;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.gather.cell.CellTable;
+import lightning.render.gather.cell.SkyCells;
 import lightning.render.gather.ray.FilmLight;
 import lightning.render.gather.ray.PathMemory;
 import lightning.render.gather.ray.RayHits;
@@ -147,32 +148,42 @@ public final class ReflectionLinks extends RayHits {
     /**
      * Writes the mean light that a point reflects, in the order of its rays.
      *
-     * @param light of each surfel and of each cell of the sky
+     * @param light of each surfel and of each cell of the sky, and last of the sky if it is the same everywhere
+     * @param sky   light of the parts of the point's lobes; null if the sky is the same everywhere
      * @param sums  scratch memory for reflections alone
      * @param color receives the means with the weights that the reflectance multiplies, as {@code white} with those that no color
      *              multiplies; 0 if all weights are 0
      */
-    public void writeMean(int point, FilmLight light, RaySums sums, FilmLight color, FilmLight white) {
-        int from = point * raysPerPoint();
-        System.arraycopy(number, from, sums.numbers(raysPerPoint()), 0, raysPerPoint());
-        boolean isTinted = readTints(from, raysPerPoint(), sums);
-        writeMean(point, 16, light, sums, isTinted, color);
-        writeMean(point, 0, light, sums, isTinted, white);
+    void writeMean(int point, FilmLight light, @Nullable SkyParts sky, RaySums sums, FilmLight color, FilmLight white) {
+        sums.numbers(raysPerPoint());
+        boolean isTinted = readTints(point * raysPerPoint(), raysPerPoint(), sums);
+        writeMean(point, 0, light, sky, sums, isTinted, color);
+        writeMean(point, 1, light, sky, sums, isTinted, white);
     }
 
-    /** @param shift of the weights in their words */
-    private void writeMean(int point, int shift, FilmLight light, RaySums sums, boolean isTinted, FilmLight to) {
+    /** @param kind 0 for the weights of the color, in the higher half of their words; 1 for the others */
+    private void writeMean(int point, int kind, FilmLight light, @Nullable SkyParts sky, RaySums sums, boolean isTinted, FilmLight to) {
         int raysPerPoint = raysPerPoint();
         int from = point * raysPerPoint;
+        int shift = kind == 0 ? 16 : 0;
         int total = 0;
         for (int ray = from; ray < from + raysPerPoint; ray++) {
             total += weights[ray] >>> shift & 0xFFFF;
         }
         float scale = total == 0 ? 0 : 1f / total;
+        int[] numbers = sums.numbers(raysPerPoint);
+        int parts = light.numbers() - SkyCells.NUMBERS + SkyCells.ABOVE;
+        FilmLight met = sky == null ? light : sky.met();
         for (int k = 0; k < raysPerPoint; k++) {
             sums.weights()[k] = (weights[from + k] >>> shift & 0xFFFF) * scale;
+            numbers[k] = sky == null ? number[from + k] : k;
+            if (sky != null && number[from + k] >= parts) {
+                sky.write(k, number[from + k] - parts, kind);
+            } else if (sky != null) {
+                met.copy(light, number[from + k], k);
+            }
         }
-        sums.addUp(light, raysPerPoint, isTinted);
+        sums.addUp(met, raysPerPoint, isTinted);
         sums.writeTo(to, point);
     }
 

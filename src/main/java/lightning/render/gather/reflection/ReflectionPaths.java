@@ -1,15 +1,19 @@
 package lightning.render.gather.reflection;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 import lightning.render.gather.cell.CellKeys;
+import lightning.render.gather.cell.SkyCells;
 import lightning.render.gather.glow.GlowShapes;
 import lightning.render.gather.point.PointFilter;
 import lightning.render.gather.ray.FilmKernel;
 import lightning.render.gather.ray.FilmLight;
+import lightning.render.gather.ray.RaySums;
 import lightning.scene.material.Material;
 import org.jspecify.annotations.Nullable;
 
@@ -50,6 +54,33 @@ public record ReflectionPaths(ReflectionPoints points, ReflectionLinks links, Re
     /** Returns the materials of the groups. */
     public List<Material> materials() {
         return Arrays.stream(groups).map(group -> group.material).toList();
+    }
+
+    /** Returns the rays of lobes along each side of the grid of a point's rays. */
+    int side() {
+        return (int) Math.round(Math.sqrt(links.raysPerPoint() - ReflectionCaster.aimedRays(glows)));
+    }
+
+    /**
+     * Writes the mean light that points {@code first … end − 1} and their copies reflect: {@code color} with the weights that the reflectance
+     * multiplies, {@code white} with those that no color multiplies.
+     *
+     * @param shown  light of each surfel, then of each cell of the sky, then that of rays that leave the scene if it is the same in all directions
+     * @param hasSky whether any film's sky is not
+     */
+    public void writeMeans(FilmLight shown, boolean hasSky, FilmKernel kernel, FilmLight color, FilmLight white, int first, int end) {
+        RaySums sums = new RaySums(kernel);
+        SkyParts sky = hasSky ? new SkyParts(this, shown, shown.numbers() - SkyCells.NUMBERS) : null;
+        for (int p = first; p < end; p++) {
+            if (sky != null) {
+                sky.moveTo(p, requireNonNull(groups[points.material[p]].lobes));
+            }
+            links.writeMean(p, shown, sky, sums, color, white);
+            int endCopy = p + 1 < count() ? origins.firstCopy()[p + 1] : links.points();
+            for (int copy = origins.firstCopy()[p]; copy < endCopy; copy++) {
+                links.writeMean(copy, shown, sky, sums, color, white);
+            }
+        }
     }
 
     /** Returns the number of reflection points without copies. */
