@@ -20,10 +20,20 @@ public record PictureArea(double width, double height) {
 
     /** Returns the settings with the largest size of the same aspect ratio that fits, and with smooth edges. */
     public PictureSettings fit(PictureSettings picture) {
-        double scale = Math.min(width / picture.width(), height / picture.height());
-        PictureSettings fitted = picture.withSize(side(picture.width() * scale), side(picture.height() * scale));
+        PictureSettings fitted = size(picture);
         return picture.sampling().isSupersampled() ? fitted
                 : fitted.withSampling(new SamplingSettings(AntialiasMode.EDGES, picture.sampling().grid()));
+    }
+
+    /** Returns the settings with the largest size of the same aspect ratio that fits. */
+    public PictureSettings size(PictureSettings picture) {
+        double scale = Math.min(width / picture.width(), height / picture.height());
+        return picture.withSize(side(picture.width() * scale), side(picture.height() * scale));
+    }
+
+    /** Returns the middle part with a share of both sides. @param share above 0, at most 1 */
+    public PictureArea part(double share) {
+        return new PictureArea(width * share, height * share);
     }
 
     private static int side(double pixels) {

@@ -219,6 +219,8 @@ public enum Command {
     EFFECTS_PANEL(Messages.key("Effects…"), Messages.key("List the effects in use and hide them in the view"), "mdi2l-layers-outline",
             "Shift+F9"),
     ACCURACY(Messages.key("Accuracy"), Messages.key("Accuracy of the image after an edit"), "mdi2t-target"),
+    WORKING_SIZE(Messages.key("Working Size"), Messages.key("Choose the size in which the image is traced while you work"),
+            "mdi2f-fit-to-screen-outline"),
     PICTURE_SIZE(Messages.key("Resolution"), Messages.key("Set the render resolution"), "mdi2r-resize"),
     ANTIALIAS(Messages.key("Anti-Aliasing"), Messages.key("Choose which pixels are anti-aliased: off, edges or every"), "mdi2b-blur"),
     SAMPLES(Messages.key("Samples per Pixel"), Messages.key("Set the samples of an anti-aliased pixel"), "mdi2g-grid", "",

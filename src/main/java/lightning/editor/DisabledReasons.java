@@ -168,7 +168,7 @@ final class DisabledReasons {
         if (!s.hasPendingEdits() && !s.lacksSamples()) {
             return Optional.of(Messages.tr("nothing to render"));
         }
-        boolean isRendering = s.sceneInProgress().filter(scene -> VisibleState.isSame(scene, s.scene())).isPresent();
+        boolean isRendering = s.sceneInProgress().filter(scene -> VisibleState.isSame(scene, s.traced())).isPresent();
         return reasonUnless(!isRendering, Messages.tr("rendering is in progress"));
     }
 

@@ -5,6 +5,7 @@ import java.util.Optional;
 import lightning.base.text.Messages;
 import lightning.document.EditHistory;
 import lightning.document.OpenDocument;
+import lightning.document.PictureArea;
 import lightning.document.ShotFrame;
 import lightning.document.loop.DisplayMode;
 import lightning.document.loop.Frame;
@@ -22,6 +23,8 @@ import lightning.scene.node.SceneNode;
  *
  * @param document         open document, of which the state has what panes show
  * @param scene            scene of the document
+ * @param area             area for which the picture is traced while the scene is edited; empty for the scene's own size
+ * @param traced           scene of the document with the size of that area, as it is traced
  * @param render           traced image, and the progress of the next one
  * @param previousScene    scene of the image before, which shows another scene; empty if there is none
  * @param frameStep        whether the image shows only the direct light of a scene whose indirect light is being rendered
@@ -40,7 +43,7 @@ import lightning.scene.node.SceneNode;
  * @param untitled         whether the document has no file of its own yet
  */
 @RecordBuilder
-public record EditorState(OpenDocument document, Scene scene, RenderState render, Optional<Scene> previousScene, boolean frameStep,
+public record EditorState(OpenDocument document, Scene scene, Optional<PictureArea> area, Scene traced, RenderState render, Optional<Scene> previousScene, boolean frameStep,
         Optional<Scene> sceneInProgress, boolean verifying, boolean live, Optional<Light> selectedLight, Optional<SceneNode> selectedNode,
         Optional<String> undoLabel,
         Optional<String> redoLabel,
@@ -51,7 +54,7 @@ public record EditorState(OpenDocument document, Scene scene, RenderState render
 
     /** Returns the state of a document without an image, with nothing running or copied. */
     public static EditorState of(OpenDocument document) {
-        return new EditorState(document, document.scene(), RenderState.NONE, Optional.empty(), false, Optional.empty(), false, false,
+        return new EditorState(document, document.scene(), Optional.empty(), document.scene(), RenderState.NONE, Optional.empty(), false, Optional.empty(), false, false,
                 Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), false, false,
                 Optional.empty(), false, Optional.empty(), 0, false).showing(document);
     }
@@ -61,10 +64,14 @@ public record EditorState(OpenDocument document, Scene scene, RenderState render
         EditHistory history = shown.history();
         Optional<Light> selected = shown.selectedLight();
         long id = selected.map(l -> history.id(l.name())).orElse(-1L);
-        return with(s -> s.document(shown).scene(shown.scene()).selectedLight(selected).selectedNode(shown.selection().node(shown.scene()))
+        return with(s -> s.document(shown).scene(shown.scene()).traced(traced(shown.scene(), area)).selectedLight(selected).selectedNode(shown.selection().node(shown.scene()))
                 .undoLabel(history.undoLabel()).redoLabel(history.redoLabel()).undoLightLabel(history.undoLabel(id))
                 .redoLightLabel(history.redoLabel(id)).dirty(shown.isDirty()).changedOnDisk(shown.isChangedOnDisk())
                 .shotFrame(shown.shotFrame()).untitled(shown.isUntitled()));
+    }
+
+    private static Scene traced(Scene scene, Optional<PictureArea> area) {
+        return area.map(a -> scene.withPicture(a.size(scene.picture()))).orElse(scene);
     }
 
     /** Returns this state with the present image. An image of another scene makes the one before the previous. */
@@ -112,7 +119,7 @@ public record EditorState(OpenDocument document, Scene scene, RenderState render
 
     /** Returns whether there are edits that the traced image does not show, reflections excluded. */
     public boolean hasPendingEdits() {
-        return frame().isEmpty() || !VisibleState.isSame(scene, frame().get().scene());
+        return frame().isEmpty() || !VisibleState.isSame(traced, frame().get().scene());
     }
 
     /** Returns the warning that the image is out of date, for the canvas and Save Image; empty if it is current. */
@@ -127,7 +134,7 @@ public record EditorState(OpenDocument document, Scene scene, RenderState render
 
     /** Returns whether the traced image shows the scene, but not its indirect light, which is rendered after direct light. */
     public boolean lacksIndirectLight() {
-        return frame().filter(f -> f.showsDirectLightOf(scene)).isPresent();
+        return frame().filter(f -> f.showsDirectLightOf(traced)).isPresent();
     }
 
     /** Returns whether the traced image has one sample per pixel center and its anti-aliasing samples are pending. */

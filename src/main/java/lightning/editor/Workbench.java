@@ -17,6 +17,7 @@ import lightning.document.LightEdits;
 import lightning.document.LooksFolder;
 import lightning.document.OpenDocument;
 import lightning.document.OverwriteConfirmation;
+import lightning.document.PictureArea;
 import lightning.document.RecoveryFolder;
 import lightning.document.SaveRequest;
 import lightning.document.SavedScene;
@@ -141,7 +142,7 @@ public final class Workbench implements AutoCloseable {
 
     /** Returns the last edit; empty if there is none, or if it changed the view or the image size. */
     public Optional<LastEdit> lastEdit() {
-        return LastEdit.of(document().scene(), state.renderedScene(), state.previousScene());
+        return LastEdit.of(state.traced(), state.renderedScene(), state.previousScene());
     }
 
     /** Returns the state that the window shows. */
@@ -153,10 +154,11 @@ public final class Workbench implements AutoCloseable {
     public void open(OpenDocument other) {
         openCount++;
         feed.open(openCount);
-        loop.open(other.scene(), openCount);
+        EditorState opened = state.showing(other);
+        loop.open(opened.traced(), openCount);
         autosave.discard();
         autosave.documentChanged(other);
-        show(state.showing(other).withSceneInProgress(Optional.of(other.scene())).withRender(RenderState.NONE)
+        show(opened.withSceneInProgress(Optional.of(opened.traced())).withRender(RenderState.NONE)
                 .withPreviousScene(Optional.empty()));
     }
 
@@ -392,7 +394,7 @@ public final class Workbench implements AutoCloseable {
     public void updateReflections() {
         loop.updateReflections();
         show(state.withSceneInProgress(Optional.of(
-                state.sceneInProgress().or(state::renderedScene).orElseGet(() -> document().scene()))));
+                state.sceneInProgress().or(state::renderedScene).orElseGet(() -> state.traced()))));
     }
 
     public void verify() {
@@ -411,8 +413,21 @@ public final class Workbench implements AutoCloseable {
     /** Changes the options and keeps the cache. */
     public void changeOptions(RenderOptions options) {
         renderOptions = options;
-        loop.changeOptions(options, document().scene());
-        show(state.withSceneInProgress(Optional.of(document().scene())));
+        loop.changeOptions(options, state.traced());
+        show(state.withSceneInProgress(Optional.of(state.traced())));
+    }
+
+    /**
+     * Changes the area for which the picture is traced, and traces it again if it shows the scene or will. The scene keeps its size.
+     *
+     * @param area empty for the scene's own size
+     */
+    public void setArea(Optional<PictureArea> area) {
+        if (!area.equals(state.area())) {
+            boolean isFollowed = state.live() || state.sceneInProgress().isPresent() || !state.hasPendingEdits();
+            state = state.withArea(area);
+            show(rendering(isFollowed));
+        }
     }
 
     /** Changes the display mode: see {@link RenderLoop#setDisplayMode}. */
@@ -449,8 +464,8 @@ public final class Workbench implements AutoCloseable {
 
     /** Renders the document's scene; returns the state after that. */
     private EditorState rendered(EditorState now) {
-        loop.render(now.scene());
-        return now.withSceneInProgress(Optional.of(now.scene()));
+        loop.render(now.traced());
+        return now.withSceneInProgress(Optional.of(now.traced()));
     }
 
     /** Stops all threads. Unsaved edits are lost: ask before. */

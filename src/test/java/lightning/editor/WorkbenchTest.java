@@ -19,6 +19,7 @@ import lightning.document.DeskScene;
 import lightning.document.EditOutcome;
 import lightning.document.FileThread;
 import lightning.document.OpenDocument;
+import lightning.document.PictureArea;
 import lightning.document.RecoveryFolder;
 import lightning.document.loop.KeptPictures;
 import lightning.document.loop.RecordingRenderListener;
@@ -96,6 +97,42 @@ class WorkbenchTest {
 
     private Scene shownScene() {
         return workbench.frame().orElseThrow().scene();
+    }
+
+    private void setArea(int width, int height) {
+        workbench.setArea(Optional.of(new PictureArea(width, height)));
+    }
+
+    @Test
+    void pictureOfAnArea_hasItsSizeAndTheSceneKeepsItsOwn() throws Exception {
+        Scene scene = workbench.document().scene();
+        workbench.go();
+        awaitIdle();
+        setArea(80, 1000);
+        awaitIdle();
+        assertThat(shownScene().picture().width()).isEqualTo(80);
+        assertThat(shownScene().withPicture(scene.picture())).isEqualTo(scene).isEqualTo(workbench.document().scene());
+        assertThat(Command.GO.isEnabled(workbench.editorState())).as("nothing is pending").isFalse();
+        assertThat(workbench.editorState().dirty()).isFalse();
+        setIntensity(2);
+        workbench.go();
+        awaitIdle();
+        assertThat(shownScene().picture().width()).isEqualTo(80);
+        workbench.setArea(Optional.empty());
+        awaitIdle();
+        assertThat(shownScene()).isEqualTo(workbench.document().scene());
+    }
+
+    @Test
+    void newArea_rendersNoPendingEdit() throws Exception {
+        workbench.go();
+        awaitIdle();
+        Scene before = shownScene();
+        setIntensity(2);
+        setArea(80, 1000);
+        assertThat(workbench.editorState().sceneInProgress()).isEmpty();
+        assertThat(shownScene()).isSameAs(before);
+        assertThat(Command.GO.isEnabled(workbench.editorState())).isTrue();
     }
 
     @Test

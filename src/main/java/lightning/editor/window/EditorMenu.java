@@ -228,7 +228,7 @@ final class EditorMenu extends MenuBar {
 
     private Menu sizes() {
         Menu menu = items.menu(Command.PICTURE_SIZE);
-        menu.getItems().setAll(List.copyOf(SizeMenu.pictureSizeItems(model.editor(), items, model.layout()::pictureArea)));
+        menu.getItems().setAll(List.copyOf(SizeMenu.pictureSizeItems(model.editor(), items, model.layout())));
         return menu;
     }
 }

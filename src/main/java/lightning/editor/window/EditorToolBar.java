@@ -1,6 +1,5 @@
 package lightning.editor.window;
 
-import java.util.function.Supplier;
 import javafx.beans.property.Property;
 import javafx.geometry.Orientation;
 import javafx.geometry.Pos;
@@ -20,7 +19,7 @@ import javafx.scene.text.Font;
 import javafx.scene.text.Text;
 import lightning.base.text.Messages;
 import lightning.document.EditOutcome;
-import lightning.document.PictureArea;
+import lightning.editor.window.model.WindowLayout;
 import lightning.editor.Command;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandMenuItems;
@@ -61,7 +60,7 @@ final class EditorToolBar extends ToolBar {
         go.button().getStyleClass().add("accent");
         getItems().addAll(go, CommandButton.titledButton(commands, Command.LIVE));
         add(Command.UPDATE_REFLECTIONS, Command.CANCEL, Command.VERIFY);
-        getItems().addAll(separator(), precision(model.accuracyModeProperty()), size(model.layout()::pictureArea),
+        getItems().addAll(separator(), precision(model.accuracyModeProperty()), size(model.layout()),
                 labeled(Messages.tr("Bounces"), depth()), separator());
         add(Command.MAKE_ANIMATION, Command.ACCURACY_PANEL, Command.EFFECTS_PANEL);
     }
@@ -109,14 +108,14 @@ final class EditorToolBar extends ToolBar {
         }).max().orElseThrow();
     }
 
-    private MenuButton size(Supplier<PictureArea> area) {
+    private MenuButton size(WindowLayout layout) {
         var sizes = new MenuButton("", new FontIcon(MaterialDesignR.RESIZE));
         sizes.setId("traced-sizes");
         sizes.setAccessibleText(Messages.tr("Resolution, anti-aliasing and indirect light"));
         sizes.setTooltip(
                 new Tooltip(Messages.tr("Resolution, anti-aliasing and indirect light\nA new resolution renders the image in full.")));
         CommandMenuItems items = CommandMenuItems.forMenu(commands);
-        sizes.getItems().setAll(SizeMenu.pictureSizeItems(editor, items, area));
+        sizes.getItems().setAll(SizeMenu.pictureSizeItems(editor, items, layout));
         sizes.getItems().addAll(new SeparatorMenuItem(), SamplingMenu.of(editor, items), IndirectMenu.of(editor, items),
                 ReflectionMenu.of(editor, items));
         editor.sceneProperty().subscribe(s -> sizes.setText(s.picture().width() + " × " + s.picture().height() + SamplingMenu.text(s)));

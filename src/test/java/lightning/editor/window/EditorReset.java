@@ -21,6 +21,7 @@ import lightning.editor.window.model.WindowLayout.CanvasLayout;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.render.relight.SceneView;
 import lightning.scene.effects.ViewEffects;
+import lightning.editor.window.model.WorkingSize;
 
 /**
  * Returns an open editor to the state in which it opened: opens a document, closes all other windows and restores all settings. Call its
@@ -95,6 +96,7 @@ record EditorReset(Stage stage, Editor editor, double x, double y, double width,
         EditorModel model = editor.model();
         var defaults = new Preferences(NO_PREFERENCES, Runnable::run);
         model.layout().restore(defaults);
+        model.layout().workingSizeProperty().set(WorkingSize.SCENE);
         model.layout().canvasLayoutProperty().set(CanvasLayout.SIDE_BY_SIDE);
         model.layout().panelsHiddenProperty().set(false);
         model.layout().filmStripShownProperty().set(false);

@@ -47,6 +47,10 @@ import lightning.render.image.ViewTransform;
 import lightning.scene.AntialiasMode;
 import lightning.scene.PictureSettings;
 import lightning.scene.light.Light;
+import lightning.editor.window.model.WorkingSize;
+import lightning.render.shading.reference.ReferenceTracer;
+import lightning.render.relight.SceneView;
+import lightning.scene.Scene;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 
@@ -268,6 +272,19 @@ class FilesTest extends EditorFixture {
         waitFor("the file is written", () -> text("message").equals("Saved picture.png"));
         assertThat(ViewTransform.DEFAULT.toPixels(ImageFile.read(answer)))
                 .isEqualTo(ViewTransform.DEFAULT.toPixels(model().picture().frame().film()));
+    }
+
+    @Test
+    void savedImage_hasTheSizeOfTheSceneNotThatOfThePane() throws IOException {
+        robot.interact(() -> model().layout().workingSizeProperty().set(WorkingSize.PANE));
+        Scene scene = model().editor().scene();
+        waitFor("the picture is traced", () -> model().picture().frame().film().width() > scene.picture().width());
+        answer = folder.resolve("picture.png");
+        click("save-image");
+        waitFor("the file is written", () -> text("message").equals("Exported picture.png"));
+        assertThat(ViewTransform.DEFAULT.toPixels(ImageFile.read(answer)))
+                .isEqualTo(SceneView.of(scene).toPixels(new ReferenceTracer(scene).trace()));
+        assertThat(model().picture().frame().film().width()).isGreaterThan(scene.picture().width());
     }
 
     @Test

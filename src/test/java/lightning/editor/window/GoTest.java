@@ -234,6 +234,20 @@ class GoTest extends EditorFixture {
         assertThat((double) width / height).isCloseTo(4 / 3.0, Offset.offset(0.01));
     }
 
+    @Test
+    void pictureOfThePane_hasItsSizeAndTheSceneKeepsItsOwn() {
+        Scene scene = model().editor().scene();
+        robot.interact(sizeItem("working-pane")::fire);
+        waitFor("the picture is traced", () -> model().picture().frame().film().width() > 64);
+        PictureArea pane = model().layout().pictureArea();
+        Scene shown = model().picture().frame().scene();
+        assertThat(shown.picture()).isEqualTo(pane.size(scene.picture()));
+        assertThat(model().editor().scene()).isEqualTo(scene);
+        assertThat(isEnabled(Command.GO)).isFalse();
+        robot.interact(sizeItem("working-scene")::fire);
+        waitFor("the picture is traced", () -> model().picture().frame().film().width() == 64);
+    }
+
     private void typeSize(String typed) {
         MenuItem other = sizeItem("size-other");
         Platform.runLater(other::fire);

@@ -19,6 +19,7 @@ import lightning.document.loop.KeptPictures;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.WindowLayout.CanvasLayout;
+import lightning.editor.window.model.WorkingSize;
 import lightning.editor.window.traced.TracedPane;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.format.jen.JenException;
@@ -58,10 +59,11 @@ public final class TestEditors {
                 thread);
     }
 
-    /** Starts a session of an open document with shared preferences; with Live off and both pictures, unless they have a choice. */
+    /** Starts a session of an open document with shared preferences; with Live off, both pictures and the scene's size, unless they have a choice. */
     static StartupSession startupSession(OpenDocument document, EditorLayout frame, Preferences preferences, RecoveryFolder recovery,
             FileThread thread) {
         preferences.set("live", preferences.text("live", "false"));
+        preferences.set("working-size", preferences.text("working-size", WorkingSize.SCENE.name()));
         preferences.set("arrangement", preferences.text("arrangement", CanvasLayout.SIDE_BY_SIDE.name()));
         return new StartupSession(frame, document, StartupSession.startPreview(document, preferences), preferences, recovery, thread,
                 KeptPictures.none());

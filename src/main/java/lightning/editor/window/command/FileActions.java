@@ -336,8 +336,9 @@ public final class FileActions {
     }
 
     private void saveImage() {
+        FinalPicture picture = FinalPicture.of(model);
         var message = model.commands().editorState().get().pendingMessage();
-        if (message.isPresent()) {
+        if (message.isPresent() && picture.isTraced()) {
             ButtonType answer = notices.askPending(message.get()).orElse(ButtonType.CANCEL);
             if (answer == EditorDialogs.GO_FIRST) {
                 model.commands().run(Command.GO);
@@ -347,18 +348,23 @@ public final class FileActions {
             }
         }
         String name = JenFile.stem(editor.document().name()) + ImageFormat.PNG.extension();
-        Frame frame = requireNonNull(model.picture().frame());
         prompt.pictureToWrite(editor.document().proposedFile(name)).ifPresent(chosen -> {
             if (chosen.getFileName().toString().contains(".")) {
-                write(chosen, frame);
+                write(chosen, picture);
             } else {
-                notices.withExtension(model.files(), chosen, ImageFormat.PNG.extension(), file -> write(file, frame));
+                notices.withExtension(model.files(), chosen, ImageFormat.PNG.extension(), file -> write(file, picture));
             }
         });
     }
 
-    private void write(Path file, Frame frame) {
+    private void write(Path file, FinalPicture picture) {
         ViewTransform view = model.picture().outputView();
+        if (!picture.isTraced()) {
+            new BackgroundExport(model, notices).start(file, Messages.tr("The image could not be saved"),
+                    (to, progress) -> picture.write(file, progress, (film, _) -> ImageFile.write(to, film, view)));
+            return;
+        }
+        Frame frame = picture.traced().orElseThrow();
         boolean isDisplayed = ImageFormat.find(file).filter(ImageFormat::isDisplayReferred).isPresent();
         message.show(Messages.tr("Saving {0} …", Quote.path(file.getFileName())));
         OpenDocument document = editor.document();

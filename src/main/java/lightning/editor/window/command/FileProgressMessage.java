@@ -6,6 +6,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
 import lightning.editor.window.model.FileActivity;
+import lightning.editor.window.model.RemainingTime;
 import lightning.editor.window.model.StatusMessage;
 
 /** Shows the progress of reading or writing a file in the status line, and cancels the work with its activity. Thread-safe. */
@@ -15,6 +16,8 @@ final class FileProgressMessage implements Progress {
     private final StatusMessage message;
     private final Path file;
     private final AtomicInteger lastPercent = new AtomicInteger(-1);
+    /** Used on the window's thread. */
+    private final RemainingTime remaining = new RemainingTime();
 
     /** @param window  runs tasks in order on the window's thread */
     FileProgressMessage(Path file, FileActivity activity, Executor window, StatusMessage message) {
@@ -36,7 +39,8 @@ final class FileProgressMessage implements Progress {
         if (lastPercent.getAndSet(percent) != percent) {
             window.execute(() -> {
                 if (activity.isActive(file)) {
-                    message.show(activity.titleProperty().get() + " " + Quote.path(file.getFileName()) + ": " + percent + " %");
+                    String task = activity.titleProperty().get() + " " + Quote.path(file.getFileName());
+                    message.show(remaining.describe(task, percent / 100.0, System.nanoTime()).replace(task, task + ": " + percent + " %"));
                 }
             });
         }

@@ -10,7 +10,6 @@ import lightning.base.text.Messages;
 import lightning.base.work.HeapBudget;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
-import lightning.document.loop.Frame;
 import lightning.editor.Command;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.StatusMessage;
@@ -22,6 +21,7 @@ import lightning.layer.LayeredExrWriter;
 import lightning.layer.SceneMetadata;
 import lightning.render.RenderOptions;
 import lightning.render.cache.PixelCache;
+import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.MemoryEstimate;
 
@@ -54,24 +54,23 @@ final class PictureExport {
     }
 
     private void export(ExportFormat kind, Path file) {
-        PixelCache cache = model.workbench().cache().orElse(null);
-        Frame frame = model.picture().frame();
-        if (model.fileActivity().file() != null || cache == null || frame == null) {
+        FinalPicture picture = FinalPicture.of(model);
+        if (model.fileActivity().file() != null || model.picture().frame() == null) {
             message.show(Messages.tr("Wait until the file is loaded and rendering has started"));
             return;
         }
         ViewTransform view = model.picture().outputView();
         new BackgroundExport(model, notices).start(file, Messages.tr("The image could not be exported"),
-                (to, progress) -> write(kind, to, cache, frame, view, progress));
+                (to, progress) -> picture.write(file, progress, (film, cache) -> write(kind, to, film, cache, view, progress)));
     }
 
-    private void write(ExportFormat kind, Path file, PixelCache cache, Frame frame, ViewTransform view, Progress progress)
+    private void write(ExportFormat kind, Path file, Film film, PixelCache cache, ViewTransform view, Progress progress)
             throws IOException {
         if (kind.content().isEmpty()) {
             if (kind.format() == ImageFormat.EXR) {
-                ImageFile.writeExr(file, frame.film(), kind.bits(), SceneMetadata.of(cache.scene(), Optional.empty()));
+                ImageFile.writeExr(file, film, kind.bits(), SceneMetadata.of(cache.scene(), Optional.empty()));
             } else {
-                ImageFile.write(file, frame.film(), view, kind.bits());
+                ImageFile.write(file, film, view, kind.bits());
             }
             return;
         }

@@ -2,6 +2,7 @@ package lightning.editor.window.command;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
@@ -18,6 +19,8 @@ import lightning.document.PictureArea;
 import lightning.editor.Command;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.model.WindowLayout;
+import lightning.editor.window.model.WorkingSize;
 import lightning.editor.window.widget.CanvasSize;
 import lightning.scene.PictureSettings;
 import lightning.scene.value.SceneLimits;
@@ -29,14 +32,19 @@ public final class SizeMenu {
     private SizeMenu() {}
 
     /**
-     * Returns the sizes of the traced picture. Choosing one traces the picture again.
+     * Returns the sizes in which the picture is traced while the scene is edited, and those of the scene, in which it is exported. Choosing one
+     * traces the picture again.
      *
-     * @param items  factory of the menu's items
-     * @param area  returns the area in which the picture is shown
+     * @param items factory of the menu's items
      */
-    public static List<MenuItem> pictureSizeItems(SceneEditor editor, CommandMenuItems items, Supplier<PictureArea> area) {
+    public static List<MenuItem> pictureSizeItems(SceneEditor editor, CommandMenuItems items, WindowLayout layout) {
         List<MenuItem> all = new ArrayList<>();
-        all.add(paneSizeItem(editor, items, area));
+        for (WorkingSize size : WorkingSize.values()) {
+            all.add(items.choice(Command.WORKING_SIZE, "working-" + size.name().toLowerCase(Locale.ROOT), size.toString(),
+                    layout.workingSizeProperty().map(chosen -> chosen == size), () -> layout.workingSizeProperty().set(size)));
+        }
+        all.add(new SeparatorMenuItem());
+        all.add(paneSizeItem(editor, items, layout::pictureArea));
         all.add(sceneSizeItem(editor, items));
         all.add(new SeparatorMenuItem());
         for (CanvasSize size : CanvasSize.FIXED) {

@@ -1,5 +1,6 @@
 package lightning.editor.window.model;
 
+import java.util.Optional;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -7,6 +8,7 @@ import javafx.beans.property.SimpleObjectProperty;
 import lightning.base.text.Messages;
 import lightning.document.FileThread;
 import lightning.document.OpenDocument;
+import lightning.document.PictureArea;
 import lightning.document.RecoveryFolder;
 import lightning.document.loop.KeptPictures;
 import lightning.document.manipulation.PreviewCamera;
@@ -47,16 +49,18 @@ public final class EditorModel implements AutoCloseable {
      * @param files  reads and writes files off the window's thread
      */
     public EditorModel(OpenDocument document, RecoveryFolder recovery, FileThread files) {
-        this(document, StartupPreview.none(ViewTransform.DEFAULT), recovery, files, KeptPictures.none());
+        this(document, Optional.empty(), StartupPreview.none(ViewTransform.DEFAULT), recovery, files, KeptPictures.none());
     }
 
     /**
      * Opens a document that a startup preview already shows.
      *
+     * @param area     area for which the first picture is traced; empty for the scene's own size
      * @param preview  preview of the document's scene
      * @param kept     pictures of earlier processes
      */
-    public EditorModel(OpenDocument document, StartupPreview preview, RecoveryFolder recovery, FileThread files, KeptPictures kept) {
+    public EditorModel(OpenDocument document, Optional<PictureArea> area, StartupPreview preview, RecoveryFolder recovery, FileThread files,
+            KeptPictures kept) {
         this.files = files;
         workbench =
                 new Workbench(document, accuracyMode.get().options(), recovery, files, this::refresh, this::progressed, preview.raster(),
@@ -83,6 +87,7 @@ public final class EditorModel implements AutoCloseable {
         addCommands();
         documentOpened();
         workbench.setStartupPreview(preview.coarse(), preview.menusShown());
+        workbench.setArea(area);
         workbench.go();
     }
 

@@ -3,6 +3,7 @@ package lightning.editor.window.model;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
@@ -13,6 +14,7 @@ import javafx.beans.property.SimpleObjectProperty;
 import lightning.base.text.Messages;
 import lightning.document.PictureArea;
 import lightning.editor.Command;
+import lightning.scene.value.SceneLimits;
 
 /** Layout of the window: sizes and visibility of pictures, panels and timeline. */
 public final class WindowLayout {
@@ -21,6 +23,7 @@ public final class WindowLayout {
     private static final CanvasLayout INITIAL_CANVASES = CanvasLayout.PICTURE_LARGE;
 
     private final ObjectProperty<CanvasLayout> canvasLayout = new SimpleObjectProperty<>(INITIAL_CANVASES);
+    private final ObjectProperty<WorkingSize> workingSize = new SimpleObjectProperty<>(WorkingSize.SCENE);
     private final ObjectProperty<InsetPlace> insetPlace = new SimpleObjectProperty<>(InsetPlace.INITIAL);
     private final BooleanProperty panelsHidden = new SimpleBooleanProperty();
 
@@ -96,6 +99,11 @@ public final class WindowLayout {
         return canvasLayout;
     }
 
+    /** Size in which the picture is traced while the scene is edited; that of the scene before preferences are restored. */
+    public ObjectProperty<WorkingSize> workingSizeProperty() {
+        return workingSize;
+    }
+
     /** Place of the preview when it is an inset. */
     public ObjectProperty<InsetPlace> insetPlaceProperty() {
         return insetPlace;
@@ -134,6 +142,7 @@ public final class WindowLayout {
     /** Restores the arrangement. Panels are always shown at startup; the timeline is if the document has a shot. */
     public void restore(Preferences preferences) {
         canvasLayout.set(preferences.enumValue("arrangement", INITIAL_CANVASES));
+        workingSize.set(workingSize(preferences));
         insetPlace.set(new InsetPlace(preferences.enumValue("inset.corner", InsetPlace.INITIAL.corner()),
                 preferences.number("inset.size", InsetPlace.MIN_SIZE, 1, InsetPlace.INITIAL.size())));
         welcomeAtStart.set(!preferences.hasValue("welcome", "false"));
@@ -142,9 +151,22 @@ public final class WindowLayout {
         panels.set(timelineShown.get() ? stored.open(Command.TIMELINE) : stored.close(Command.TIMELINE));
     }
 
+    private static WorkingSize workingSize(Preferences preferences) {
+        return preferences.enumValue("working-size", WorkingSize.PANE);
+    }
+
+    /** Returns the area for which the first picture is traced: that of the last session's pane. */
+    public static Optional<PictureArea> firstArea(Preferences preferences) {
+        return workingSize(preferences).area(PictureArea.of(preferences.number("pane.width", 0, SceneLimits.MAX_SIZE, 0),
+                preferences.number("pane.height", 0, SceneLimits.MAX_SIZE, 0)));
+    }
+
     /** Stores the arrangement. */
     public void save(Preferences preferences) {
         preferences.set("arrangement", canvasLayout.get().name());
+        preferences.set("working-size", workingSize.get().name());
+        preferences.set("pane.width", pictureArea().width());
+        preferences.set("pane.height", pictureArea().height());
         preferences.set("inset.corner", insetPlace.get().corner().name());
         preferences.set("inset.size", insetPlace.get().size());
         preferences.set("welcome", welcomeAtStart.get());

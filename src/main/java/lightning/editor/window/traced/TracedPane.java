@@ -1,6 +1,7 @@
 package lightning.editor.window.traced;
 
 import java.util.Optional;
+import javafx.animation.PauseTransition;
 import javafx.application.Platform;
 import javafx.beans.binding.Bindings;
 import javafx.geometry.Insets;
@@ -16,11 +17,13 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
+import javafx.util.Duration;
 import lightning.base.text.Messages;
 import lightning.document.loop.RenderActivity;
 import lightning.document.loop.RenderState;
 import lightning.editor.Command;
 import lightning.editor.EditorState;
+import lightning.editor.Workbench;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.model.CommandRegistry;
@@ -50,6 +53,8 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignE;
 /** Pane of the ray-traced picture, with its badges, its progress and the report on the pixel under the mouse. */
 public final class TracedPane extends BorderPane implements AutoCloseable {
     private static final Insets BADGE_INSETS = new Insets(PictureView.MARGIN);
+    /** How long the size of the pane must stay the same before the picture is traced for it. */
+    private static final Duration SIZE_SETTLES = Duration.millis(300);
     private static final double ZOOM_STEP = 1.5;
     /** Empty report with its two lines, so that the picture keeps its size. */
     private static final String NO_PIXEL = " \n ";
@@ -82,6 +87,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private final TracedMouse mouse;
     private final ViewActions views;
     private TracedRaster.@Nullable Pixels shownPixels;
+    /** Runs when the size of the pane has not changed for a while. */
+    private final PauseTransition sizeSettled = new PauseTransition(SIZE_SETTLES);
     /** True once a picture was finished, canceled or failed. Before that, the window's thread is busy. */
     private boolean hasFinalPicture;
 
@@ -115,6 +122,9 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         lookBadge = new Badge("look", scheduler);
         layout = model.layout();
         layout.setPictureArea(picture::area);
+        sizeSettled.setOnFinished(_ -> traceForPane(model.workbench()));
+        layout.workingSizeProperty().subscribe(_ -> sizeSettled.playFromStart());
+        picture.layoutBoundsProperty().subscribe(_ -> sizeSettled.playFromStart());
         setId("traced");
         getStyleClass().add("canvas-pane");
         mouse = new TracedMouse(model, picture, this::showPixel);
@@ -364,6 +374,13 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         }
     }
 
+    /** Traces the picture for the size of the pane, unless the pane is hidden. */
+    private void traceForPane(Workbench workbench) {
+        if (picture.getWidth() > 1 && picture.getHeight() > 1) {
+            workbench.setArea(layout.workingSizeProperty().get().area(picture.area()));
+        }
+    }
+
     private void updateBadges() {
         waitingLabel.setText(waitingText());
         showPending(pendingText());
@@ -420,6 +437,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
 
     @Override
     public void close() {
+        sizeSettled.stop();
         mouse.close();
     }
 }
