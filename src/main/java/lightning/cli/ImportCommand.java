@@ -89,8 +89,8 @@ final class ImportCommand implements Callable<Integer> {
     private @Nullable Double frame;
 
     @Option(names = "--indirect", paramLabel = "WHEN",
-            description = "Indirect light: on, off, or auto, which is on if the camera is in a closed room (default: auto).")
-    private IndirectChoice indirect = IndirectChoice.AUTO;
+            description = "Indirect light: on, off, or auto, which is on if the camera is in a closed room (default: on).")
+    private IndirectChoice indirect = IndirectChoice.ON;
 
     @Option(names = "--glowing-lights", description = "Make each object that glows a light that shines on others with soft shadows.")
     private boolean hasGlowingLights;

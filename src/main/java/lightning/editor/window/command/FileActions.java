@@ -138,7 +138,7 @@ public final class FileActions {
     private void importScene(Path file, Path to) {
         readInBackground(file, () -> {
             var progress = new FileProgressMessage(file, model.fileActivity(), model.files().windowExecutor(), message);
-            ImportedScene imported = IndirectChoice.AUTO.apply(SceneImporter.read(file, to, ImportOptions.DEFAULT, progress));
+            ImportedScene imported = IndirectChoice.ON.apply(SceneImporter.read(file, to, ImportOptions.DEFAULT, progress));
             return new ImportPreview(imported, new ImportPreviews(imported, IMPORT_PICTURE_SIZE));
         }, preview -> {
             // Clears the progress message.
@@ -185,9 +185,8 @@ public final class FileActions {
             String text = Messages.tr("Imported {0}", Quote.path(file.getFileName())) + (noteCount == 0 ? "" : Messages.count(noteCount,
                     "; {0} import note: {1}", "; {0} import notes: {1}",
                     noteCount, String.join(", ", imported.notes().keySet().stream().sorted().toList())));
-            String indirect = imported.hasIndirect() ? Messages.tr("; indirect light is on, as in a closed room") : "";
             model.files().windowExecutor().execute(() -> {
-                message.show(text + indirect);
+                message.show(text);
                 if (noteCount > 0) {
                     notices.showImportNotes(file, imported.notes());
                 }

@@ -6,8 +6,8 @@ import lightning.document.PictureArea;
 
 /** Size in which the picture is traced while the scene is edited. The scene's own size is that of exported images. */
 public enum WorkingSize {
-    PANE(Messages.key("Size of the Pane"), 1), HALF_PANE(Messages.key("Half the Size of the Pane"), 0.5),
-    SCENE(Messages.key("Size of the Scene"), 0);
+    PANE(Messages.key("Working Size: Pane"), 1), HALF_PANE(Messages.key("Working Size: Half the Pane"), 0.5),
+    SCENE(Messages.key("Working Size: Scene"), 0);
 
     private final String title;
     private final double share;
