@@ -69,18 +69,18 @@ class ImportCommandTest {
     }
 
     @Test
-    void indirectLight_isOnInClosedRoomsAndByChoice() throws Exception {
+    void indirectLight_isOn_unlessChosenOtherwise() throws Exception {
         Path closed = Files.writeString(folder.resolve("closed.nff"), room(true));
         Path open = Files.writeString(folder.resolve("open.nff"), room(false));
         Path scene = folder.resolve("a.jen");
-        assertThat(CliResult.run("import", closed, "-o", scene).assertSuccess().err())
-                .contains("the camera is in a closed room, so indirect light is on");
+        assertThat(CliResult.run("import", open, "-o", scene).assertSuccess().err()).doesNotContain("indirect");
         assertThat(Files.readString(scene)).contains("indirect");
         CliResult.run("import", closed, "-o", scene, "--indirect", "off").assertSuccess();
         assertThat(Files.readString(scene)).doesNotContain("indirect");
-        assertThat(CliResult.run("import", open, "-o", scene).assertSuccess().err()).doesNotContain("indirect");
+        CliResult.run("import", open, "-o", scene, "--indirect", "auto").assertSuccess();
         assertThat(Files.readString(scene)).doesNotContain("indirect");
-        CliResult.run("import", open, "-o", scene, "--indirect", "on").assertSuccess();
+        assertThat(CliResult.run("import", closed, "-o", scene, "--indirect", "auto").assertSuccess().err())
+                .contains("the camera is in a closed room, so indirect light is on");
         assertThat(Files.readString(scene)).contains("indirect");
     }
 

@@ -86,7 +86,7 @@ public final class ImportPreviews {
 
     /**
      * Returns all choices in the order in which they are offered: a studio, which suits every file, then the lights of the file in each possible
-     * unit, if it has lights, the likely one first, then a sky.
+     * unit, if it has lights, the likely one first, then the image of a studio and a sky.
      */
     public List<Choice> choices() {
         List<Choice> choices = new ArrayList<>(List.of(new Choice(ImportLighting.STUDIO, Optional.empty())));
@@ -96,7 +96,11 @@ public final class ImportPreviews {
         } else if (imported.subject().hasLights()) {
             choices.add(new Choice(ImportLighting.FILE, Optional.empty()));
         }
-        choices.add(new Choice(ImportLighting.SKY, Optional.empty()));
+        for (ImportLighting lighting : List.of(ImportLighting.SOFTBOXES, ImportLighting.SKY)) {
+            if (lighting.isAvailable()) {
+                choices.add(new Choice(lighting, Optional.empty()));
+            }
+        }
         return choices;
     }
 

@@ -2,6 +2,7 @@ package lightning.format.exchange;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import lightning.base.math.Ray;
@@ -16,6 +17,7 @@ import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 import lightning.scene.World;
+import lightning.scene.asset.Environment;
 import lightning.scene.light.Light;
 import lightning.scene.light.LightRig;
 import lightning.scene.light.LightType;
@@ -25,6 +27,7 @@ import lightning.scene.node.SceneNode;
 import lightning.scene.node.Shape;
 import lightning.scene.node.Solid;
 import lightning.scene.value.Attenuation;
+import lightning.scene.value.DomeRotation;
 import lightning.scene.value.Placement;
 
 /**
@@ -134,8 +137,18 @@ final class StudioBuilder {
                 .withDirection(new Vec3(0, -1, 0));
         return build(
                 List.of(sun.withArea(sun.area().withSpread(1).withSamples(8)), dome.withArea(dome.area().withSpread(90).withSamples(32))),
-                SKY_BACKGROUND, new Rgb(0.36, 0.35, 0.33), material -> List.of(plane("ground", material, Vec3.ZERO, Vec3.ZERO,
-                        new Vec3(GROUND, 1, GROUND))));
+                SKY_BACKGROUND, new Rgb(0.36, 0.35, 0.33), this::ground);
+    }
+
+    /** Returns the scene inside the image of a studio, whose middle is behind the camera. */
+    Scene inside(Environment environment) {
+        Scene lit = build(List.of(), Rgb.BLACK, new Rgb(0.36, 0.35, 0.33), this::ground);
+        return lit.withWorld(lit.world().withEnvironment(Optional.of(environment))
+                .withOwn(dome -> dome.withRotation(DomeRotation.of(frame.rotation(), 0, 0))));
+    }
+
+    private List<SceneNode> ground(String material) {
+        return List.of(plane("ground", material, Vec3.ZERO, Vec3.ZERO, new Vec3(GROUND, 1, GROUND)));
     }
 
     /** Creates a rectangle light that points at the subject's center; position, width and height in units of the studio. */

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Collectors;
@@ -14,6 +15,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.base.text.RefusalException;
 import lightning.base.work.Progress;
 import lightning.base.work.WorkerPool;
 import lightning.document.imports.ImportPreviews;
@@ -120,6 +122,43 @@ class ImportLightingTest {
     @EnumSource(value = ImportLighting.class, names = {"STUDIO", "SKY"})
     void profilesOfTheLightsOfTheFile_areNotWrittenWithout(ImportLighting lighting) throws Exception {
         assertThat(filesBeside(lighting.apply(readGltf(SOFT_SPOT)))).isEmpty();
+    }
+
+    /** Runs a test as in an installed program, which has images. */
+    private static void installed(ThrowingRunnable test) throws Exception {
+        System.setProperty("lightning.home", Path.of("").toAbsolutePath().toString());
+        try {
+            test.run();
+        } finally {
+            System.clearProperty("lightning.home");
+        }
+    }
+
+    @FunctionalInterface
+    private interface ThrowingRunnable {
+        void run() throws Exception;
+    }
+
+    @ParameterizedTest
+    @EnumSource(value = ImportLighting.class, names = {"SOFTBOXES", "STRIPS", "RING"})
+    void photoStudio_isAnEnvironmentBesideTheScene(ImportLighting lighting) throws Exception {
+        installed(() -> {
+            ImportedScene lit = lighting.apply(readGltf(GltfFixtures.LIT_JSON));
+            String image = "studio_" + lighting.name().toLowerCase(Locale.ROOT) + ".hdr";
+            assertThat(filesBeside(lit)).containsExactly(image);
+            Scene read = JenReader.read(folder.resolve("lit.jen")).scene();
+            assertThat(read.lights()).isEmpty();
+            assertThat(read.world().environments()).extracting(dome -> dome.image().orElseThrow().file()).containsExactly(image);
+            assertThat(Arrays.stream(blocks(trace(read))).average().orElseThrow()).isBetween(60.0, 220.0);
+        });
+    }
+
+    @Test
+    void photoStudioWithoutItsImage_isRefused() throws Exception {
+        ImportedScene imported = readGltf(GltfFixtures.LIT_JSON);
+        assertThat(ImportLighting.RING.isAvailable()).isFalse();
+        assertThatThrownBy(() -> ImportLighting.RING.apply(imported)).isInstanceOf(RefusalException.class)
+                .hasMessage("studio_ring.hdr: comes with the installed program only");
     }
 
     @Test

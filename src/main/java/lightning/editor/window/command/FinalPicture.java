@@ -3,6 +3,7 @@ package lightning.editor.window.command;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import lightning.base.text.Messages;
 import lightning.base.work.HeapBudget;
 import lightning.base.work.Progress;
@@ -50,7 +51,7 @@ record FinalPicture(EditorModel model, Scene scene, Optional<Frame> traced, Opti
      *
      * @param file named in the status line
      * @throws IOException if the writer throws it
-     * @throws java.util.concurrent.CancellationException if the progress canceled
+     * @throws CancellationException if the progress canceled
      */
     void write(Path file, Progress progress, Writer writer) throws IOException {
         if (isTraced()) {
@@ -60,7 +61,9 @@ record FinalPicture(EditorModel model, Scene scene, Optional<Frame> traced, Opti
         model.files().windowExecutor().execute(() -> model.fileActivity().setTitle(file, Messages.tr("Rendering")));
         try (var _ = new DelayedLanes(); var renderer = new Renderer(RenderOptions.DEFAULT.withMemory(HeapBudget.availableBytes()))) {
             renderer.renderOrClear(scene, progress);
-            progress.checkCanceled("canceled while the image was rendered");
+            if (progress.isCanceled()) {
+                throw new CancellationException();
+            }
             writer.write(renderer.cache().film(), renderer.cache());
         }
     }

@@ -113,9 +113,10 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
      * Returns this scene with lights that replace those of the file.
      *
      * @param comment comment line that says so, if the file has lights
+     * @param image        image of the lighting, to place next to the scene
      * @param furtherNotes what else was replaced
      */
-    public ImportedScene withLighting(String comment, Scene lit, List<String> furtherNotes) {
+    public ImportedScene withLighting(String comment, Scene lit, Optional<AssetCopy> image, List<String> furtherNotes) {
         List<String> newComments = new ArrayList<>(comments);
         newComments.remove(ADDED_LIGHT_COMMENT);
         if (subject.hasLights()) {
@@ -129,7 +130,8 @@ public record ImportedScene(Scene unscaledScene, Optional<Shot> unscaledShot, Se
         Set<String> unused = references(unscaledScene);
         unused.removeAll(references(lit));
         Path folder = ParentFolder.of(sceneFile);
-        List<AssetCopy> usedCopies = copies.stream().filter(copy -> !unused.contains(FileNaming.nameIn(folder, copy.target()))).toList();
+        List<AssetCopy> usedCopies = Stream.concat(image.stream(), copies.stream()
+                .filter(copy -> !unused.contains(FileNaming.nameIn(folder, copy.target())))).toList();
         // A new light may have the name of one of the file's that moved.
         Optional<Shot> others = shot().map(s -> s.withTracks(s.tracks().stream()
                 .filter(track -> !isLighting(track.target()) && (keepsCamera || !(track.target() instanceof SceneElement.OfCamera)))
