@@ -15,6 +15,7 @@ module lightning {
     requires org.kordamp.ikonli.materialdesign2;
     requires org.jgroups;
     requires ojalgo;
+    requires io.nayuki.qrcodegen;
     // Automatic.
     requires drako;
     requires com.twelvemonkeys.imageio.webp;

@@ -19,7 +19,7 @@ class LibraryTest {
     /** Libraries of the module; those of the tests are not modules. */
     private static final Pattern LIBRARY =
             Pattern.compile(
-                    ".*(picocli|diff-utils|jackson|javafx|atlantafx|ikonli|drako|ojalgo|imageio-|common-|jgroups)[^/\\\\]*\\.jar");
+                    ".*(picocli|diff-utils|jackson|javafx|atlantafx|ikonli|drako|qrcodegen|ojalgo|imageio-|common-|jgroups)[^/\\\\]*\\.jar");
 
     @TempDir
     Path folder;

@@ -207,6 +207,7 @@ public class LightningApp extends Application {
         Editor opened = new Editor(stage, requireNonNull(startupSession), preferences, thread, FilePrompt.ofSystem(stage),
                 screen.getWidth(), screen.getHeight());
         editor = opened;
+        opened.model().setBrowser(getHostServices()::showDocument);
         if (files.failedFile() != null && files.failure() != null) {
             opened.reportFailedOpen(files.failedFile(), files.failure());
         }

@@ -10,7 +10,7 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.StartupPreview;
 import lightning.editor.window.model.UiLanguage;
-import lightning.editor.window.model.WindowLayout;
+import lightning.editor.window.model.WorkingSize;
 import lightning.editor.window.traced.TracedPane;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.SceneView;
@@ -37,7 +37,7 @@ final class StartupSession implements AutoCloseable {
     StartupSession(EditorLayout layout, OpenDocument document, StartupPreview preview, Preferences preferences, RecoveryFolder recovery,
             FileThread thread, KeptPictures kept) {
         this.preview = preview;
-        model = new EditorModel(document, WindowLayout.firstArea(preferences), preview, recovery, thread, kept);
+        model = new EditorModel(document, WorkingSize.of(preferences).area(layout.picture().area()), preview, recovery, thread, kept);
         model.accuracyModeProperty().set(preferences.enumValue("precision", AccuracyMode.EXACT).forOtherFile());
         model.editor().liveProperty().set(!preferences.hasValue("live", "false"));
         ColorTableActions.restore(model, preferences);

@@ -1,6 +1,7 @@
 package lightning.editor.window.model;
 
 import java.util.Optional;
+import java.util.function.Consumer;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -41,6 +42,7 @@ public final class EditorModel implements AutoCloseable {
     private final MaterialSelection materials;
     private final FileImporter fileImporter;
     private final UpdateLog updates;
+    private Consumer<String> browser = _ -> {};
 
     /**
      * Opens a document and starts tracing it.
@@ -89,6 +91,16 @@ public final class EditorModel implements AutoCloseable {
         workbench.setStartupPreview(preview.coarse(), preview.menusShown());
         workbench.setArea(area);
         workbench.go();
+    }
+
+    /** Sets what opens an address in the system's browser. Until then nothing does. */
+    public void setBrowser(Consumer<String> opener) {
+        browser = opener;
+    }
+
+    /** Opens an address in the system's browser. */
+    public void browse(String address) {
+        browser.accept(address);
     }
 
     private void reportAutosaveFailure(Throwable failure) {

@@ -3,7 +3,6 @@ package lightning.editor.window.model;
 import static java.util.Objects.requireNonNull;
 
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.Supplier;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
@@ -14,7 +13,6 @@ import javafx.beans.property.SimpleObjectProperty;
 import lightning.base.text.Messages;
 import lightning.document.PictureArea;
 import lightning.editor.Command;
-import lightning.scene.value.SceneLimits;
 
 /** Layout of the window: sizes and visibility of pictures, panels and timeline. */
 public final class WindowLayout {
@@ -142,7 +140,7 @@ public final class WindowLayout {
     /** Restores the arrangement. Panels are always shown at startup; the timeline is if the document has a shot. */
     public void restore(Preferences preferences) {
         canvasLayout.set(preferences.enumValue("arrangement", INITIAL_CANVASES));
-        workingSize.set(workingSize(preferences));
+        workingSize.set(WorkingSize.of(preferences));
         insetPlace.set(new InsetPlace(preferences.enumValue("inset.corner", InsetPlace.INITIAL.corner()),
                 preferences.number("inset.size", InsetPlace.MIN_SIZE, 1, InsetPlace.INITIAL.size())));
         welcomeAtStart.set(!preferences.hasValue("welcome", "false"));
@@ -151,22 +149,10 @@ public final class WindowLayout {
         panels.set(timelineShown.get() ? stored.open(Command.TIMELINE) : stored.close(Command.TIMELINE));
     }
 
-    private static WorkingSize workingSize(Preferences preferences) {
-        return preferences.enumValue("working-size", WorkingSize.PANE);
-    }
-
-    /** Returns the area for which the first picture is traced: that of the last session's pane. */
-    public static Optional<PictureArea> firstArea(Preferences preferences) {
-        return workingSize(preferences).area(PictureArea.of(preferences.number("pane.width", 0, SceneLimits.MAX_SIZE, 0),
-                preferences.number("pane.height", 0, SceneLimits.MAX_SIZE, 0)));
-    }
-
     /** Stores the arrangement. */
     public void save(Preferences preferences) {
         preferences.set("arrangement", canvasLayout.get().name());
         preferences.set("working-size", workingSize.get().name());
-        preferences.set("pane.width", pictureArea().width());
-        preferences.set("pane.height", pictureArea().height());
         preferences.set("inset.corner", insetPlace.get().corner().name());
         preferences.set("inset.size", insetPlace.get().size());
         preferences.set("welcome", welcomeAtStart.get());

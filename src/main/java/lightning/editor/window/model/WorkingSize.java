@@ -17,6 +17,11 @@ public enum WorkingSize {
         this.share = share;
     }
 
+    /** Returns the stored size; that of the pane by default. */
+    public static WorkingSize of(Preferences preferences) {
+        return preferences.enumValue("working-size", PANE);
+    }
+
     /** Returns the area for which pictures in a pane are traced; empty for the scene's own size. */
     public Optional<PictureArea> area(PictureArea pane) {
         return share == 0 ? Optional.empty() : Optional.of(pane.part(share));

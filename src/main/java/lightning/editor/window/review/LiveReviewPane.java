@@ -12,12 +12,14 @@ import java.util.concurrent.TimeUnit;
 import javafx.animation.Animation;
 import javafx.animation.KeyFrame;
 import javafx.animation.Timeline;
+import javafx.geometry.Pos;
 import javafx.scene.control.Button;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
 import javafx.scene.control.TextField;
 import javafx.scene.control.Tooltip;
+import javafx.scene.image.ImageView;
 import javafx.scene.input.Clipboard;
 import javafx.scene.input.ClipboardContent;
 import javafx.scene.layout.HBox;
@@ -60,6 +62,8 @@ public final class LiveReviewPane extends VBox {
     private final TextField certificate = new TextField();
     private final TextField url = new TextField();
     private final Button copy = new Button(Messages.tr("Copy"));
+    private final Button open = new Button(Messages.tr("Open in Browser"));
+    private final ImageView code = new ImageView();
     private final Label state = new Label();
     private final ListView<String> notes = new ListView<>();
     private final SequencedMap<String, LiveChange> newest = new LinkedHashMap<>();
@@ -117,6 +121,18 @@ public final class LiveReviewPane extends VBox {
             Clipboard.getSystemClipboard().setContent(content);
             state.setText(Messages.tr("Copied; send it to the reviewers"));
         });
+        open.setId("live-open");
+        open.setMinWidth(Region.USE_PREF_SIZE);
+        open.setOnAction(_ -> model.browse(url.getText()));
+        code.setId("live-code");
+        code.setAccessibleText(Messages.tr("QR code of the address"));
+        code.setPreserveRatio(true);
+        code.setSmooth(false);
+        code.managedProperty().bind(code.imageProperty().isNotNull());
+        code.visibleProperty().bind(code.managedProperty());
+        var codeBox = new HBox(code);
+        codeBox.setAlignment(Pos.CENTER);
+        codeBox.setMinHeight(Region.USE_PREF_SIZE);
         state.setId("live-state");
         state.getStyleClass().add("pane-note");
         state.setWrapText(true);
@@ -126,7 +142,7 @@ public final class LiveReviewPane extends VBox {
         notes.setAccessibleText(Messages.tr("Notes of reviewers"));
         notes.setPlaceholder(new Label(Messages.tr("Notes of reviewers appear here")));
         VBox.setVgrow(notes, Priority.ALWAYS);
-        getChildren().addAll(head, where, row(url, copy), row(state), notes);
+        getChildren().addAll(head, where, row(url, copy, open), row(state), codeBox, notes);
         counter.setCycleCount(Animation.INDEFINITE);
         show();
         VisibilityListener.attach(this, this::subscribe);
@@ -210,6 +226,9 @@ public final class LiveReviewPane extends VBox {
         }
         url.setText(review == null ? "" : review.url());
         copy.setDisable(review == null);
+        open.setDisable(review == null);
+        // Telephones reach this computer by an address for others only.
+        code.setImage(review == null || address.getText().isBlank() ? null : QrImage.of(review.url()));
         showState();
     }
 

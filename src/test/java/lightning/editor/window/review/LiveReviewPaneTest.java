@@ -2,6 +2,10 @@ package lightning.editor.window.review;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import javafx.scene.image.PixelReader;
+import javafx.scene.image.ImageView;
+import java.util.List;
+import java.util.ArrayList;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
@@ -73,6 +77,33 @@ class LiveReviewPaneTest extends EditorFixture {
         robot.interact(() -> model().editor().go());
         waitFor("the page has the new value", () -> !get("data").body().equals(before));
         assertThat(get("data").body()).contains("\"intensity\":" + 3.25 * lamp.intensity());
+    }
+
+    @Test
+    void openInBrowser_opensTheAddress() {
+        List<String> opened = new ArrayList<>();
+        robot.interact(() -> model().setBrowser(opened::add));
+        start(false);
+        click("live-open");
+        assertThat(opened).containsExactly(url());
+        assertThat(robot.lookup("#live-code").<ImageView>query().isVisible()).as("code of an address for this computer only").isFalse();
+    }
+
+    /** A code has three squares of seven modules in its corners, and four light modules around it (ISO/IEC 18004). */
+    @Test
+    void code_hasItsCornersAndABorder() {
+        PixelReader pixels = QrImage.of("https://192.168.1.5:8443/abcdef").getPixelReader();
+        int side = (int) QrImage.of("https://192.168.1.5:8443/abcdef").getWidth() / 4;
+        for (int i = 0; i < side; i++) {
+            assertThat(pixels.getArgb(4 * i, 12)).isEqualTo(0xFFFFFFFF);
+        }
+        for (int[] corner : new int[][] {{4, 4}, {side - 11, 4}, {4, side - 11}}) {
+            for (int i = 0; i < 7; i++) {
+                assertThat(pixels.getArgb(4 * (corner[0] + i), 4 * corner[1])).isEqualTo(0xFF000000);
+                boolean isDark = i != 1 && i != 5;
+                assertThat(pixels.getArgb(4 * (corner[0] + i), 4 * (corner[1] + 3))).isEqualTo(isDark ? 0xFF000000 : 0xFFFFFFFF);
+            }
+        }
     }
 
     @Test
