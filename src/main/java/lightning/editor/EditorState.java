@@ -43,7 +43,8 @@ import lightning.scene.node.SceneNode;
  * @param untitled         whether the document has no file of its own yet
  */
 @RecordBuilder
-public record EditorState(OpenDocument document, Scene scene, Optional<PictureArea> area, Scene traced, RenderState render, Optional<Scene> previousScene, boolean frameStep,
+public record EditorState(OpenDocument document, Scene scene, Optional<PictureArea> area, Scene traced, RenderState render,
+        Optional<Scene> previousScene, boolean frameStep,
         Optional<Scene> sceneInProgress, boolean verifying, boolean live, Optional<Light> selectedLight, Optional<SceneNode> selectedNode,
         Optional<String> undoLabel,
         Optional<String> redoLabel,
@@ -54,7 +55,8 @@ public record EditorState(OpenDocument document, Scene scene, Optional<PictureAr
 
     /** Returns the state of a document without an image, with nothing running or copied. */
     public static EditorState of(OpenDocument document) {
-        return new EditorState(document, document.scene(), Optional.empty(), document.scene(), RenderState.NONE, Optional.empty(), false, Optional.empty(), false, false,
+        return new EditorState(document, document.scene(), Optional.empty(), document.scene(), RenderState.NONE, Optional.empty(), false,
+                Optional.empty(), false, false,
                 Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), false, false,
                 Optional.empty(), false, Optional.empty(), 0, false).showing(document);
     }
@@ -64,7 +66,8 @@ public record EditorState(OpenDocument document, Scene scene, Optional<PictureAr
         EditHistory history = shown.history();
         Optional<Light> selected = shown.selectedLight();
         long id = selected.map(l -> history.id(l.name())).orElse(-1L);
-        return with(s -> s.document(shown).scene(shown.scene()).traced(traced(shown.scene(), area)).selectedLight(selected).selectedNode(shown.selection().node(shown.scene()))
+        return with(s -> s.document(shown).scene(shown.scene()).traced(traced(shown.scene(), area)).selectedLight(selected)
+                .selectedNode(shown.selection().node(shown.scene()))
                 .undoLabel(history.undoLabel()).redoLabel(history.redoLabel()).undoLightLabel(history.undoLabel(id))
                 .redoLightLabel(history.redoLabel(id)).dirty(shown.isDirty()).changedOnDisk(shown.isChangedOnDisk())
                 .shotFrame(shown.shotFrame()).untitled(shown.isUntitled()));

@@ -1,7 +1,6 @@
 package lightning.format.exchange;
 
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import lightning.base.file.ParentFolder;
@@ -50,7 +49,7 @@ public enum ImportLighting {
             case FILE -> imported;
             case STUDIO -> light(imported, "lights of the file replaced by a studio", StudioBuilder::studio, Optional.empty());
             case SKY -> light(imported, "lights of the file replaced by a sky", StudioBuilder::sky, Optional.empty());
-            case SOFTBOXES,STRIPS,RING -> light(imported);
+            case SOFTBOXES, STRIPS, RING -> light(imported);
         };
     }
 

@@ -18,10 +18,10 @@ import lightning.editor.window.model.PanelArrangement;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.UiLanguage;
 import lightning.editor.window.model.WindowLayout.CanvasLayout;
+import lightning.editor.window.model.WorkingSize;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.render.relight.SceneView;
 import lightning.scene.effects.ViewEffects;
-import lightning.editor.window.model.WorkingSize;
 
 /**
  * Returns an open editor to the state in which it opened: opens a document, closes all other windows and restores all settings. Call its

@@ -13,8 +13,8 @@ import lightning.format.jen.JenReader;
 import lightning.render.RenderOptions;
 import lightning.render.trace.Geometry;
 import lightning.sample.IndirectScenes;
-import lightning.scene.asset.Environment;
 import lightning.scene.Scene;
+import lightning.scene.asset.Environment;
 import lightning.scene.asset.EnvironmentMap;
 import org.junit.jupiter.api.Test;
 

@@ -1,7 +1,5 @@
 package lightning.editor.window.command;
 
-import static java.util.Objects.requireNonNull;
-
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;

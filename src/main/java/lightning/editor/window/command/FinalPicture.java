@@ -13,7 +13,6 @@ import lightning.render.RenderOptions;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
-import lightning.render.warmup.DelayedLanes;
 import lightning.scene.Scene;
 
 /**
@@ -59,7 +58,7 @@ record FinalPicture(EditorModel model, Scene scene, Optional<Frame> traced, Opti
             return;
         }
         model.files().windowExecutor().execute(() -> model.fileActivity().setTitle(file, Messages.tr("Rendering")));
-        try (var _ = new DelayedLanes(); var renderer = new Renderer(RenderOptions.DEFAULT.withMemory(HeapBudget.availableBytes()))) {
+        try (var renderer = new Renderer(RenderOptions.DEFAULT.withMemory(HeapBudget.availableBytes()))) {
             renderer.renderOrClear(scene, progress);
             if (progress.isCanceled()) {
                 throw new CancellationException();

@@ -115,7 +115,7 @@ final class ImportChooser extends VBox {
         return switch (choice.lighting()) {
             case STUDIO -> Messages.tr("Studio");
             case SKY -> Messages.tr("Sky");
-            case SOFTBOXES,STRIPS,RING -> Messages.tr("Photo Studio");
+            case SOFTBOXES, STRIPS, RING -> Messages.tr("Photo Studio");
             case FILE -> choice.units().map(units -> Messages.tr("The file's lights: {0}", unitTitle(units)))
                     .orElse(Messages.tr("The file's lights"));
         };

@@ -1,5 +1,6 @@
 package lightning.editor.window.contribution;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -9,7 +10,9 @@ import java.util.stream.Collectors;
 import javafx.animation.PauseTransition;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.scene.control.Button;
+import javafx.scene.control.ContextMenu;
 import javafx.scene.control.Label;
+import javafx.scene.control.MenuItem;
 import javafx.scene.control.TableCell;
 import javafx.scene.control.TableColumn;
 import javafx.scene.control.TableRow;
@@ -25,6 +28,8 @@ import javafx.util.Subscription;
 import lightning.base.text.Messages;
 import lightning.document.EditOutcome;
 import lightning.document.loop.Frame;
+import lightning.editor.Command;
+import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.PicturePointer;
@@ -43,6 +48,8 @@ import lightning.render.relight.LightContributions;
 import lightning.render.relight.LightThumbnails;
 import lightning.scene.Contribution;
 import lightning.scene.Scene;
+import lightning.scene.light.Light;
+import lightning.scene.value.SceneLimits;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -67,6 +74,7 @@ public final class ContributionPane extends VBox {
     private final DisabledReason switchOffReason;
     private final PauseTransition settleTimer = new PauseTransition(SETTLE_DELAY);
     private Map<Contribution, Double> sharesAtPointer = Map.of();
+    private Map<String, Long> shadowRays = Map.of();
     private Optional<LightContributions.Region> region = Optional.empty();
     private @Nullable LightContributions shown;
     private @Nullable Scene shownScene;
@@ -132,6 +140,7 @@ public final class ContributionPane extends VBox {
                 column(Messages.tr("Light"), this::title, Function.identity(), 130),
                 column(Messages.tr("Whole Frame"), LightContribution::imageShare, PercentText::format, 120),
                 column(Messages.tr("Region"), LightContribution::regionShare, PercentText::format, 80),
+                column(Messages.tr("Shadow Rays"), this::rayShare, PercentText::format, 100),
                 column(Messages.tr("Cursor"), c -> sharesAtPointer.getOrDefault(c.light(), Double.NaN),
                         p -> p.isNaN() ? "–" : PercentText.format(p), 80),
                 impact));
@@ -150,12 +159,42 @@ public final class ContributionPane extends VBox {
         });
         table.setRowFactory(_ -> {
             TableRow<LightContribution> row = new TableRow<>();
-            row.setOnMouseClicked(_ -> {
-                Optional.ofNullable(row.getItem()).flatMap(item -> item.light().light(editor.scene()))
-                        .ifPresent(light -> editor.selection().selectLight(light.name()));
-            });
+            row.setOnMouseClicked(_ -> light(row).ifPresent(light -> editor.selection().selectLight(light.name())));
+            row.setOnContextMenuRequested(e -> light(row)
+                    .ifPresent(
+                            light -> new ContextMenu(savings(light).toArray(MenuItem[]::new)).show(row, e.getScreenX(), e.getScreenY())));
             return row;
         });
+    }
+
+    /** Returns the share of a light in the shadow rays of all, as in their last full trace. */
+    private double rayShare(LightContribution contribution) {
+        long all = shadowRays.values().stream().mapToLong(Long::longValue).sum();
+        return all == 0 || shownScene == null ? 0
+                : contribution.light().light(shownScene).map(light -> shadowRays.getOrDefault(light.name(), 0L)).orElse(0L) / (double) all;
+    }
+
+    /** Returns what makes a light cheaper. */
+    private List<MenuItem> savings(Light light) {
+        CommandMenuItems items = CommandMenuItems.forMenu(model.commands());
+        List<MenuItem> savings = new ArrayList<>();
+        if (light.on()) {
+            savings.add(saving(items, Messages.tr("Switch Off"), light.withOn(false)));
+        }
+        int half = light.area().samples() / 2;
+        if (half >= SceneLimits.MIN_LIGHT_SAMPLES) {
+            savings.add(saving(items, Messages.tr("Halve Samples"), light.withArea(light.area().withSamples(half))));
+        }
+        return savings;
+    }
+
+    private MenuItem saving(CommandMenuItems items, String title, Light cheaper) {
+        return items.value(Command.CONTRIBUTIONS, title,
+                () -> editor.editOrReport(scene -> EditOutcome.of(() -> scene.withLight(cheaper))));
+    }
+
+    private Optional<Light> light(TableRow<LightContribution> row) {
+        return Optional.ofNullable(row.getItem()).flatMap(item -> item.light().light(editor.scene()));
     }
 
     private String title(LightContribution contribution) {
@@ -244,6 +283,7 @@ public final class ContributionPane extends VBox {
         shown = answer.contributions();
         placeholder.setText(Messages.tr("No lights"));
         shownScene = answer.scene();
+        shadowRays = model.updates().shadowRays();
         List<TableColumn<LightContribution, ?>> order = List.copyOf(table.getSortOrder());
         table.getItems().setAll(shown.lights());
         table.getSortOrder().setAll(order);

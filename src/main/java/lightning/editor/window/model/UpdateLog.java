@@ -2,6 +2,8 @@ package lightning.editor.window.model;
 
 import java.time.LocalTime;
 import java.time.ZoneId;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 import javafx.beans.value.ObservableValue;
 import javafx.collections.FXCollections;
@@ -40,6 +42,17 @@ public final class UpdateLog {
     /** Returns the entries, latest first. */
     public ObservableList<Entry> entries() {
         return FXCollections.unmodifiableObservableList(entries);
+    }
+
+    /**
+     * Returns the shadow rays of each light in the update of the log that cast the most for it: a full trace, unless the log has none.
+     *
+     * @return rays by the light's name; none for a light that casts none
+     */
+    public Map<String, Long> shadowRays() {
+        Map<String, Long> rays = new HashMap<>();
+        entries.forEach(entry -> entry.update().rays().shadows().forEach((light, count) -> rays.merge(light, count, Math::max)));
+        return rays;
     }
 
     /** Removes all entries: they are of a scene that is no longer open. */

@@ -1,6 +1,7 @@
 package lightning.editor.window.contribution;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import javafx.geometry.Bounds;
@@ -53,6 +54,24 @@ class ContributionPaneTest extends EditorFixture {
         waitFor("the summary is updated", () -> text("contribution-summary").startsWith("All lights"));
         robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(model().editor().scene()).isEqualTo(before);
+    }
+
+    @Test
+    void shadowRays_sayWhatEachLightCosts() {
+        Light soft = light("lamp").withName("soft");
+        robot.interact(() -> model().editor().edit(s -> LightEdits.add(s, soft.withArea(soft.area().withRadius(0.5).withSamples(64)))));
+        Scene scene = openWith(Light.of("below", LightType.POINT).withPosition(new lightning.base.math.Vec3(0, -50, 0)));
+        TableView<LightContribution> table = robot.lookup("#contribution-table").query();
+        var rays = table.getColumns().stream().filter(column -> column.getText().equals("Shadow Rays")).findFirst().orElseThrow();
+        double all = 0;
+        double ofSoft = 0;
+        for (int row = 0; row < table.getItems().size(); row++) {
+            double share = (double) rays.getCellData(row);
+            all += share;
+            ofSoft = table.getItems().get(row).light().title(scene).equals("soft") ? share : ofSoft;
+        }
+        assertThat(all).isCloseTo(1, within(1e-9));
+        assertThat(ofSoft).as("a light with many samples").isGreaterThan(0.5);
     }
 
     @Test

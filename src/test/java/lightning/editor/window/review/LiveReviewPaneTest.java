@@ -2,17 +2,17 @@ package lightning.editor.window.review;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import javafx.scene.image.PixelReader;
-import javafx.scene.image.ImageView;
-import java.util.List;
-import java.util.ArrayList;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.util.ArrayList;
+import java.util.List;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.ListView;
 import javafx.scene.control.TextField;
+import javafx.scene.image.ImageView;
+import javafx.scene.image.PixelReader;
 import lightning.editor.Command;
 import lightning.editor.window.EditorFixture;
 import lightning.scene.Scene;
