@@ -28,9 +28,10 @@ class Materials:
         self.known: dict[Any, int] = {}
 
     def of(self, prim: Usd.Prim) -> int:
-        """Returns the index of the material that is bound to a prim; -1 if none can be imported."""
+        """Returns the index of the material that is bound to a prim for a final picture; -1 if none can be imported."""
         api = UsdShade.MaterialBindingAPI(prim)
-        bound = [api.ComputeBoundMaterial(purpose)[0] for purpose in (UsdShade.Tokens.allPurpose, UsdShade.Tokens.preview, UsdShade.Tokens.full)]
+        # A purpose without a binding of its own takes the general one.
+        bound = [api.ComputeBoundMaterial(purpose)[0] for purpose in (UsdShade.Tokens.full, UsdShade.Tokens.preview)]
         return self.index(next((material for material in bound if material), bound[0]))
 
     def subsets(self, prim: Usd.Prim) -> list[dict[str, Any]]:
@@ -164,7 +165,11 @@ class Materials:
             if str(UsdShade.Shader(attribute.GetPrim()).GetIdAttr().Get() or "").startswith(DIRECTIONS):
                 return
             texture = self.texture(UsdShade.Shader(attribute.GetPrim()), attribute.GetName().split(":")[-1], target in NUMBERS, result)
-            if texture:
+            if texture and "fallback" in texture:
+                self.out.note("textures that are missing, replaced by their fallback color")
+                values = texture["fallback"]
+                result[target] = values[:3] if isinstance(fallback, list) else values["rgba".find(texture["channel"][:1])]
+            elif texture:
                 result["textures"][target] = texture
             else:
                 self.out.note("shading networks other than a texture")
@@ -246,6 +251,10 @@ class Materials:
         texture: dict[str, Any] = {"channel": CHANNELS.get(channel, channel), **self.out.file(path)}
         if "<UDIM>" in path.path:
             texture["tiles"] = self.tiles(shader.GetInput("file"), path)
+        missing = self.value(shader, "fallback", None) if is_preview_image(kind) and not texture.keys() & {"place", "tiles"} else None
+        if missing is not None:
+            texture["fallback"] = self.out.vector(shader.GetPrim(), "inputs:fallback", missing, [0.0, 0.0, 0.0, 1.0])
+            return texture
         for name in ("scale", "bias") if is_preview_image(kind) else ():
             value = self.value(shader, name, None)
             if value is not None:

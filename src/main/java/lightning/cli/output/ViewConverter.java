@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import lightning.base.file.FileErrorMessage;
 import lightning.base.text.Quote;
 import lightning.base.text.RefusalException;
@@ -28,7 +29,8 @@ import picocli.CommandLine.TypeConversionException;
 final class ViewConverter implements ITypeConverter<ViewChoice> {
     @Override
     public ViewChoice convert(String text) {
-        return OcioReference.isReference(text) ? ocio(text) : new ViewChoice(transform(text), List.of());
+        List<String> notes = new ArrayList<>();
+        return OcioReference.isReference(text) ? ocio(text) : new ViewChoice(transform(text, notes::add), notes);
     }
 
     private static ViewChoice ocio(String text) {
@@ -44,14 +46,14 @@ final class ViewConverter implements ITypeConverter<ViewChoice> {
         }
     }
 
-    private static ViewTransform transform(String text) {
+    private static ViewTransform transform(String text, Consumer<String> notes) {
         int plus = text.indexOf('+');
         String word = plus < 0 ? text : text.substring(0, plus);
         Optional<DisplayCurve> curve = Arrays.stream(DisplayCurve.values()).filter(c -> c.word().equals(word)).findFirst();
         boolean isLog = word.equals(Log2Shaper.WORD) || word.startsWith(Log2Shaper.WORD + ":");
         ViewTransform view = ViewTransform.DEFAULT.withCurve(curve.orElse(DisplayCurve.SRGB));
         if (!isLog && curve.isEmpty()) {
-            return view.withLut(Optional.of(table(text)));
+            return view.withLut(Optional.of(table(text, notes)));
         }
         if (isLog) {
             view = view.withShaper(Optional.of(shaper(word)));
@@ -62,7 +64,7 @@ final class ViewConverter implements ITypeConverter<ViewChoice> {
         if (plus < 0) {
             return view;
         }
-        CubeLut table = table(text.substring(plus + 1));
+        CubeLut table = table(text.substring(plus + 1), notes);
         if (table.log().isPresent()) {
             throw new TypeConversionException(Quote.path(table.file()) + " is made for " + table.log().get().text()
                     + " and replaces the transform; use it without " + word + "+");
@@ -81,13 +83,13 @@ final class ViewConverter implements ITypeConverter<ViewChoice> {
         }
     }
 
-    private static CubeLut table(String file) {
+    private static CubeLut table(String file, Consumer<String> notes) {
         if (!file.endsWith(CubeLutReader.EXTENSION)) {
             throw new TypeConversionException(
                     "expected srgb, 1998, filmic, aces, aces2, agx, false, ocio:DISPLAY/VIEW or a .cube file, found " + Quote.of(file));
         }
         try {
-            return CubeLutReader.read(Path.of(file));
+            return CubeLutReader.read(Path.of(file), notes);
         } catch (InvalidPathException | IOException e) {
             throw new TypeConversionException("expected a .cube LUT: " + e.getMessage());
         }

@@ -1,5 +1,7 @@
 package lightning.format.gltf;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
@@ -138,21 +140,26 @@ public record GltfFile(Path path, JsonValue root, boolean isBinary, byte @Nullab
             throw source.problem("version", "must be 2, was " + Integer.toUnsignedString(version));
         }
         source.int32();
-        JsonNode json = parse(source, readChunk(source, JSON_CHUNK, "JSON"), mapper);
-        byte[] data = source.remaining() >= 8 ? readChunk(source, BINARY_CHUNK, "BIN") : null;
+        JsonNode json = parse(source, requireNonNull(readChunk(source, JSON_CHUNK, "JSON")), mapper);
+        byte[] data = null;
+        while (source.remaining() >= 8 && data == null) {
+            data = readChunk(source, BINARY_CHUNK, "BIN");
+        }
         return new GltfFile(source.file(), json, true, data, progress);
     }
 
-    private static byte[] readChunk(ByteSource source, int type, String name) throws IOException, MeshException {
+    /** Reads a chunk; returns null if it is one of extensions, after that of the JSON, which readers must skip. */
+    private static byte @Nullable [] readChunk(ByteSource source, int type, String name) throws IOException, MeshException {
         long length = source.int32() & 0xFFFF_FFFFL;
         int found = source.int32();
-        if (found != type) {
+        if (found != type && type == JSON_CHUNK) {
             throw source.problem("chunk " + name, "must come next, found one of another type");
         }
         if (length > source.remaining()) {
             throw source.problem("chunk " + name, "has " + length + " bytes by its header, but only " + source.remaining() + " follow");
         }
-        return source.bytes((int) length);
+        byte[] content = source.bytes((int) length);
+        return found == type ? content : null;
     }
 
     private static JsonNode parse(ByteSource source, byte[] json, JsonMapper mapper) throws MeshException {

@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Consumer;
 import lightning.base.file.RegularFile;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
@@ -18,6 +19,7 @@ import lightning.render.image.Log2Shaper;
  * Reader for {@code .cube} LUTs (Cube LUT Specification 1.0, Adobe, 2013): {@code TITLE}, {@code LUT_1D_SIZE} or {@code
  * LUT_3D_SIZE}, {@code DOMAIN_MIN}, {@code DOMAIN_MAX}, then three numbers per line, red fastest. {@code LUT_1D_INPUT_RANGE}
  * and {@code LUT_3D_INPUT_RANGE} of other programs set the same domain for all channels of one table; their files may have curves before a lattice.
+ * Lines before the numbers that begin with any other word are information for other programs, such as {@code LUT_IN_VIDEO_RANGE} of cameras.
  *
  * <p>The comment {@code # LIGHTNING_SHAPER log2:-9,12} says that the table is made for a logarithm of linear light.
  */
@@ -34,6 +36,7 @@ public final class CubeLutReader {
     private static final int MAX_QUOTED_LENGTH = 40;
 
     private final Path file;
+    private final Consumer<String> notes;
     private int line;
     private Optional<Log2Shaper> log = Optional.empty();
     private final Table curves = new Table();
@@ -53,18 +56,25 @@ public final class CubeLutReader {
         }
     }
 
-    private CubeLutReader(Path file) {
+    private CubeLutReader(Path file, Consumer<String> notes) {
         this.file = file;
+        this.notes = notes;
+    }
+
+    /** Reads a LUT as below, without notes. */
+    public static CubeLut read(Path file) throws IOException {
+        return read(file, _ -> {});
     }
 
     /**
      * Reads a LUT.
      *
+     * @param notes receives a sentence for each line that is not used
      * @throws IOException if the file cannot be read, has more than {@link #MAX_BYTES} bytes, or is not a valid LUT; the
      *     message is a sentence with file, line, expected and found content
      */
-    public static CubeLut read(Path file) throws IOException {
-        return new CubeLutReader(file)
+    public static CubeLut read(Path file, Consumer<String> notes) throws IOException {
+        return new CubeLutReader(file, notes)
                 .readTable(new String(RegularFile.readBytes(file, "a .cube LUT", MAX_BYTES), StandardCharsets.UTF_8));
     }
 
@@ -173,6 +183,10 @@ public final class CubeLutReader {
     /** Reads a line of the table; curves stand before the lattice. */
     private void readColor(String[] words, String text) throws IOException {
         boolean isNumber = DecimalNumber.parse(words[0]).isPresent();
+        if (!isNumber && curves.filledCount + lattice.filledCount == 0 && Character.isLetter(words[0].codePointAt(0))) {
+            notes.accept(file.getFileName() + ", line " + line + ": " + quoted(text) + " is not used");
+            return;
+        }
         if (!isNumber) {
             throw problem("three numbers or one of " + String.join(", ", KEYWORDS), quoted(text));
         }

@@ -11,7 +11,8 @@ import lightning.scene.value.SceneLimits;
 
 /**
  * Reader for Radiance {@code .hdr} images: RGB with a shared 8-bit exponent (Ward, Real Pixels, Graphics Gems II, 1991),
- * flat or run-length encoded, also in the old way. The picture may be mirrored or turned; the header's exposure is divided out.
+ * flat or run-length encoded, also in the old way. The picture may be mirrored or turned; the header's exposure and color correction are divided
+ * out. CIE XYZ becomes linear sRGB (IEC 61966-2-1); colors outside it are clamped.
  */
 final class RadianceImage extends ImageSource {
     private static final int MAX_HEADER_BYTES = 1 << 16;
@@ -23,6 +24,9 @@ final class RadianceImage extends ImageSource {
     private int next;
     private int line;
     private double exposure = 1;
+    /** Factors of red, green and blue that are in the pixels. */
+    private final double[] correction = {1, 1, 1};
+    private boolean isXyz;
 
     /**
      * Reads the header of a file.
@@ -96,13 +100,20 @@ final class RadianceImage extends ImageSource {
                 int column = isTurned ? scan : i;
                 int row = isTurned ? i : scan;
                 double scale = scales[pixel[3 * length + i] & 0xFF];
-                for (int c = 0; c < 3; c++) {
-                    rgb[c] = (float) Math.min((pixel[c * length + i] & 0xFF) * scale, SceneLimits.MAX_EMISSION);
-                }
+                double x = (pixel[i] & 0xFF) * scale;
+                double y = (pixel[length + i] & 0xFF) * scale;
+                double z = (pixel[2 * length + i] & 0xFF) * scale;
+                rgb[0] = limited((isXyz ? 3.2406 * x - 1.5372 * y - 0.4986 * z : x) / correction[0]);
+                rgb[1] = limited((isXyz ? -0.9689 * x + 1.8758 * y + 0.0415 * z : y) / correction[1]);
+                rgb[2] = limited((isXyz ? 0.0557 * x - 0.2040 * y + 1.0570 * z : z) / correction[2]);
                 sink.accept(isLeftward ? width() - 1 - column : column, isUpward ? height() - 1 - row : row, rgb);
             }
         }
         next = start;
+    }
+
+    private static float limited(double v) {
+        return (float) Math.clamp(v, 0, SceneLimits.MAX_EMISSION);
     }
 
     /** Parses a side length in pixels, clamped to a number that no image can have. */
@@ -119,9 +130,12 @@ final class RadianceImage extends ImageSource {
         for (String s = readLine(); !s.isEmpty(); s = readLine()) {
             Matcher m = EXPOSURE.matcher(s);
             if (s.startsWith("FORMAT=")) {
-                if (!s.strip().equals("FORMAT=32-bit_rle_rgbe")) {
-                    throw problem("the format must be 32-bit_rle_rgbe, was " + Quote.of(s.substring(7)));
+                isXyz = s.strip().equals("FORMAT=32-bit_rle_xyze");
+                if (!isXyz && !s.strip().equals("FORMAT=32-bit_rle_rgbe")) {
+                    throw problem("the format must be 32-bit_rle_rgbe or 32-bit_rle_xyze, was " + Quote.of(s.substring(7)));
                 }
+            } else if (s.startsWith("COLORCORR=")) {
+                correct(s.substring(10).strip().split(" +"));
             } else if (m.matches()) {
                 exposure *= parseExposure(m.group(1));
             } else if (s.startsWith("EXPOSURE=")) {
@@ -138,10 +152,24 @@ final class RadianceImage extends ImageSource {
 
     private double parseExposure(String text) throws IOException {
         double v = DecimalNumber.parse(text).orElse(0);
-        if (!(v >= 1e-30 && v <= 1e30) || !(exposure * v >= 1e-30 && exposure * v <= 1e30)) {
+        if (!isFactor(v) || !isFactor(exposure * v)) {
             throw problem("an exposure must be a number from 1e-30 to 1e30, was " + Quote.of(text));
         }
         return v;
+    }
+
+    /** Multiplies the correction by three factors, as several lines of a header do. */
+    private void correct(String[] words) throws IOException {
+        for (int c = 0; c < 3; c++) {
+            correction[c] *= words.length == 3 ? DecimalNumber.parse(words[c]).orElse(0) : 0;
+            if (!isFactor(correction[c])) {
+                throw problem("a color correction must be three numbers from 1e-30 to 1e30, was " + Quote.of(String.join(" ", words)));
+            }
+        }
+    }
+
+    private static boolean isFactor(double v) {
+        return v >= 1e-30 && v <= 1e30;
     }
 
     private String readLine() throws IOException {

@@ -3,6 +3,9 @@ package lightning.format.exchange;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
+import java.nio.ByteOrder;
+import java.nio.ByteBuffer;
+import java.io.ByteArrayOutputStream;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -64,6 +67,21 @@ class SceneImporterTest {
     void makeFolders() throws IOException {
         from = Files.createDirectory(folder.resolve("from"));
         to = Files.createDirectory(folder.resolve("to")).resolve("a.jen");
+    }
+
+    /** Chunks of extensions may stand before and after that of the buffers; readers skip them (glTF 2.0, 4.4.3). */
+    @Test
+    void unknownChunks_areSkipped() throws Exception {
+        byte[] plain = GltfFixtures.binary(SCENE, GltfFixtures.SQUARE);
+        int binary = plain.length - GltfFixtures.SQUARE.length - 8;
+        ByteBuffer chunk = ByteBuffer.allocate(16).order(ByteOrder.LITTLE_ENDIAN).putInt(8).putInt(0x544D4853).putLong(-1);
+        var more = new ByteArrayOutputStream();
+        more.write(plain, 0, binary);
+        more.writeBytes(chunk.array());
+        more.write(plain, binary, plain.length - binary);
+        more.writeBytes(chunk.array());
+        String expected = read(Files.write(from.resolve("a.glb"), plain)).text();
+        assertThat(read(Files.write(from.resolve("a.glb"), more.toByteArray())).text()).isEqualTo(expected).contains("mesh");
     }
 
     @Test

@@ -86,11 +86,21 @@ class UsdSettingsTest {
         assertThat(scene.scene().placedShapes().getFirst().material().base()).isEqualTo(new Rgb(1, 0, 0));
     }
 
-    @Test
-    void bindingOfAllPurposes_winsOverPreviewAndFull() throws Exception {
-        ImportedScene scene = imported("", square("rel material:binding = </red>\nrel material:binding:full = </other>")
+    @ParameterizedTest
+    @CsvSource({"full, other", "preview, red"})
+    void bindingForFull_winsOverTheGeneralOneAndThatOverPreview(String purpose, String material) throws Exception {
+        ImportedScene scene = imported("", square("rel material:binding = </red>\nrel material:binding:" + purpose + " = </other>")
                 + MATERIAL.replace("%s", "") + MATERIAL.replace("%s", "").replace("red", "other").replace("(1, 0, 0)", "(0, 1, 0)"));
-        assertThat(scene.scene().placedShapes().getFirst().material().name()).isEqualTo("red");
+        assertThat(scene.scene().placedShapes().getFirst().material().name()).isEqualTo(material);
+    }
+
+    @Test
+    void fallbackColor_standsForAMissingTexture() throws Exception {
+        ImportedScene scene = imported("", square("rel material:binding = </red>") + MATERIAL.replace("%s", "")
+                .replace("inputs:diffuseColor = (1, 0, 0)", "inputs:diffuseColor.connect = </red/image.outputs:rgb>")
+                .replace("@w.png@", "@gone.png@\nfloat4 inputs:fallback = (0, 1, 0, 1)"));
+        assertThat(scene.scene().placedShapes().getFirst().material().base()).isEqualTo(new Rgb(0, 1, 0));
+        assertThat(scene.notes()).containsEntry("textures that are missing, replaced by their fallback color", 1);
     }
 
     @Test

@@ -2,6 +2,7 @@ package lightning.format.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -60,6 +61,26 @@ class RadianceImageTest {
     }
 
     @Test
+    void colorCorrection_isDividedOut() throws Exception {
+        Texture image = read(HEADER.replace("# by hand", "COLORCORR=2 1 4\nCOLORCORR= 1 0.5 1"), TWO_PIXELS);
+        Texture plain = read(HEADER, TWO_PIXELS);
+        for (int c = 0; c < 3; c++) {
+            assertThat(image.channel(0, 0, c)).isEqualTo(plain.channel(0, 0, c) / new float[] {2, 0.5f, 4}[c]);
+        }
+    }
+
+    /** White of sRGB, D65, has X 0.9505, Y 1 and Z 1.089; red has 0.4124, 0.2126 and 0.0193 (IEC 61966-2-1). */
+    @Test
+    void xyz_becomesRgb() throws Exception {
+        byte[] xyz = {122, (byte) 128, (byte) 139, (byte) 129, (byte) 211, 109, 10, 127};
+        Texture image = read(HEADER.replace("rgbe", "xyze"), xyz);
+        for (int c = 0; c < 3; c++) {
+            assertThat(image.channel(0, 0, c)).isCloseTo(1, within(0.02f));
+            assertThat(image.channel(1, 0, c)).isCloseTo(c == 0 ? 1 : 0, within(0.02f)).isNotNegative();
+        }
+    }
+
+    @Test
     void runs_areExpanded() throws Exception {
         byte[] runs = {2, 2, 0, 9, (byte) (128 + 9), (byte) 128, (byte) (128 + 8), 64, 1, 32, 9, 0, 0, 0, 0, 0, 0, 0, 0, 0,
             (byte) (128 + 9), (byte) 129};
@@ -78,7 +99,7 @@ class RadianceImageTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
         "#?RADIANCE | RADIANCE | line 1: a Radiance HDR image must begin with #?RADIANCE or #?RGBE, was 'RADIANCE'",
-        "rgbe | xyze | line 3: the format must be 32-bit_rle_rgbe, was '32-bit_rle_xyze'",
+        "rgbe | luv | line 3: the format must be 32-bit_rle_rgbe or 32-bit_rle_xyze, was '32-bit_rle_luv'",
         "-Y 1 +X 2 | +X 2 -X 1 | line 5: the size must be written as -Y HEIGHT +X WIDTH, was '+X 2 -X 1'",
         "-Y 1 +X 2 | -Y 0 +X 2 | x.hdr: must have from 1 to 16384 pixels along each side, has 2×0",
         "-Y 1 +X 2 | -Y 99999 +X 99999 | x.hdr: must have from 1 to 16384 pixels along each side, has 99999×99999",

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
+import java.util.ArrayList;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -132,13 +134,22 @@ class CubeLutTest {
         "LUT_1D_SIZE 2;LUT_1D_SIZE 2 | line 2: expected one size of a table in a file, found LUT_1D_SIZE again",
         "0 0 0 | line 1: expected LUT_1D_SIZE or LUT_3D_SIZE before the numbers, found '0 0 0'",
         "# nothing | line 1: expected LUT_1D_SIZE or LUT_3D_SIZE, found the end of the file",
-        "JPEG | line 1: expected three numbers or one of TITLE, LUT_1D_SIZE",
+        "JPEG | line 1: expected LUT_1D_SIZE or LUT_3D_SIZE, found the end of the file",
+        "LUT_1D_SIZE 2;0 0 0;JPEG | line 3: expected three numbers or one of TITLE, LUT_1D_SIZE",
         "DOMAIN_MIN 0 1 | line 1: expected three numbers from -10⁹ to 10⁹ after DOMAIN_MIN, found 'DOMAIN_MIN 0 1'",
         "LUT_1D_SIZE 2;0 0 0;DOMAIN_MAX 2 2 2 | line 3: expected DOMAIN_MAX before the table, found it after 1 lines",
         "DOMAIN_MAX 1 0 1;LUT_1D_SIZE 2;0 0 0;1 1 1 | expected DOMAIN_MIN below DOMAIN_MAX in each channel, found 0.0 and 0.0"})
     void problems_reportLineExpectedAndFound(String text, String problem) {
         assertThatThrownBy(() -> table(text.replace(';', '\n'))).isInstanceOf(IOException.class).hasMessageContaining("look.cube, ")
                 .hasMessageContaining(problem);
+    }
+
+    @Test
+    void linesForOtherPrograms_areNoted() throws IOException {
+        List<String> notes = new ArrayList<>();
+        Path file = Files.writeString(folder.resolve("camera.cube"), "LUT_1D_SIZE 2\nLUT_IN_VIDEO_RANGE\nFOO BAR\n1 1 1\n0 0 0\n");
+        assertThat(of(CubeLutReader.read(file, notes::add), 0.25, 0.5, 1)).containsExactly(new double[] {0.75, 0.5, 0}, within(1e-7));
+        assertThat(notes).containsExactly("camera.cube, line 2: 'LUT_IN_VIDEO_RANGE' is not used", "camera.cube, line 3: 'FOO BAR' is not used");
     }
 
     /** Curves of 0 to 2 that invert, then a lattice that inverts again; after a byte order mark. */

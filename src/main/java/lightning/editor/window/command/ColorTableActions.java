@@ -2,7 +2,11 @@ package lightning.editor.window.command;
 
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import lightning.base.file.ParentFolder;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
@@ -53,13 +57,19 @@ public final class ColorTableActions {
             setTable(Optional.empty());
         } else {
             prompt.tableToOpen(ParentFolder.of(model.editor().document().proposedFile("lut"))).ifPresent(file -> model.files()
-                    .runConcurrently(() -> CubeLutReader.read(file), table -> {
-                        setTable(Optional.of(table));
-                        model.editor().message()
-                                .show(Messages.tr("Loaded LUT {0}, {1}", Quote.path(file.getFileName()), table.sizeText()));
+                    .runConcurrently(() -> {
+                        List<String> notes = new ArrayList<>();
+                        return new Loaded(CubeLutReader.read(file, notes::add), notes);
+                    }, loaded -> {
+                        setTable(Optional.of(loaded.table()));
+                        model.editor().message().show(Stream.concat(Stream.of(Messages.tr("Loaded LUT {0}, {1}",
+                                Quote.path(file.getFileName()), loaded.table().sizeText())), loaded.notes().stream())
+                                .collect(Collectors.joining("; ")));
                     }, failure -> notices.showFailure(Messages.tr("The LUT could not be read"), failure)));
         }
     }
+
+    private record Loaded(CubeLut table, List<String> notes) {}
 
     private void setTable(Optional<CubeLut> table) {
         show(model, table);
