@@ -23,6 +23,7 @@ final class SampleSolids {
         all.put("decanter", new ParametricSurface(96, 120, true, decanter().revolve()));
         all.put("cognac", new ParametricSurface(96, 60, true, cognac().revolve()));
         all.putAll(StageProps.all());
+        all.putAll(ConcertProps.all());
         all.put("land", new ParametricSurface(150, 150, false, Terrain::at));
         return all;
     }
