@@ -24,6 +24,7 @@ final class SampleSolids {
         all.put("cognac", new ParametricSurface(96, 60, true, cognac().revolve()));
         all.putAll(StageProps.all());
         all.putAll(ConcertProps.all());
+        all.putAll(ShopProps.all());
         all.put("land", new ParametricSurface(150, 150, false, Terrain::at));
         return all;
     }
