@@ -21,6 +21,8 @@ record ShippedScene(String name, String title) {
     /** All scenes, in the order of the page: the most attractive first, those of the 1998 paper last. */
     static final List<ShippedScene> ALL = List.of(
             new ShippedScene("stage", Messages.key("Theater Stage")),
+            new ShippedScene("concert", Messages.key("Concert in Haze (Shot)")),
+            new ShippedScene("shop_window", Messages.key("Shop Window")),
             new ShippedScene("product", Messages.key("Glass and Cognac")),
             new ShippedScene("still_life", Messages.key("Still Life")),
             new ShippedScene("window", Messages.key("Room by a Window")),
