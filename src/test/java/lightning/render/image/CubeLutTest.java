@@ -4,11 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.List;
-import java.util.ArrayList;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import lightning.format.image.CubeLutReader;
@@ -149,7 +149,8 @@ class CubeLutTest {
         List<String> notes = new ArrayList<>();
         Path file = Files.writeString(folder.resolve("camera.cube"), "LUT_1D_SIZE 2\nLUT_IN_VIDEO_RANGE\nFOO BAR\n1 1 1\n0 0 0\n");
         assertThat(of(CubeLutReader.read(file, notes::add), 0.25, 0.5, 1)).containsExactly(new double[] {0.75, 0.5, 0}, within(1e-7));
-        assertThat(notes).containsExactly("camera.cube, line 2: 'LUT_IN_VIDEO_RANGE' is not used", "camera.cube, line 3: 'FOO BAR' is not used");
+        assertThat(notes).containsExactly("camera.cube, line 2: 'LUT_IN_VIDEO_RANGE' is not used",
+                "camera.cube, line 3: 'FOO BAR' is not used");
     }
 
     /** Curves of 0 to 2 that invert, then a lattice that inverts again; after a byte order mark. */
