@@ -41,6 +41,8 @@ final class ScreenRobot {
     private boolean run() throws Exception {
         Files.copy(Path.of("scenes/balls.jen"), scene);
         copyTextures();
+        // The picture has the size of those that the command line renders.
+        Files.writeString(Files.createDirectories(folder.resolve("data")).resolve("preferences.properties"), "working-size=SCENE\n");
         BufferedImage before = rendered("before.png");
         Process editor = startProgram("editor", scene.toString());
         try {
