@@ -97,7 +97,8 @@ final class ImportCommand implements Callable<Integer> {
 
     @Option(names = "--lighting", paramLabel = "LIGHTS",
             description = "Lights of the scene: file (the file's own), studio (soft key, fill and rim lights on a cyclorama), sky (sun, "
-                    + "sky and ground), or an image of a photo studio: softboxes, strips or ring. All but file fit the size of the subject, frame it if the file has no camera, and smooth edges "
+                    + "sky and ground), or an image of a photo studio: softboxes, strips or ring. All but file fit the "
+                    + "size of the subject, frame it if the file has no camera, and smooth edges "
                     + "(default: file).")
     private ImportLighting lighting = ImportLighting.FILE;
 

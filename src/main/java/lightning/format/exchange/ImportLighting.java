@@ -1,8 +1,10 @@
 package lightning.format.exchange;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Function;
+import lightning.base.file.FileErrorMessage;
 import lightning.base.file.ParentFolder;
 import lightning.base.file.ShippedFile;
 import lightning.base.text.RefusalException;
@@ -42,7 +44,7 @@ public enum ImportLighting {
     /**
      * Returns the scene with this lighting. Takes a moment for large scenes.
      *
-     * @throws RefusalException if the image of this lighting is missing
+     * @throws RefusalException if the image of this lighting is missing or cannot be read
      */
     public ImportedScene apply(ImportedScene imported) {
         return switch (this) {
@@ -67,8 +69,8 @@ public enum ImportLighting {
             var copy = new AssetCopy(ParentFolder.of(imported.sceneFile()).resolve(image), file, null);
             return light(imported, "lights of the file replaced by the image of a studio", builder -> builder.inside(environment),
                     Optional.of(copy));
-        } catch (java.io.IOException e) {
-            throw new RefusalException(file + ": " + e.getMessage());
+        } catch (IOException e) {
+            throw new RefusalException(FileErrorMessage.of(e));
         }
     }
 }

@@ -38,6 +38,7 @@ final class StudioBuilder {
     private static final String CAMERA_BELOW = "the camera is below the ground of the lighting; another was added";
     private static final Rgb STUDIO_BACKGROUND = new Rgb(0.1, 0.11, 0.13);
     private static final Rgb SKY_BACKGROUND = new Rgb(0.4, 0.58, 0.86);
+    private static final Rgb GROUND_COLOR = new Rgb(0.36, 0.35, 0.33);
     private static final double COVE_RADIUS = 2.5;
     private static final double COVE_Z = -4;
     private static final int COVE_STRIPS = 24;
@@ -137,12 +138,12 @@ final class StudioBuilder {
                 .withDirection(new Vec3(0, -1, 0));
         return build(
                 List.of(sun.withArea(sun.area().withSpread(1).withSamples(8)), dome.withArea(dome.area().withSpread(90).withSamples(32))),
-                SKY_BACKGROUND, new Rgb(0.36, 0.35, 0.33), this::ground);
+                SKY_BACKGROUND, GROUND_COLOR, this::ground);
     }
 
     /** Returns the scene inside the image of a studio, whose middle is behind the camera. */
     Scene inside(Environment environment) {
-        Scene lit = build(List.of(), Rgb.BLACK, new Rgb(0.36, 0.35, 0.33), this::ground);
+        Scene lit = build(List.of(), Rgb.BLACK, GROUND_COLOR, this::ground);
         return lit.withWorld(lit.world().withEnvironment(Optional.of(environment))
                 .withOwn(dome -> dome.withRotation(DomeRotation.of(frame.rotation(), 0, 0))));
     }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import lightning.base.math.CieXyz;
 import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
 import lightning.scene.asset.TextureUsage;
@@ -12,7 +13,7 @@ import lightning.scene.value.SceneLimits;
 /**
  * Reader for Radiance {@code .hdr} images: RGB with a shared 8-bit exponent (Ward, Real Pixels, Graphics Gems II, 1991),
  * flat or run-length encoded, also in the old way. The picture may be mirrored or turned; the header's exposure and color correction are divided
- * out. CIE XYZ becomes linear sRGB (IEC 61966-2-1); colors outside it are clamped.
+ * out. CIE XYZ becomes linear sRGB; colors outside it are clamped.
  */
 final class RadianceImage extends ImageSource {
     private static final int MAX_HEADER_BYTES = 1 << 16;
@@ -103,9 +104,9 @@ final class RadianceImage extends ImageSource {
                 double x = (pixel[i] & 0xFF) * scale;
                 double y = (pixel[length + i] & 0xFF) * scale;
                 double z = (pixel[2 * length + i] & 0xFF) * scale;
-                rgb[0] = limited((isXyz ? 3.2406 * x - 1.5372 * y - 0.4986 * z : x) / correction[0]);
-                rgb[1] = limited((isXyz ? -0.9689 * x + 1.8758 * y + 0.0415 * z : y) / correction[1]);
-                rgb[2] = limited((isXyz ? 0.0557 * x - 0.2040 * y + 1.0570 * z : z) / correction[2]);
+                rgb[0] = limited((isXyz ? CieXyz.red(x, y, z) : x) / correction[0]);
+                rgb[1] = limited((isXyz ? CieXyz.green(x, y, z) : y) / correction[1]);
+                rgb[2] = limited((isXyz ? CieXyz.blue(x, y, z) : z) / correction[2]);
                 sink.accept(isLeftward ? width() - 1 - column : column, isUpward ? height() - 1 - row : row, rgb);
             }
         }

@@ -1,5 +1,6 @@
 package lightning.scene.sky;
 
+import lightning.base.math.CieXyz;
 import lightning.base.math.Rgb;
 
 /**
@@ -56,8 +57,7 @@ final class SolarSpectrum {
             y += power * Y[i];
             z += power * Z[i];
         }
-        return new Rgb(Math.max(3.2406 * x - 1.5372 * y - 0.4986 * z, 0), Math.max(-0.9689 * x + 1.8758 * y + 0.0415 * z, 0),
-                Math.max(0.0557 * x - 0.2040 * y + 1.0570 * z, 0));
+        return CieXyz.rgb(x, y, z);
     }
 
     private static double lobe(double wavelength, double mean, double below, double above) {

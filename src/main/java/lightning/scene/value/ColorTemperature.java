@@ -1,5 +1,6 @@
 package lightning.scene.value;
 
+import lightning.base.math.CieXyz;
 import lightning.base.math.Rgb;
 
 /**
@@ -26,12 +27,7 @@ public final class ColorTemperature {
         SceneLimits.checkRange("temperature", kelvin, MIN, MAX);
         double x = chromaticityX(kelvin);
         double y = chromaticityY(kelvin, x);
-        double cieX = x / y;
-        double cieZ = (1 - x - y) / y;
-        double r = 3.2406 * cieX - 1.5372 - 0.4986 * cieZ;
-        double g = -0.9689 * cieX + 1.8758 + 0.0415 * cieZ;
-        double b = 0.0557 * cieX - 0.2040 + 1.0570 * cieZ;
-        Rgb mixed = new Rgb(Math.max(r, 0), Math.max(g, 0), Math.max(b, 0));
+        Rgb mixed = CieXyz.rgb(x / y, 1, (1 - x - y) / y);
         double max = mixed.max();
         return new Rgb(mixed.r() / max, mixed.g() / max, mixed.b() / max);
     }

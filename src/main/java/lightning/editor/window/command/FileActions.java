@@ -32,7 +32,6 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusMessage;
 import lightning.format.exchange.ImportLighting;
 import lightning.format.exchange.ImportOptions;
-import lightning.format.exchange.IndirectChoice;
 import lightning.format.exchange.SceneImporter;
 import lightning.format.exchange.assembly.ImportedScene;
 import lightning.format.image.ImageFile;
@@ -136,7 +135,7 @@ public final class FileActions {
     private void importScene(Path file, Path to) {
         readInBackground(file, () -> {
             var progress = new FileProgressMessage(file, model.fileActivity(), model.files().windowExecutor(), message);
-            ImportedScene imported = IndirectChoice.ON.apply(SceneImporter.read(file, to, ImportOptions.DEFAULT, progress));
+            ImportedScene imported = SceneImporter.read(file, to, ImportOptions.DEFAULT, progress).withIndirect();
             return new ImportPreview(imported, new ImportPreviews(imported, IMPORT_PICTURE_SIZE));
         }, preview -> {
             // Clears the progress message.

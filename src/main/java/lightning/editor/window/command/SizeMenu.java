@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -15,7 +14,6 @@ import javafx.scene.control.TextInputDialog;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 import lightning.document.EditOutcome;
-import lightning.document.PictureArea;
 import lightning.editor.Command;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
@@ -44,7 +42,7 @@ public final class SizeMenu {
                     layout.workingSizeProperty().map(chosen -> chosen == size), () -> layout.workingSizeProperty().set(size)));
         }
         all.add(new SeparatorMenuItem());
-        all.add(paneSizeItem(editor, items, layout::pictureArea));
+        all.add(paneSizeItem(editor, items, layout));
         all.add(sceneSizeItem(editor, items));
         all.add(new SeparatorMenuItem());
         for (CanvasSize size : CanvasSize.FIXED) {
@@ -68,9 +66,9 @@ public final class SizeMenu {
     }
 
     /** Creates the item for the largest size that fits the pane. */
-    private static MenuItem paneSizeItem(SceneEditor editor, CommandMenuItems items, Supplier<PictureArea> area) {
+    private static MenuItem paneSizeItem(SceneEditor editor, CommandMenuItems items, WindowLayout layout) {
         MenuItem item = items.value(Command.PICTURE_SIZE, Messages.tr("Fit to Pane"), () -> {
-            PictureSettings fitted = area.get().fit(editor.scene().picture());
+            PictureSettings fitted = layout.pictureArea().fit(editor.scene().picture());
             setSizeAndTrace(editor, CanvasSize.of(fitted.width(), fitted.height()));
         });
         item.setId("size-pane");

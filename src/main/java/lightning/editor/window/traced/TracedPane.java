@@ -53,7 +53,7 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignE;
 /** Pane of the ray-traced picture, with its badges, its progress and the report on the pixel under the mouse. */
 public final class TracedPane extends BorderPane implements AutoCloseable {
     private static final Insets BADGE_INSETS = new Insets(PictureView.MARGIN);
-    /** How long the size of the pane must stay the same before the picture is traced for it. */
+    /** Time for which the size of the pane must stay the same before the picture is traced for it. */
     private static final Duration SIZE_SETTLES = Duration.millis(300);
     private static final double ZOOM_STEP = 1.5;
     /** Empty report with its two lines, so that the picture keeps its size. */

@@ -215,7 +215,10 @@ final class PointLobes {
         }
     }
 
-    /** Adds the weights of a direction of a lobe. Below a sheen, all have one weight. A frosted surface has one for all that it reflects, and one for what passes it. */
+    /**
+     * Adds the weights of a direction of a lobe. Below a sheen, all have one weight. A frosted surface has one for reflected light, and one for
+     * light that passes it.
+     */
     private void addWeights(Kind kind, double factor) {
         double share = factor * lobe.weight();
         RoughLobes lobes = its();

@@ -10,8 +10,8 @@ import lightning.render.lobe.RoughLobes.Kind;
 /**
  * Light of the sky in the parts of a point's lobes, each of which one ray stands for. A ray only tells whether its part sees the sky: what it
  * sees there is the mean over a regular grid of directions, the same in all copies of the point, so few rays leave no specks of small
- * bright lamps. Other points have a turned and shifted grid. Each direction sees the mean over its solid angle (J. Křivánek and M. Colbert, Real-time Shading with Filtered Importance Sampling,
- * 2008). Scratch memory of one thread.
+ * bright lamps. Other points have a turned and shifted grid. Each direction sees the mean over its solid angle (J. Křivánek and M. Colbert,
+ * Real-time Shading with Filtered Importance Sampling, 2008). Scratch memory of one thread.
  */
 final class SkyParts {
     /** Directions along each side of the grid of a point, at least. */
@@ -33,7 +33,7 @@ final class SkyParts {
     private final double[] width;
     private final double[] cos;
     private final double[] sin;
-    /** How the grid of the present point is turned and shifted, by less than half a row or column. */
+    /** Turn and shift of the grid of the present point, by less than half a row or column. */
     private double turnCos;
     private double turnSin;
     private double shift;
